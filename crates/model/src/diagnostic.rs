@@ -29,6 +29,11 @@ impl Span {
         Self::new(self.start.min(other.start), self.end.max(other.end))
     }
 
+    /// The empty place just after it.
+    pub fn after(self) -> Self {
+        Self::new(self.end, self.end)
+    }
+
     /// As a range, for slicing the source.
     pub fn range(self) -> Range<usize> {
         self.start..self.end

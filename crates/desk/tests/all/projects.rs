@@ -34,7 +34,7 @@ fn records_and_answers_come_back_and_are_not_taken_twice() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
 
-    /// Whatever stands in a file: no panic, and what is taken is written again.
+    /// Whatever stands in a file: no panic, and a project that is read is written again.
     #[test]
     fn any_text_is_a_project_or_refused(text in "\\PC{0,200}", at in 0usize..400, byte in any::<u8>()) {
         let _ = Project::read(&text);

@@ -22,7 +22,7 @@ pub fn view(app: App) -> View {
     let mut frame = div();
     let node: Element = frame.node();
     let _ = node.append_child(&player.canvas);
-    let loupe = Loupe::new(app, &player.canvas);
+    let loupe = Loupe::new(&player.canvas);
     let class = move || if app.films.tool.get() == Tool::Rest { "film-frame" } else { "film-frame aiming" };
     let frame = frame
         .class(class)

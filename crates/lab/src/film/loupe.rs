@@ -19,8 +19,7 @@ pub struct Loupe {
 
 impl Loupe {
     /// Over a film.
-    pub fn new(app: App, film: &HtmlCanvasElement) -> Self {
-        let _ = app;
+    pub fn new(film: &HtmlCanvasElement) -> Self {
         Self { film: film.clone() }
     }
 

@@ -32,13 +32,12 @@ impl Inference<'_> {
             };
         };
         let quoted = quote(expression);
-        let end = expression.span.end;
         diagnostic
             .with_hint(words!(
                 "give the number a unit: `{quoted} [{unit}]`",
                 "da una unidad al número: `{quoted} [{unit}]`"
             ))
-            .with_fix(Span::new(end, end), format!(" [{unit}]"))
+            .with_fix(expression.span.after(), format!(" [{unit}]"))
     }
 
     /// Where a parameter among the factors of a product would get another unit, with which the product fits: one without a unit, or
@@ -58,7 +57,7 @@ impl Inference<'_> {
         Some(match place.unit {
             Some(brackets) if unit.dimension.is_none() => (brackets, String::new()),
             Some(brackets) => (brackets, format!("[{unit}]")),
-            None => (Span::new(place.value.end, place.value.end), format!(" [{unit}]")),
+            None => (place.value.after(), format!(" [{unit}]")),
         })
     }
 

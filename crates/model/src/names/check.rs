@@ -183,7 +183,7 @@ impl<'a> NameCheck<'a> {
                         "para un producto escribe `{text}*({})`",
                         quote(argument)
                     ))
-                    .with_fix(Span::new(name.span.end, name.span.end), "*");
+                    .with_fix(name.span.after(), "*");
             }
         } else if let Some(hint) = foreign::instead_of(self.scope, name, arguments) {
             diagnostic = diagnostic.with_hint(hint);

@@ -8,7 +8,7 @@ use super::scope::Meaning;
 use super::traverse::for_each_name;
 use super::unknown::{Orders, Unknown};
 use crate::notation::primed;
-use crate::{Diagnostic, Expression, Span, limits};
+use crate::{Diagnostic, Expression, limits};
 use program::functions::Function;
 use std::collections::HashMap;
 use units::{Words, words};
@@ -255,7 +255,7 @@ fn check_initial_values(declarations: &Declarations, unknown: &Unknown, diagnost
     // The members of a family have no lines of their own.
     let equation = declarations.equations.iter().find(|equation| equation.span.contains(unknown.span));
     if let Some(equation) = equation.filter(|_| !unknown.name.contains(['[', '.'])) {
-        let end = Span::new(equation.span.end, equation.span.end);
+        let end = equation.span.after();
         diagnostic = diagnostic.with_fix(end, format!("\n{}", given.join("\n")));
     }
     diagnostics.push(diagnostic);

@@ -111,17 +111,15 @@ impl Cursor<'_> {
     /// `0.5 (kg)`
     fn refuse_round_unit(&mut self) -> Read<()> {
         let start = self.span().start;
-        let rest = &self.source[start..];
-        let Some((unit, length)) =
-            rest.strip_prefix('(').and_then(|rest| Some((rest.split(')').next()?, rest.find(')')?)))
-        else {
+        let inside = self.source[start..].strip_prefix('(').and_then(|rest| rest.split_once(')'));
+        let Some((unit, _)) = inside else {
             return Ok(());
         };
         if Unit::parse(unit).is_err() {
             return Ok(());
         }
         let wrong = words!("the unit `{unit}` stands in round brackets", "la unidad `{unit}` va entre paréntesis");
-        let place = Span::new(start, start + length + 2);
+        let place = Span::new(start, start + unit.len() + 2);
         let diagnostic = Diagnostic::error("unit-without-brackets", wrong, place);
         let hint = words!("a unit stands in square brackets: [{unit}]", "una unidad va entre corchetes: [{unit}]");
         self.fail(diagnostic.with_hint(hint).with_fix(place, format!("[{unit}]")))

@@ -2,7 +2,7 @@
 
 use super::cursor::{Cursor, Read};
 use super::statement::{Salvaged, nothing};
-use super::{after, unread};
+use super::unread;
 use crate::lexer::{Symbol, TokenKind};
 use crate::{Diagnostic, Expression, Members, Name, StatedUnit, StatementKind};
 use units::words;
@@ -22,13 +22,13 @@ impl Cursor<'_> {
             Err(reported) => return (nothing(start), Err(reported)),
         };
         if self.at_indices() {
-            let (left, value) = (unread(name.span), unread(after(name.span)));
+            let (left, value) = (unread(name.span), unread(name.span.after()));
             let mut members = (left, value, None);
             let read = self.discrete_members(name, &mut members);
             let (left, value, unit) = members;
             return (StatementKind::Members { what: Members::Discrete, left, value, unit }, read);
         }
-        let mut value = unread(after(name.span));
+        let mut value = unread(name.span.after());
         let mut unit = None;
         let read = self.value_at_the_start(&name, &mut value, &mut unit);
         (StatementKind::discrete(name, value, unit), read)

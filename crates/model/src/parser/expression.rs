@@ -1,7 +1,7 @@
 //! Expressions, by precedence climbing (Pratt's method): each operator binds the operands around it with a strength.
 
 use super::cursor::{Cursor, Read};
-use super::{after, unread};
+use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
 use units::{Words, words};
@@ -282,7 +282,7 @@ impl Cursor<'_> {
                 "the line ends before the `{word}` of this `if`",
                 "la línea termina antes del `{word}` de este `if`"
             );
-            let end = after(self.last_span());
+            let end = self.last_span().after();
             // What follows on the next line belongs to the same mistake.
             self.advance();
             Diagnostic::error(code, wrong, start)
@@ -297,8 +297,7 @@ impl Cursor<'_> {
                 "aquí se espera `{word}`, no {found}",
                 found = self.found()
             );
-            let place = if self.at_line_end() { after(self.last_span()) } else { self.span() };
-            let end = Span::new(self.last_span().end, self.last_span().end);
+            let place = if self.at_line_end() { self.last_span().after() } else { self.span() };
             let diagnostic = Diagnostic::error(code, wrong, place)
                 .with_label(start, words("of this `if`", "de este `if`"))
                 .with_hint(words(
@@ -308,7 +307,11 @@ impl Cursor<'_> {
             // A 0 fits every dimension.
             let is_last =
                 self.at_line_end() || matches!(self.peek(), TokenKind::Text(_) | TokenKind::Keyword(Keyword::In));
-            if keyword == Keyword::Else && is_last { diagnostic.with_fix(end, " else 0") } else { diagnostic }
+            if keyword == Keyword::Else && is_last {
+                diagnostic.with_fix(self.last_span().after(), " else 0")
+            } else {
+                diagnostic
+            }
         };
         self.fail(diagnostic)
     }

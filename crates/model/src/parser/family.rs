@@ -2,8 +2,8 @@
 
 use super::cursor::{Cursor, Read};
 use super::expression::{Tree, leaf};
+use super::layout;
 use super::statement::{Salvaged, nothing};
-use super::{after, layout};
 use crate::lexer::{self, Keyword, Symbol, TokenKind};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Over, SizeStatement, Span, StatementKind, limits};
 use std::ops::Range;
@@ -88,7 +88,7 @@ impl Cursor<'_> {
                     "en este intervalo se espera `..`, no {found}",
                     found = self.found()
                 );
-                let place = if self.at_line_end() { after(self.last_span()) } else { self.span() };
+                let place = if self.at_line_end() { self.last_span().after() } else { self.span() };
                 return self.fail(Diagnostic::error("index-range", wrong, place).with_hint(words!(
                     "the range of an index is written `for {} in 1..10`",
                     "el intervalo de un índice se escribe `for {} in 1..10`",

@@ -2,7 +2,7 @@
 
 use super::cursor::{Cursor, Read};
 use super::statement::{Salvaged, nothing};
-use super::{after, unread};
+use super::unread;
 use crate::lexer::{Symbol, TokenKind};
 use crate::{Diagnostic, FunctionStatement, StatementKind};
 use units::words;
@@ -21,7 +21,7 @@ impl Cursor<'_> {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
-        let body = unread(after(name.span));
+        let body = unread(name.span.after());
         let mut function = FunctionStatement { name, parameters: Vec::new(), body, unit: None };
         let read = self.function_parts(&mut function);
         (StatementKind::Function(function), read)

@@ -126,8 +126,3 @@ fn on_boundaries(source: &str, range: &Range<usize>) -> Range<usize> {
 fn unread(span: Span) -> Expression {
     Expression { kind: ExpressionKind::Error, span }
 }
-
-/// The place just after something.
-fn after(span: Span) -> Span {
-    Span::new(span.end, span.end)
-}

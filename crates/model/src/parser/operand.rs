@@ -1,6 +1,5 @@
 //! Operands: numbers with their units, texts, names, initial values, calls and parentheses.
 
-use super::after;
 use super::cursor::{Cursor, Read};
 use super::expression::{DEEPEST, Tree, leaf};
 use crate::lexer::{Keyword, Symbol, TokenKind};
@@ -162,11 +161,10 @@ impl Cursor<'_> {
         if *self.peek() == TokenKind::Symbol(Symbol::Comma) {
             return self.decimal_comma();
         }
-        let end = Span::new(self.last_span().end, self.last_span().end);
         let diagnostic = if self.at_line_end() {
             Diagnostic::error("unclosed-parenthesis", words("this `(` is not closed", "este `(` no se cierra"), open)
                 .with_label(
-                    after(self.last_span()),
+                    self.last_span().after(),
                     words("`)` is missing, here at the latest", "falta `)`, a más tardar aquí"),
                 )
         } else {
@@ -175,7 +173,7 @@ impl Cursor<'_> {
             Diagnostic::error("unclosed-parenthesis", wrong, self.span())
                 .with_label(open, words("closes this `(`", "cierra este `(`"))
         };
-        self.fail(diagnostic.with_fix(end, ")"))
+        self.fail(diagnostic.with_fix(self.last_span().after(), ")"))
     }
 
     /// A comma where none can stand; if it stands between digits, it was meant as a decimal point.

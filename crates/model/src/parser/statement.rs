@@ -3,7 +3,7 @@
 
 use super::cursor::{Cursor, Read, Told};
 use super::expression::Tree;
-use super::{after, unread};
+use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Diagnostic, Expression, ExpressionKind, Members, Name, Quoted, Span, Statement, StatementKind};
 use units::{Words, words};
@@ -183,7 +183,7 @@ impl Cursor<'_> {
         let read = self.expression();
         let right = read.map(|tree| tree.expression);
         let mut outcome = right.as_ref().map(|_| ()).map_err(|reported| *reported);
-        let right = right.unwrap_or_else(|_| unread(after(self.last_span())));
+        let right = right.unwrap_or_else(|_| unread(self.last_span().after()));
         let bare = !left.parenthesised;
         let left = left.expression;
         if bare && self.component_at_start(&left) {
@@ -240,7 +240,7 @@ impl Cursor<'_> {
         if let ExpressionKind::Binary(crate::BinaryOperator::Equal, first, _) = &left.expression.kind
             && !left.parenthesised
         {
-            let place = Span::new(first.span.end, first.span.end);
+            let place = first.span.after();
             let sign = self.source[first.span.end..span.end].find("==").map(|at| first.span.end + at);
             let place = sign.map_or(place, |at| Span::new(at, at + 2));
             let wrong = words(
@@ -258,7 +258,7 @@ impl Cursor<'_> {
             span,
         );
         diagnostic = if self.next_line_continues() {
-            let end = after(self.last_span());
+            let end = self.last_span().after();
             // What follows on the next line belongs to the same mistake.
             self.advance();
             diagnostic
@@ -273,7 +273,7 @@ impl Cursor<'_> {
                 "una definición se escribe NOMBRE = EXPRESIÓN; una ecuación, IZQUIERDA = DERECHA",
             ));
             let is_rate = self.source[span.range()].contains(|c| units::alphabet::primes(c).is_some());
-            if is_rate { diagnostic.with_fix(Span::new(span.end, span.end), " = 0") } else { diagnostic }
+            if is_rate { diagnostic.with_fix(span.after(), " = 0") } else { diagnostic }
         };
         self.fail(diagnostic)
     }

@@ -1,18 +1,11 @@
 //! Whether uncertainties may be believed: how often an interval contains the truth.
 
 use crate::support::Noise;
-use crate::support::fitting::{fitted, model, observation, parameter, record, task};
+use crate::support::fitting::{
+    DAMPED_COSINE, DAMPED_COSINE_NAMES, fitted, model, observation, parameter, record, task,
+};
 use analysis::fit::{Fit, profile};
 use program::Model;
-
-const FORMULA: &str = "
-parameter A = 0.05 [m]
-parameter gamma = 0.4 [1/s]
-parameter omega = 9.6 [1/s]
-parameter phi = 0.5
-parameter c = 0.002 [m]
-y = A*exp(-gamma*t)*cos(omega*t + phi) + c
-";
 
 const MOTION: &str = "
 parameter k = 92 [s^-2]
@@ -103,7 +96,7 @@ fn curve(model: &Model, times: &[f64]) -> Vec<f64> {
 
 #[test]
 fn two_of_three_intervals_contain_the_truth() {
-    for one in coverage(FORMULA, &["A", "gamma", "omega", "phi", "c"], (2_000, 200), 0.0) {
+    for one in coverage(DAMPED_COSINE, &DAMPED_COSINE_NAMES, (2_000, 200), 0.0) {
         let Coverage { name, textbook, robust, .. } = one;
         assert!((63.0..73.0).contains(&textbook) && (63.0..73.0).contains(&robust), "{name}: {textbook} {robust}");
     }
@@ -122,7 +115,7 @@ fn and_so_they_do_for_an_equation_of_motion() {
 /// oscillation, which is faster than the memory of the noise, nearly twice.
 #[test]
 fn errors_robust_to_autocorrelation_hold_where_the_textbook_fails() {
-    for one in coverage(FORMULA, &["A", "gamma", "omega", "phi", "c"], (800, 200), 0.8) {
+    for one in coverage(DAMPED_COSINE, &DAMPED_COSINE_NAMES, (800, 200), 0.8) {
         let Coverage { name, textbook, robust, ratio, .. } = one;
         let too_small = if name == "c" { 2.5..4.0 } else { 1.6..2.2 };
         assert!(too_small.contains(&(1.0 / ratio)), "{name}: {ratio}");
@@ -137,9 +130,7 @@ fn intervals_contain_the_truth_for_correlated_errors_in_short_and_long_records()
         "{:7} {:>5} {:>4}  {:>15} {:>15} {:>15} {:>6}",
         "", "rows", "rho", "textbook 68 %", "68 %", "95 %", "short"
     );
-    for (title, text, names) in
-        [("line", LINE, &["c", "s"][..]), ("cosine", FORMULA, &["A", "gamma", "omega", "phi", "c"][..])]
-    {
+    for (title, text, names) in [("line", LINE, &["c", "s"][..]), ("cosine", DAMPED_COSINE, &DAMPED_COSINE_NAMES[..])] {
         for (rows, records) in [(60, 600), (200, 600), (1_000, 250)] {
             for rho in [0.0, 0.5, 0.8] {
                 let found = coverage(text, names, (records, rows), rho);

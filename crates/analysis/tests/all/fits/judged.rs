@@ -1,19 +1,12 @@
 //! What is said of residuals: outliers, verdicts, criteria.
 
 use crate::support::Noise;
-use crate::support::fitting::{fitted, model, observation, parameter, record, task};
+use crate::support::fitting::{
+    DAMPED_COSINE, DAMPED_COSINE_NAMES, fitted, model, observation, parameter, record, task,
+};
 use analysis::fit::{Outcome, Varied, Verdict, rank};
 use program::Model;
 
-const SWING: &str = "
-parameter A = 0.05 [m]
-parameter gamma = 0.4 [1/s]
-parameter omega = 9.6 [1/s]
-parameter phi = 0.5
-parameter c = 0.002 [m]
-y = A*exp(-gamma*t)*cos(omega*t + phi) + c
-";
-const NAMES: [&str; 5] = ["A", "gamma", "omega", "phi", "c"];
 const LINE: &str = "parameter a = 2 [m]\nparameter s = -0.3 [m/s]\ny = a + s*t";
 const SIGMA: f64 = 5e-4;
 
@@ -46,13 +39,15 @@ fn rows(outcome: &Outcome) -> Vec<usize> {
 
 #[test]
 fn one_value_that_is_off_is_named_and_changes_no_verdict() {
-    let swing_model = model(SWING);
+    let swing_model = model(DAMPED_COSINE);
     let line = model(LINE);
     let truth = |time: f64| 2.0 - 0.3 * time;
     let mut noise = Noise::new(4_711);
-    for (model, names, count) in
-        [(&swing_model, &NAMES[..], 200), (&swing_model, &NAMES, 60), (&line, &["a", "s"], 100)]
-    {
+    for (model, names, count) in [
+        (&swing_model, &DAMPED_COSINE_NAMES[..], 200),
+        (&swing_model, &DAMPED_COSINE_NAMES, 60),
+        (&line, &["a", "s"], 100),
+    ] {
         let times = frames(count);
         for size in [20.0, 100.0] {
             let (mut alone, mut random) = (0, 0);
@@ -81,13 +76,13 @@ fn one_value_that_is_off_is_named_and_changes_no_verdict() {
 
 #[test]
 fn a_clean_record_has_no_outliers() {
-    let model = model(SWING);
+    let model = model(DAMPED_COSINE);
     let mut noise = Noise::new(12);
     for (count, rho) in [(60, 0.0), (60, 0.8), (200, 0.0), (200, 0.8)] {
         let times = frames(count);
         let named = (0..300).filter(|_| {
             let values = noisy(&times, &mut noise, rho, swing);
-            !fit(&model, &NAMES, &times, &values).outliers.is_empty()
+            !fit(&model, &DAMPED_COSINE_NAMES, &times, &values).outliers.is_empty()
         });
         let named = named.count();
         assert!(named < 3, "{count} {rho}: {named} of 300");
@@ -97,7 +92,7 @@ fn a_clean_record_has_no_outliers() {
 /// Two values off, one of them beside the other, and one at the end, where a single value decides most.
 #[test]
 fn several_outliers_are_named() {
-    let model = model(SWING);
+    let model = model(DAMPED_COSINE);
     let times = frames(200);
     let mut noise = Noise::new(77);
     for rho in [0.0, 0.8] {
@@ -105,20 +100,20 @@ fn several_outliers_are_named() {
         for (row, off) in [(0, 40.0), (50, -30.0), (51, 60.0), (120, 25.0), (199, -40.0)] {
             values[row] += off * SIGMA;
         }
-        assert_eq!(rows(&fit(&model, &NAMES, &times, &values)), [0, 50, 51, 120, 199], "{rho}");
+        assert_eq!(rows(&fit(&model, &DAMPED_COSINE_NAMES, &times, &values)), [0, 50, 51, 120, 199], "{rho}");
     }
 }
 
 /// A wrong theory leaves large residuals where the motion is large: these are no outliers.
 #[test]
 fn what_a_theory_misses_is_no_outlier() {
-    let model = model(SWING);
+    let model = model(DAMPED_COSINE);
     let times = frames(200);
     let mut noise = Noise::new(5);
     for _ in 0..20 {
         let values =
             noisy(&times, &mut noise, 0.0, |time| swing(time) + 0.01 * libm::exp(-1.5 * time) * libm::cos(25.0 * time));
-        let outcome = fit(&model, &NAMES, &times, &values);
+        let outcome = fit(&model, &DAMPED_COSINE_NAMES, &times, &values);
         assert_eq!((rows(&outcome), outcome.verdict()), (Vec::new(), Verdict::Structured));
     }
 }
@@ -225,15 +220,15 @@ fn weights_of_evidence_count_independent_values() {
 /// must not count in the choice of lags.
 #[test]
 fn numbers_of_another_record_do_not_change_the_errors() {
-    let model = model(SWING);
+    let model = model(DAMPED_COSINE);
     let (long, short) = (frames(300), frames(150));
     let mut noise = Noise::new(31);
     let one = record(vec![observation(&model, "y", 0, &long, &noisy(&long, &mut noise, 0.7, swing))]);
     let other = record(vec![observation(&model, "y", 0, &short, &noisy(&short, &mut noise, 0.2, swing))]);
-    let alone = [&one, &other].map(|record| fitted(&model, task(&model, record.clone(), &NAMES)));
-    let mut both = task(&model, one, &NAMES);
+    let alone = [&one, &other].map(|record| fitted(&model, task(&model, record.clone(), &DAMPED_COSINE_NAMES)));
+    let mut both = task(&model, one, &DAMPED_COSINE_NAMES);
     both.records.push(other);
-    both.varied = NAMES.iter().map(|name| Varied::parameter(parameter(&model, name))).collect();
+    both.varied = DAMPED_COSINE_NAMES.iter().map(|name| Varied::parameter(parameter(&model, name))).collect();
     let both = fitted(&model, both);
     for estimate in &both.parameters {
         let alone = alone[estimate.record.unwrap()].estimate(&estimate.name).unwrap();

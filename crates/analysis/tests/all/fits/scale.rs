@@ -1,20 +1,16 @@
 //! The scale of a film, which all lengths of a record share, as a number with a prior.
 
 use crate::support::Noise;
-use crate::support::fitting::{fitted, model, observation, parameter, record, task};
+use crate::support::fitting::{
+    DAMPED_COSINE, DAMPED_COSINE_NAMES, fitted, model, observation, parameter, record, task,
+};
 use analysis::fit::{Fit, FitError, Loss, Observation, Outcome, Record, Varied};
 use program::Model;
 
-const SWING: &str = "
-parameter A = 0.05 [m]
-parameter gamma = 0.4 [1/s]
-parameter omega = 9.6 [1/s]
-parameter phi = 0.5
-parameter c = 0.002 [m]
-y = A*exp(-gamma*t)*cos(omega*t + phi) + c
-v = A*exp(-gamma*t)*(-gamma*cos(omega*t + phi) - omega*sin(omega*t + phi))
-";
-const SWING_NAMES: [&str; 5] = ["A", "gamma", "omega", "phi", "c"];
+/// A damped cosine with its velocity.
+fn swing() -> Model {
+    model(&format!("{DAMPED_COSINE}v = A*exp(-gamma*t)*(-gamma*cos(omega*t + phi) - omega*sin(omega*t + phi))\n"))
+}
 
 const PENDULUM: &str = "
 parameter g = 9.8 [m/s^2]
@@ -71,7 +67,7 @@ fn off(outcome: &Outcome, model: &Model, name: &str) -> (f64, f64) {
 /// what they would be without the number.
 #[test]
 fn a_wrong_scale_is_in_the_errors_of_lengths_alone() {
-    let model = model(SWING);
+    let model = swing();
     let times = times(200, 30.0);
     for given in [false, true] {
         let of = |scale_error| {
@@ -79,7 +75,7 @@ fn a_wrong_scale_is_in_the_errors_of_lengths_alone() {
             if given {
                 observed = with_errors(observed);
             }
-            fitted(&model, task(&model, Record { scale_error, ..record(vec![observed]) }, &SWING_NAMES))
+            fitted(&model, task(&model, Record { scale_error, ..record(vec![observed]) }, &DAMPED_COSINE_NAMES))
         };
         let (with, without) = (of(Some(0.01)), of(None));
         let (wrong, error) = off(&with, &model, "A");
@@ -128,7 +124,7 @@ fn data_determine_the_scale_where_another_length_is_known() {
 /// Velocities have the scale of the positions, and two records each have their own.
 #[test]
 fn columns_share_a_scale_and_records_do_not() {
-    let model = model(SWING);
+    let model = swing();
     let times = times(150, 30.0);
     let mut noise = Noise::new(11);
     let mut film = |scale| {
@@ -136,9 +132,9 @@ fn columns_share_a_scale_and_records_do_not() {
         Record { scale_error: Some(0.01), ..record(columns.to_vec()) }
     };
     let (first, second) = (film(1.0), film(1.0));
-    let one = fitted(&model, task(&model, first.clone(), &SWING_NAMES));
+    let one = fitted(&model, task(&model, first.clone(), &DAMPED_COSINE_NAMES));
     assert_eq!(one.scales.len(), 1);
-    let mut both = task(&model, first, &SWING_NAMES);
+    let mut both = task(&model, first, &DAMPED_COSINE_NAMES);
     both.records.push(second);
     both.varied.iter_mut().for_each(|varied| varied.shared = true);
     let both = fitted(&model, both);
@@ -170,7 +166,7 @@ fn g_of_a_pendulum_has_the_error_of_the_scale() {
 
 #[test]
 fn two_of_three_intervals_contain_the_truth() {
-    let model = model(SWING);
+    let model = swing();
     let times = times(150, 30.0);
     let clean = curve(&model, "y", &times);
     let mut noise = Noise::new(2_026);
@@ -184,16 +180,17 @@ fn two_of_three_intervals_contain_the_truth() {
             if given {
                 observed = with_errors(observed);
             }
-            let mut task = task(&model, Record { scale_error: Some(5e-4), ..record(vec![observed]) }, &SWING_NAMES);
+            let mut task =
+                task(&model, Record { scale_error: Some(5e-4), ..record(vec![observed]) }, &DAMPED_COSINE_NAMES);
             task.loss = loss;
             let outcome = fitted(&model, task);
-            for (count, name) in inside.iter_mut().zip(SWING_NAMES) {
+            for (count, name) in inside.iter_mut().zip(DAMPED_COSINE_NAMES) {
                 let (off, error) = off(&outcome, &model, name);
                 *count += i32::from(off.abs() <= error);
             }
         }
         // 136 are expected, with a standard deviation of 6.6.
-        for (count, name) in inside.iter().zip(SWING_NAMES) {
+        for (count, name) in inside.iter().zip(DAMPED_COSINE_NAMES) {
             assert!((116..=156).contains(count), "{loss:?} {name}: {count} of 200");
         }
     }
@@ -219,9 +216,9 @@ fn an_angle_has_no_scale_and_a_bad_error_is_refused() {
 /// A fit that is made again from its answer is the same.
 #[test]
 fn again_from_the_answer() {
-    let model = model(SWING);
+    let model = swing();
     let observed = seen(&model, "y", &times(200, 30.0), 1.0, &mut Noise::new(7));
-    let task = task(&model, Record { scale_error: Some(0.01), ..record(vec![observed]) }, &SWING_NAMES);
+    let task = task(&model, Record { scale_error: Some(0.01), ..record(vec![observed]) }, &DAMPED_COSINE_NAMES);
     let first = fitted(&model, task.clone());
     let found: Vec<f64> = first.parameters.iter().map(|one| one.value).collect();
     let mut again = Fit::again(&model, task, &found).unwrap();

@@ -2,6 +2,18 @@
 use analysis::fit::{Fit, Observation, Outcome, Record, Task, Varied};
 use program::Model;
 
+/// A damped cosine about a level.
+pub const DAMPED_COSINE: &str = "
+parameter A = 0.05 [m]
+parameter gamma = 0.4 [1/s]
+parameter omega = 9.6 [1/s]
+parameter phi = 0.5
+parameter c = 0.002 [m]
+y = A*exp(-gamma*t)*cos(omega*t + phi) + c
+";
+/// What is varied in it.
+pub const DAMPED_COSINE_NAMES: [&str; 5] = ["A", "gamma", "omega", "phi", "c"];
+
 /// The model that `text` states.
 pub fn model(text: &str) -> Model {
     let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));

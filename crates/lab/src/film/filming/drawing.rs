@@ -26,7 +26,7 @@ const SHAPES: &str = "path, circle, ellipse, rect, line, polyline, polygon";
 /// The truth is known of so many shapes.
 const MOST_SHAPES: usize = 300;
 
-/// The scene, where nobody sees it.
+/// The scene, out of sight.
 pub struct Drawing {
     host: web_sys::Element,
     picture: Picture,

@@ -57,6 +57,7 @@ const KINDS: [Kind; 2] = [
             "lab/page/film.css",
             "lab/page/library.css",
             "lab/page/write.css",
+            "lab/page/drawing.css",
             "lab/page/publish.css",
             "view/page/narrow.css",
             "view/page/print.css",

@@ -8,7 +8,7 @@ use crate::fits::state::Fits;
 use crate::measured::data::Data;
 use crate::records::incoming::Intake;
 use crate::removed::Removed;
-use crate::writing::Writing;
+use crate::writing::{Sketching, Writing};
 use document::Document;
 use play::{Play, PlotId};
 
@@ -47,6 +47,8 @@ pub struct Desk {
     pub(crate) removed: Option<(u32, Removed)>,
     /// The texts in the editor.
     pub(crate) writing: Writing,
+    /// What was read of the drawing, once it is changed by hand.
+    pub(crate) sketching: Option<Sketching>,
 }
 
 impl Desk {
@@ -68,6 +70,7 @@ impl Desk {
             cycle_plot,
             removed: None,
             writing: Writing::default(),
+            sketching: None,
             document,
         };
         let program = &desk.document.program;

@@ -55,6 +55,6 @@ pub use records::{
 pub use refusal::Refusal;
 pub use saved::{Change, Item, Left, Shelf};
 pub use writing::{
-    Insight, LineChanges, Mark, Proposals, TextChange, Writing, insight, line_changes, superfluous_versions,
-    text_changes,
+    DrawingPlaces, Insight, LineChanges, Mark, Proposals, TextChange, Writing, insight, line_changes,
+    superfluous_versions, text_changes,
 };

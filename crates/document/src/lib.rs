@@ -12,6 +12,7 @@ mod card;
 mod checks;
 mod curves;
 mod document;
+pub mod drawing;
 pub mod edit;
 mod edition;
 mod expressions;

@@ -3,10 +3,13 @@
 mod completion;
 mod mark;
 mod rewriting;
+mod sketching;
 mod state;
 mod versions;
 
 pub use completion::{Insight, Proposals, insight};
 pub use mark::{Mark, TextChange, text_changes};
+pub use sketching::DrawingPlaces;
+pub(crate) use sketching::Sketching;
 pub use state::Writing;
 pub use versions::{LineChanges, line_changes, superfluous_versions};

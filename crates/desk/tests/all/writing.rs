@@ -221,3 +221,23 @@ fn a_text_with_nothing_to_run_becomes_a_document_with_its_first_version_that_giv
     assert!(desk.write(0, UTUBE.to_owned()));
     assert_eq!(desk.writing().errors(), 0);
 }
+
+#[test]
+fn the_elements_of_the_drawing_are_found_while_the_text_runs() {
+    let template = TEMPLATES.iter().find(|template| template.name == "oscillator").unwrap();
+    let text = template.text(Language::English);
+    let mut desk = open(text, &[]);
+    desk.begin_writing(vec![text.to_owned()]);
+    // One centimetre is 5 units of the drawing; the spring ends 4 cm above the displacement.
+    let end = |desk: &mut Desk| desk.drawing_places().unwrap().elements[2].as_ref().unwrap().grips[2].1[1];
+    let at = |y: f64| 150.0 - 500.0 * (y + 0.04);
+    assert!((end(&mut desk) - at(0.1)).abs() < 1e-9);
+    play(&mut desk, [0.01; 30]);
+    let y = desk.play().course().state()[0];
+    assert!((end(&mut desk) - at(y)).abs() < 1e-9);
+    // A text that does not run has no places; one that runs again has its own.
+    assert!(!desk.write(0, text.replace("m*y''", "m*(y''")));
+    assert_eq!(desk.drawing_places(), None);
+    assert!(desk.write(0, text.replace("y + 4 [cm])\" width", "y + 5 [cm])\" width")));
+    assert!((end(&mut desk) - at(y + 0.01)).abs() < 1e-9);
+}

@@ -33,6 +33,14 @@ pub enum EditError {
     NotOneCell,
     /// The text is not one whole statement.
     NotOneStatement,
+    /// The document has no drawing.
+    NoDrawing,
+    /// The drawing has no such element.
+    UnknownElement(usize),
+    /// The text would not stay inside its element.
+    NotOneElement,
+    /// A place is written in a way that the hand cannot change.
+    NotAPoint,
     /// A translation has its questions in the order of the document; so many stand before this one.
     EarlierQuestion(usize),
     /// No name of the model stands at the place.
@@ -91,6 +99,16 @@ impl EditError {
             Self::NotOneStatement => words(
                 "this is not one whole statement: it is empty, has several, or a brace or parenthesis is open",
                 "esto no es una sentencia completa: está vacía, hay varias, o queda abierta una llave o un paréntesis",
+            ),
+            Self::NoDrawing => words("the document has no drawing", "el documento no tiene dibujo"),
+            Self::UnknownElement(_) => words("the drawing has no such element", "el dibujo no tiene ese elemento"),
+            Self::NotOneElement => words(
+                "this does not fit into its element; write it in the text",
+                "esto no cabe en su elemento; escríbelo en el texto",
+            ),
+            Self::NotAPoint => words(
+                "this place is computed in a way that the hand cannot change; write it in the text",
+                "este lugar se calcula de una forma que la mano no puede cambiar; escríbelo en el texto",
             ),
             Self::EarlierQuestion(number) => words!(
                 "translate the first {number} questions before this one: a translation has them in the same order",

@@ -6,6 +6,7 @@
 mod blocks;
 mod cell;
 mod columns;
+mod drawing;
 mod error;
 mod layout;
 mod parameter;
@@ -17,6 +18,11 @@ mod translation;
 
 pub use blocks::{insert_block, remove_block, replace_block};
 pub use cell::set_cell;
+pub(crate) use drawing::split_distance;
+pub use drawing::{
+    Measure, Order, add_element, add_scene, duplicate_element, follow, remove_elements, reorder_element, set_attribute,
+    set_text, shift,
+};
 pub use error::EditError;
 pub(crate) use layout::line_end;
 pub use model::Edit;

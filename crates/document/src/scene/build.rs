@@ -3,7 +3,8 @@
 use super::allowed::{ELEMENTS, is_id};
 use super::builder::{Builder, Dragging};
 use super::frame::four_numbers;
-use super::parts::{Given, PARTS, Part, name_of, part_of, title};
+use super::marks::Marks;
+use super::parts::{Given, PARTS, Part, part_of, title};
 use super::shapes::{Geometry, is_geometry};
 use super::space::Space;
 use super::style;
@@ -22,6 +23,21 @@ pub fn build(
     range: Range<usize>,
     language: Language,
 ) -> Option<(Scene, Vec<SceneText>)> {
+    let (scene, words, _) = build_with(expressions, range, language, None)?;
+    Some((scene, words))
+}
+
+/// Reads the scene in `range` for what is to be known of its elements.
+pub fn build_marked(expressions: &mut Expressions, range: Range<usize>, language: Language) -> Option<Marks> {
+    build_with(expressions, range, language, Some(Marks::default()))?.2
+}
+
+fn build_with(
+    expressions: &mut Expressions,
+    range: Range<usize>,
+    language: Language,
+    marks: Option<Marks>,
+) -> Option<(Scene, Vec<SceneText>, Option<Marks>)> {
     let source = expressions.source;
     let opening = Span::new(range.start, range.start);
     let Some(length) = source[range.clone()].find("<svg") else {
@@ -58,6 +74,7 @@ pub fn build(
         view_box: None,
         space,
         place: opening,
+        marks,
     };
     builder.collect_ids(&children);
     let mut root = None;
@@ -82,9 +99,9 @@ pub fn build(
         }
     }
     builder.check_references();
-    let Builder { values, trails, length, words, .. } = builder;
+    let Builder { values, trails, length, words, marks, .. } = builder;
     expressions.forget();
-    Some((Scene { root: root?, values, trails, length }, words))
+    Some((Scene { root: root?, values, trails, length }, words, marks))
 }
 
 impl Builder<'_, '_> {
@@ -176,7 +193,11 @@ impl Builder<'_, '_> {
     /// An element, or its copies for each value of its index.
     fn repeated(&mut self, mut raw: RawElement, children: &mut Vec<Child>) {
         let Some(place) = raw.attributes.iter().position(|(name, _)| self.source(name) == "repeat") else {
-            children.extend(self.element(raw).map(Child::Element));
+            let place = raw.opening.start;
+            self.enter(children.len());
+            let element = self.element(raw);
+            self.leave(place, element.is_some());
+            children.extend(element.map(Child::Element));
             return;
         };
         let (_, range) = raw.attributes.remove(place);
@@ -185,7 +206,9 @@ impl Builder<'_, '_> {
         for value in values {
             let before = self.expressions.diagnostics.len();
             self.hold(&index, value);
+            self.enter(children.len());
             let copy = self.element(raw.clone());
+            self.leave(raw.opening.start, copy.is_some());
             self.release(&index);
             let fits = self.fits(copy.as_ref().map_or(0, size), raw.name.clone());
             children.extend(copy.map(Child::Element));
@@ -209,6 +232,7 @@ impl Builder<'_, '_> {
         let mut dragging = Dragging::default();
         let mut geometry = Geometry::new();
         let mut visible = None;
+        self.note_plain(&name, &raw.attributes);
         for (attribute, value) in raw.attributes {
             match self.source(&attribute) {
                 "drag" => dragging.state = Some(value),
@@ -233,6 +257,8 @@ impl Builder<'_, '_> {
         if is_frame {
             let axes = [take("x"), take("y"), take("box")];
             self.space = self.frame_space(raw.name, axes)?;
+            let space = self.space.clone();
+            self.note_frame(&space);
         } else if name == "g" {
             let (at, turn) = (take("at"), take("turn"));
             if at.is_some() || turn.is_some() {
@@ -283,7 +309,7 @@ impl Builder<'_, '_> {
         if !names.is_empty() {
             self.children(&mut element, names);
         } else if !is_label {
-            let words = name_of(part);
+            let words = part.title();
             element.children.push(Child::Element(title(vec![Piece::Literal(words.text(self.language).to_owned())])));
             self.words.push(SceneText { generated: Some(words), ..SceneText::default() });
         }

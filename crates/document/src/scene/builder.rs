@@ -1,5 +1,6 @@
 //! What a scene is built with: the values, texts and references so far, and where the building is.
 
+use super::marks::Marks;
 use super::space::Space;
 use super::translate::SceneText;
 use crate::expressions::Expressions;
@@ -44,6 +45,8 @@ pub struct Builder<'b, 'a> {
     pub space: Space,
     /// Where the element stands that is being built.
     pub place: Span,
+    /// Where everything comes to stand, where that is asked for.
+    pub marks: Option<Marks>,
 }
 
 /// Where the values of the attributes for dragging stand.

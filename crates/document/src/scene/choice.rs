@@ -9,7 +9,7 @@ use std::ops::Range;
 use units::{Words, words};
 
 /// The theme's colours by the names that documents use, each with a colour for where there is no theme.
-const PALETTE: [(&str, &str); 6] = [
+pub const PALETTE: [(&str, &str); 6] = [
     ("text", "currentColor"),
     ("liquid", "var(--liquid, #3f9fc0)"),
     ("liquid-deep", "var(--liquid-deep, #1c7699)"),

@@ -30,18 +30,23 @@ impl Builder<'_, '_> {
         let inner = self.inside_braces(range.clone());
         let pixels = self.source(&inner).strip_suffix("px").and_then(|number| number.trim().parse::<f64>().ok());
         if let Some(pixels) = pixels.filter(|pixels| pixels.is_finite()) {
-            return Some(self.graph().constant(pixels));
+            let length = self.graph().constant(pixels);
+            self.note_number(range.start, length);
+            return Some(length);
         }
-        let length = self.coordinate(range)?;
+        let length = self.coordinate(range.clone())?;
         let space = self.space.clone();
-        Some(space.length(self.graph(), length))
+        let length = space.length(self.graph(), length);
+        self.note_number(range.start, length);
+        Some(length)
     }
 
     /// An angle, in radians.
     pub fn angle(&mut self, range: Range<usize>) -> Option<NodeId> {
-        let range = self.inside_braces(range);
-        let placed = self.expressions.number(range)?;
+        let inner = self.inside_braces(range.clone());
+        let placed = self.expressions.number(inner)?;
         if placed.value.dimension() == Dimension::NONE {
+            self.note_number(range.start, placed.value.node);
             return Some(placed.value.node);
         }
         let message =
@@ -53,11 +58,14 @@ impl Builder<'_, '_> {
 
     /// A point, in the drawing.
     pub fn point(&mut self, range: Range<usize>) -> Option<Spot> {
+        let place = range.start;
         let (x, y) = self.components(range)?;
         let (x, y) = (self.of_space(x), self.of_space(y));
         let (x, y) = x.zip(y)?;
         let space = self.space.clone();
-        Some(space.spot(self.graph(), x, y))
+        let spot = space.spot(self.graph(), x, y);
+        self.note_spot(place, spot);
+        Some(spot)
     }
 
     /// A way from one point to another, in the drawing.

@@ -108,7 +108,7 @@ impl Builder<'_, '_> {
 
     /// `(30 [cm], 20px)`: width and height in the drawing.
     pub fn size(&mut self, range: Range<usize>) -> Option<Spot> {
-        let inner = self.inside_braces(range);
+        let inner = self.inside_braces(range.clone());
         let found = steps(self.expressions.source, inner.clone(), "");
         let Ok([Step::Point(pair)]) = found.as_deref() else {
             self.refuse(
@@ -123,17 +123,25 @@ impl Builder<'_, '_> {
         };
         let pair = pair.clone();
         let (x, y) = (self.extent(pair.first), self.extent(pair.second));
-        Some(Spot { x: x?, y: y? })
+        let size = Spot { x: x?, y: y? };
+        self.note_spot(range.start, size);
+        Some(size)
     }
 
     /// A place whose coordinates stand in two attributes; one that is missing is 0.
     fn spot_of(&mut self, geometry: &Geometry, x: &str, y: &str) -> Option<Spot> {
         let zero = self.graph().constant(0.0);
         let mut number = |name: &str| geometry.get(name).map_or(Some(zero), |range| self.coordinate(range.clone()));
-        let (x, y) = (number(x), number(y));
-        let (x, y) = x.zip(y)?;
+        let (right, up) = (number(x), number(y));
+        let (right, up) = right.zip(up)?;
         let space = self.space.clone();
-        Some(space.spot(self.graph(), x, y))
+        let spot = space.spot(self.graph(), right, up);
+        for (name, node) in [(x, spot.x), (y, spot.y)] {
+            if let Some(range) = geometry.get(name) {
+                self.note_number(range.start, node);
+            }
+        }
+        Some(spot)
     }
 
     /// A list of points, or a path of points.

@@ -15,6 +15,10 @@ const ELEMENTS: usize = 3_000;
 pub struct RawElement {
     /// Where its name stands in the opening tag.
     pub name: Range<usize>,
+    /// The opening tag.
+    pub opening: Range<usize>,
+    /// Where it ends, with its closing tag.
+    pub end: usize,
     /// Names and values (inside their quotes).
     pub attributes: Vec<(Range<usize>, Range<usize>)>,
     /// What it holds.
@@ -34,7 +38,14 @@ pub enum RawChild {
 pub fn parse(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Vec<RawChild> {
     let mut reader = Reader { source, at: range.start, end: range.end, elements: 0, diagnostics };
     // The outermost entry is the document; each other one an element whose end has not come yet.
-    let mut open = vec![RawElement { name: range.start..range.start, attributes: Vec::new(), children: Vec::new() }];
+    let before = range.start..range.start;
+    let mut open = vec![RawElement {
+        name: before.clone(),
+        opening: before,
+        end: range.end,
+        attributes: Vec::new(),
+        children: Vec::new(),
+    }];
     while reader.at < reader.end {
         if !reader.rest().starts_with('<') {
             let text = reader.text();
@@ -49,7 +60,7 @@ pub fn parse(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
         if let Some(element) = open.last() {
             reader.unclosed(element.name.clone(), range.end);
         }
-        close(&mut open);
+        close(&mut open, range.end);
     }
     open.pop().map(|document| document.children).unwrap_or_default()
 }
@@ -60,9 +71,9 @@ fn push(open: &mut [RawElement], child: RawChild) {
     }
 }
 
-fn close(open: &mut Vec<RawElement>) {
+fn close(open: &mut Vec<RawElement>, end: usize) {
     if let Some(element) = open.pop() {
-        push(open, RawChild::Element(element));
+        push(open, RawChild::Element(RawElement { end, ..element }));
     }
 }
 
@@ -157,15 +168,17 @@ impl Reader<'_> {
             if let Some(inner) = open.last() {
                 self.unclosed(inner.name.clone(), start);
             }
-            close(open);
+            close(open, start);
         }
-        close(open);
+        close(open, self.at);
     }
 
     fn opening_tag(&mut self, open: &mut Vec<RawElement>) {
+        let start = self.at;
         self.at += 1;
         let name = self.name();
-        let mut element = RawElement { name: name.clone(), attributes: Vec::new(), children: Vec::new() };
+        let (attributes, children) = (Vec::new(), Vec::new());
+        let mut element = RawElement { name: name.clone(), opening: start..start, end: start, attributes, children };
         let closed = loop {
             self.skip_blanks();
             match self.rest().chars().next() {
@@ -189,6 +202,7 @@ impl Reader<'_> {
                 Some(_) => element.attributes.extend(self.attribute()),
             }
         };
+        (element.opening.end, element.end) = (self.at, self.at);
         self.elements += 1;
         if self.elements == ELEMENTS + 1 {
             self.error(

@@ -10,6 +10,7 @@ mod bundles;
 #[path = "../../../model/tests/all/common/catalogue.rs"]
 mod catalogue;
 mod checks;
+mod drawing;
 mod edit;
 mod form;
 mod format;

@@ -19,8 +19,8 @@ use units::{Words, words};
 /// Attributes of a part, by name.
 pub type Given = BTreeMap<String, Range<usize>>;
 
-/// A part of a drawing.
-#[derive(Clone, Copy, Debug)]
+/// A part of a drawing, or another element that editors offer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
     /// The name of its element.
     pub name: &'static str,
@@ -32,7 +32,15 @@ pub struct Part {
     pub needed: usize,
 }
 
-const fn part(
+impl Part {
+    /// What people call it.
+    pub fn title(self) -> Words {
+        words(self.words.0, self.words.1)
+    }
+}
+
+/// An element of this name.
+pub(crate) const fn part(
     name: &'static str,
     words: (&'static str, &'static str),
     needed: usize,
@@ -134,11 +142,6 @@ impl Builder<'_, '_> {
             }
         }
     }
-}
-
-/// The name of a part that the document does not name, in both languages.
-pub fn name_of(part: Part) -> Words {
-    words(part.words.0, part.words.1)
 }
 
 /// The `title` of an element.

@@ -1,0 +1,46 @@
+//! The components of points as they are written.
+
+use crate::scene::pairs;
+use model::Span;
+use std::ops::Range;
+
+/// One of the two directions of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// To the right.
+    Across,
+    /// Upwards in a frame, downwards outside.
+    Along,
+}
+
+/// The components of a point: those of its pair that stands without a factor. `None` if it has no such pair.
+pub(crate) fn components(source: &str, value: Span) -> Option<(Range<usize>, Range<usize>)> {
+    let range = crate::source::trim(source, value.range());
+    let pairs = pairs(source, range.clone())?;
+    let is_plain = |pair: &Range<usize>| {
+        let before = source[range.start..pair.start].trim_end();
+        let behind = source[pair.end..range.end].trim_start();
+        (before.is_empty() || before.ends_with('+')) && !behind.starts_with(['*', '/'])
+    };
+    let pair = pairs.into_iter().find(|pair| is_plain(&pair.whole))?;
+    Some((pair.first, pair.second))
+}
+
+/// The place of one component of a point.
+pub(crate) fn at_axis(source: &str, value: Span, axis: Axis) -> Option<Range<usize>> {
+    let (across, along) = components(source, value)?;
+    let range = match axis {
+        Axis::Across => across,
+        Axis::Along => along,
+    };
+    Some(crate::source::trim(source, range))
+}
+
+/// What one component of a point follows: the name of a quantity, if it is that alone or with a distance added; an empty text if it
+/// stays where it is; `None` if it is something else.
+pub fn follows<'a>(source: &'a str, value: Span, axis: Axis) -> Option<&'a str> {
+    let text = source.get(at_axis(source, value, axis)?)?;
+    let (name, _) = crate::edit::split_distance(text);
+    let is_name = name.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '\'' | '.'));
+    (is_name && !name.starts_with(|letter: char| letter.is_ascii_digit())).then_some(name)
+}

@@ -1,0 +1,48 @@
+//! What a drawing must be read as after a change.
+
+use crate::drawing::{Drawing, Item, read};
+use crate::edit::layout::{Layout, result};
+use crate::edit::{Edit, EditError};
+use crate::outline::{self, Outline};
+
+/// An element without its places: its name, how many frames and groups are around it, its attributes.
+pub(super) type Shape = (&'static str, usize, Vec<(String, String)>);
+
+/// The drawing of a document.
+pub(super) fn drawing(outline: &Outline) -> Result<Drawing, EditError> {
+    read(outline).ok_or(EditError::NoDrawing)
+}
+
+/// An element of it.
+pub(super) fn item(drawing: &Drawing, number: usize) -> Result<&Item, EditError> {
+    drawing.items.get(number).ok_or(EditError::UnknownElement(number))
+}
+
+/// The elements of a drawing without their places.
+pub(super) fn shapes(source: &str, drawing: &Drawing) -> Vec<Shape> {
+    drawing.items.iter().map(|item| shape(source, drawing, item)).collect()
+}
+
+fn shape(source: &str, drawing: &Drawing, item: &Item) -> Shape {
+    let text = |attribute: &crate::drawing::Written| {
+        (attribute.name.clone(), source.get(attribute.value.range()).unwrap_or_default().to_owned())
+    };
+    let around = std::iter::successors(item.parent, |parent| drawing.items.get(*parent)?.parent);
+    (item.kind.name, around.count(), item.attributes.iter().map(text).collect())
+}
+
+/// Refuses edits unless they leave everything outside the scene as it is, and turn the drawing into `expected`.
+pub(super) fn expect(
+    outline: &Outline,
+    drawing: &Drawing,
+    edits: &[Edit],
+    expected: &[Shape],
+) -> Result<(), EditError> {
+    let text = result(outline, edits)?;
+    if !Layout::of(outline).differs_only_in(drawing.block, &text) {
+        return Err(EditError::ChangesOthers);
+    }
+    let after = outline::read(&text);
+    let is_same = read(&after).is_some_and(|drawing| shapes(&text, &drawing) == expected);
+    if is_same { Ok(()) } else { Err(EditError::NotOneElement) }
+}

@@ -1,0 +1,103 @@
+//! The canvas: the picture as it runs, with the grid and what can be gripped over it.
+
+use super::seen::Seen;
+use super::{Hand, keys, overlay, pointing, words};
+use std::cell::RefCell;
+use std::rc::Rc;
+use sycamore_reactive::on_cleanup;
+use view::picture::Picture;
+use view::views::*;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
+use web_sys::{Element, ResizeObserver, SvgElement};
+
+/// The picture of the canvas; it is built again for each program.
+#[derive(Clone, Default)]
+pub struct Canvas(Rc<RefCell<Option<Picture>>>);
+
+impl Canvas {
+    /// The `svg` of the picture.
+    pub fn root(&self) -> Option<SvgElement> {
+        self.0.borrow().as_ref().map(|picture| picture.root().clone())
+    }
+
+    /// Builds the picture of the present program into an element.
+    fn build(&self, hand: Hand, place: &Element) {
+        place.set_inner_html("");
+        let Ok(inner) = document().create_element("div") else { return };
+        let _ = place.append_child(&inner);
+        let language = hand.app.language.get_untracked();
+        let picture = hand.app.read(|play| {
+            let scene = play.program().scene(language.tag())?;
+            Picture::build(scene, &inner)
+        });
+        *self.0.borrow_mut() = picture;
+    }
+
+    /// Shows the present, and finds out where everything is seen.
+    fn draw(&self, hand: Hand) {
+        let Ok(mut picture) = self.0.try_borrow_mut() else { return };
+        let seen = picture.as_mut().and_then(|picture| {
+            hand.app.read(|play| picture.draw(play));
+            let places = hand.app.read_desk(|desk| desk.drawing_places())?;
+            Seen::measure(picture.root(), places)
+        });
+        if hand.seen.with_untracked(|known| *known != seen) {
+            hand.seen.set(seen);
+        }
+    }
+}
+
+/// The canvas.
+pub fn view(hand: Hand) -> View {
+    let words = words::of(hand.app);
+    let canvas = Canvas::default();
+    let mut place = div().class("drawing-picture");
+    let node: Element = place.node();
+    let (built, drawn) = (canvas.clone(), canvas.clone());
+    // A text that runs has another picture.
+    effect(move || {
+        hand.app.written.track();
+        hand.app.changes.program.track();
+        built.build(hand, &node);
+        built.draw(hand);
+    });
+    effect(move || {
+        hand.app.changes.frame.track();
+        hand.app.changes.parameters.track();
+        drawn.draw(hand);
+    });
+    let node: Element = place.node();
+    follow_size(hand, canvas.clone(), &node);
+    let runs = memo(move || hand.seen.with(Option::is_some));
+    let over = move || if runs.get() { overlay::view(hand) } else { View::new() };
+    let pointing = pointing::Pointing { hand, canvas };
+    let (down, moved, up) = (pointing.clone(), pointing.clone(), pointing);
+    let surface = div()
+        .class("drawing-canvas")
+        .id("drawing-canvas")
+        .tabindex("0")
+        .role("application")
+        .attr("aria-label", words.canvas)
+        .attr("aria-describedby", "drawing-keys")
+        .when(events::pointerdown, move |event| down.begin(&event))
+        .when(events::pointermove, move |event| moved.follow(&event))
+        .when(events::pointerup, move |event| up.end(&event))
+        .when(events::pointercancel, move |_| hand.held.set(None))
+        .when(events::keydown, move |event| keys::pressed(hand, &event))
+        .child(place)
+        .child(changing(over));
+    let paused = move || if runs.get() { View::new() } else { note(words.paused).into() };
+    View::from((surface, p().id("drawing-keys").class("note small").child(words.keys), changing(paused)))
+}
+
+/// Measures again when the canvas has another size.
+fn follow_size(hand: Hand, canvas: Canvas, node: &Element) {
+    let draw = Closure::<dyn FnMut()>::new(move || canvas.draw(hand));
+    let Ok(observer) = ResizeObserver::new(draw.as_ref().unchecked_ref()) else { return };
+    observer.observe(node);
+    on_cleanup(move || {
+        observer.disconnect();
+        drop(draw);
+    });
+}

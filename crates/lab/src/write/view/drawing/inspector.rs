@@ -1,0 +1,229 @@
+//! What is chosen, attribute by attribute: each is a field with the text that stands there, and what places it can follow a quantity.
+
+use super::{Hand, acts, layers, words};
+use crate::write::{Panel, findings, panels, typing};
+use document::drawing::{Axis, Item, draggable, followed, follows, shows_text};
+use view::views::*;
+use web_sys::HtmlInputElement;
+
+/// What every element may have besides.
+const COMMON: [&str; 4] = ["visible", "fill", "stroke", "stroke-width"];
+/// The attributes that are points.
+const POINTS: [&str; 3] = ["at", "from", "to"];
+
+/// The fields of the one element that is chosen.
+pub fn view(hand: Hand) -> HtmlDiv {
+    let words = words::of(hand.app);
+    // It is built again for another element, not for another text of the same one.
+    let shown = memo(move || {
+        let chosen = hand.chosen.get_clone();
+        let [number] = chosen[..] else { return Err(chosen.len()) };
+        hand.drawing.with(|drawing| {
+            let item = drawing.as_ref().and_then(|drawing| drawing.items.get(number)).ok_or(0_usize)?;
+            let names: Vec<String> = item.attributes.iter().map(|attribute| attribute.name.clone()).collect();
+            Ok((number, item.kind, names))
+        })
+    });
+    let content = move || match shown.get_clone() {
+        Err(0) => View::from(note(words.chosen_none)),
+        Err(count) => note(format!("{count} {}", words.chosen_several)).into(),
+        Ok((number, kind, names)) => {
+            let needed = kind.attributes.iter().take(kind.needed).copied();
+            let further = kind.attributes.iter().skip(kind.needed).copied();
+            let own: Vec<&'static str> = needed.chain(further).collect();
+            // Coordinates as SVG has them, where they are written.
+            let plain =
+                ["x", "y", "width", "height", "cx", "cy", "x1", "y1", "x2", "y2", "rx", "ry", "transform", "repeat"];
+            let plain = plain.into_iter().filter(|name| names.iter().any(|own| own == name) && !own.contains(name));
+            let written = |name: &&str| names.iter().any(|own| own == name);
+            // A place by coordinates makes that by a point superfluous.
+            let is_plain = ["x", "cx", "x1"].iter().any(written);
+            let own = own.iter().copied().filter(|name| written(name) || !(is_plain && is_place(name)));
+            let all: Vec<&'static str> = own.chain(plain).collect();
+            let common = COMMON.into_iter().filter(|_| kind.name != "frame" && kind.name != "g" || kind.name == "g");
+            div()
+                .class("inspector-fields")
+                .child(title(hand, number))
+                .each(all, |name| row(hand, number, name))
+                .child(dragged(hand, number))
+                .each(common, |name| row(hand, number, name))
+                .into()
+        }
+    };
+    div().class("inspector").id("drawing-inspector").child(changing(content)).child(colours())
+}
+
+fn is_place(name: &str) -> bool {
+    POINTS.contains(&name) || name == "size"
+}
+
+/// What reads of the element as it is written now.
+fn reading<T: PartialEq + Clone + 'static>(
+    hand: Hand,
+    number: usize,
+    read: impl Fn(&Item, &str) -> T + 'static,
+    nothing: T,
+) -> ReadSignal<T> {
+    memo(move || {
+        let text = typing::text(hand.app, 0);
+        hand.drawing.with(|drawing| {
+            let item = drawing.as_ref().and_then(|drawing| drawing.items.get(number));
+            item.map_or_else(|| nothing.clone(), |item| read(item, &text))
+        })
+    })
+}
+
+/// Its name or text, and the way to its place in the text.
+fn title(hand: Hand, number: usize) -> View {
+    let words = words::of(hand.app);
+    let says =
+        |item: &Item, text: &str| item.says.and_then(|says| text.get(says.range())).unwrap_or_default().to_owned();
+    let shown = reading(hand, number, says, String::new());
+    let item = hand.drawing.with_untracked(|drawing| drawing.as_ref()?.items.get(number).cloned());
+    let Some(item) = item else { return View::new() };
+    let is_text = shows_text(item.kind);
+    let place = item.opening.start;
+    let go = move |_| {
+        panels::show(hand.app, Panel::Text);
+        findings::go_to(hand.app, 0, place);
+    };
+    let name = if is_text { words.shows } else { words.called };
+    let set = move |text: &str| acts::say(hand, number, text);
+    let heading = h4().child(layers::name(hand, &Item { says: None, ..item.clone() }));
+    let in_text = button().class("quiet").when(events::click, go).child(words.in_text);
+    let field = (item.kind.name != "frame")
+        .then(|| line("drawing-name".to_owned(), name, field(hand, "drawing-name".to_owned(), shown, set).into()));
+    View::from((div().class("inspector-head").child(heading).child(in_text), field.map_or_else(View::new, View::from)))
+}
+
+fn line(id: String, name: &'static str, field: View) -> HtmlDiv {
+    div().class("inspector-line").child(label().r#for(id).child(name)).child(field)
+}
+
+/// A field with a text of the element. The text is changed when it is complete.
+fn field(hand: Hand, id: String, shown: ReadSignal<String>, set: impl Fn(&str) + 'static) -> HtmlInput {
+    let mut field = input().r#type("text").class("cell").id(id).autocomplete("off").attr("spellcheck", "false");
+    let node: HtmlInputElement = field.node();
+    effect(move || {
+        shown.with(|text| {
+            if node.value() != *text {
+                node.set_value(text);
+            }
+        });
+    });
+    let _ = hand;
+    field.attr("autocapitalize", "off").when(events::change, move |event| set(&value_of(&event)))
+}
+
+/// An attribute. What it follows can be chosen where it is a point.
+fn row(hand: Hand, number: usize, name: &'static str) -> HtmlDiv {
+    let shown =
+        reading(hand, number, move |item, text| item.value(text, name).unwrap_or_default().to_owned(), String::new());
+    let id = format!("attribute-{name}");
+    let field = field(hand, id.clone(), shown, move |text| acts::set(hand, number, name, text));
+    let field = if matches!(name, "fill" | "stroke") { field.attr("list", "drawing-colours") } else { field };
+    let row = line(id, words::attribute(hand.app, name), field.into());
+    if !POINTS.contains(&name) {
+        return row;
+    }
+    let is_arc = hand.drawing.with_untracked(|drawing| {
+        drawing.as_ref().and_then(|drawing| Some(drawing.items.get(number)?.kind.name == "angle")) == Some(true)
+    });
+    if is_arc && name != "at" {
+        return row;
+    }
+    row.child(following(hand, number, name, Axis::Across)).child(following(hand, number, name, Axis::Along))
+}
+
+/// What a component of a point follows.
+fn following(hand: Hand, number: usize, name: &'static str, axis: Axis) -> View {
+    let words = words::of(hand.app);
+    let now = reading(
+        hand,
+        number,
+        move |item, text| {
+            let value = item.attribute(name)?.value;
+            Some(follows(text, value, axis).map(str::to_owned))
+        },
+        None,
+    );
+    let framed = hand.drawing.with_untracked(|drawing| {
+        drawing.as_ref().and_then(|drawing| drawing.items.get(number)).is_some_and(|item| item.framed)
+    });
+    let title = match axis {
+        Axis::Across => words.follows_across,
+        Axis::Along if framed => words.follows_up,
+        Axis::Along => words.follows_down,
+    };
+    let id = format!("follow-{name}-{axis:?}").to_lowercase();
+    let names = memo(move || {
+        hand.app.written.track();
+        let dimension = hand.seen.with_untracked(|seen| seen.as_ref().map(|seen| seen.ground.dimension));
+        dimension.map_or_else(Vec::new, |dimension| hand.app.read(|play| followed(play.model(), dimension)))
+    });
+    changing(move || {
+        // Without a value there is no component.
+        let Some(now) = now.get_clone() else { return View::new() };
+        let own = now.is_none();
+        let names = names.get_clone();
+        let chosen = now.unwrap_or_default();
+        let is_known = chosen.is_empty() || names.iter().any(|(name, _)| *name == chosen);
+        let choice = |(value, title): (String, String), selected: bool| {
+            option().value(value).prop("selected", selected).child(title)
+        };
+        let mut options: Vec<HtmlOption> = Vec::new();
+        if own || !is_known {
+            let title = if own { words.follows_own.to_owned() } else { chosen.clone() };
+            options.push(choice(("?".to_owned(), title), true));
+        }
+        options.push(choice((String::new(), words.follows_nothing.to_owned()), !own && chosen.is_empty()));
+        options.extend(names.into_iter().map(|(name, label)| {
+            let title = label.map_or_else(|| name.clone(), |label| format!("{name}: {label}"));
+            let selected = !own && name == chosen;
+            choice((name, title), selected)
+        }));
+        let bind = move |event| {
+            let name_of = value_of(&event);
+            if name_of != "?" {
+                acts::bind(hand, number, name, axis, &name_of);
+            }
+        };
+        let field = select().class("cell").id(id.clone()).each(options, View::from).when(events::change, bind);
+        div().class("inspector-follow").child(label().r#for(id.clone()).child(title)).child(field).into()
+    })
+}
+
+/// What follows the hand when the element is dragged in the simulation.
+fn dragged(hand: Hand, number: usize) -> View {
+    let words = words::of(hand.app);
+    let now =
+        reading(hand, number, |item, text| item.value(text, "drag").unwrap_or_default().to_owned(), String::new());
+    let names = memo(move || {
+        hand.app.written.track();
+        hand.app.read(|play| draggable(play.model()))
+    });
+    changing(move || {
+        let now = now.get_clone();
+        let choice = |value: String, title: String| {
+            let selected = value == now;
+            option().value(value).prop("selected", selected).child(title)
+        };
+        let options = names.get_clone().into_iter().map(|(name, label)| {
+            let title = label.map_or_else(|| name.clone(), |label| format!("{name}: {label}"));
+            choice(name, title)
+        });
+        let field = select()
+            .class("cell")
+            .id("attribute-drag")
+            .child(choice(String::new(), words.follows_nothing.to_owned()))
+            .each(options, View::from)
+            .when(events::change, move |event| acts::set(hand, number, "drag", &value_of(&event)));
+        View::from(line("attribute-drag".to_owned(), words.dragged, field.into()))
+    })
+}
+
+/// The names of the page's colours.
+fn colours() -> HtmlDatalist {
+    let names = document::drawing::colours();
+    datalist().id("drawing-colours").each(names, |name| option().value(name))
+}

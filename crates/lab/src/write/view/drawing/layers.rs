@@ -1,0 +1,66 @@
+//! The elements in the order in which they lie over each other, the uppermost first.
+
+use super::{Hand, words};
+use crate::write::typing;
+use document::drawing::Item;
+use view::views::*;
+use web_sys::MouseEvent;
+
+/// What an element is called: its title, or what it shows, or what it is.
+pub fn name(hand: Hand, item: &Item) -> String {
+    let kind = item.kind.title().text(hand.app.language.get_untracked()).to_owned();
+    let text = typing::text(hand.app, 0);
+    let said = item.says.and_then(|says| text.get(says.range())).map(str::trim).filter(|said| !said.is_empty());
+    match said {
+        Some(said) if said != kind => format!("{kind}: {said}"),
+        _ => kind,
+    }
+}
+
+/// A button for each.
+pub fn view(hand: Hand) -> HtmlDiv {
+    let words = words::of(hand.app);
+    let rows = memo(move || {
+        hand.drawing.with(|drawing| {
+            let items = drawing.iter().flat_map(|drawing| drawing.items.iter().enumerate());
+            let row = |(number, item): (usize, &Item)| {
+                let around = std::iter::successors(item.parent, |parent| drawing.as_ref()?.items.get(*parent)?.parent);
+                (number, around.count(), name(hand, item))
+            };
+            items.map(row).collect::<Vec<_>>()
+        })
+    });
+    let choose = move |event: &MouseEvent, number: usize| {
+        let adds = event.shift_key() || event.ctrl_key() || event.meta_key();
+        hand.chosen.update(|chosen| match chosen.iter().position(|one| *one == number) {
+            Some(place) if adds => drop(chosen.remove(place)),
+            None if adds => chosen.push(number),
+            _ => *chosen = vec![number],
+        });
+    };
+    let row = move |(number, depth, name): (usize, usize, String)| {
+        let is_chosen = move || hand.chosen.with(|chosen| chosen.contains(&number)).to_string();
+        li().child(
+            button()
+                .class("quiet layer")
+                .id(format!("layer-{number}"))
+                .style(format!("padding-left:{}px", 10 + 14 * depth))
+                .attr("aria-pressed", is_chosen)
+                .when(events::click, move |event| choose(&event, number))
+                .child(name),
+        )
+    };
+    let list = move || {
+        let rows = rows.get_clone();
+        if rows.iter().all(|(_, depth, _)| *depth == 0) && rows.len() <= 1 {
+            return View::from(note(words.layers_none));
+        }
+        ul().class("layers").each(rows.into_iter().rev(), row).into()
+    };
+    div()
+        .class("drawing-layers")
+        .role("group")
+        .attr("aria-label", words.layers)
+        .child(h4().child(words.layers))
+        .child(changing(list))
+}

@@ -1,0 +1,85 @@
+//! The drawing by hand: a palette of parts, a canvas on which they are placed, sized and turned by pointing or by keys, the list of
+//! what lies over what, and the attributes of what is chosen. All of it changes the text of the scene.
+
+mod acts;
+mod canvas;
+mod inspector;
+mod keys;
+mod layers;
+mod matrix;
+mod overlay;
+mod palette;
+mod pointing;
+mod seen;
+mod tools;
+mod words;
+
+use super::super::typing;
+use crate::app::App;
+use document::drawing::{Drawing, read};
+use pointing::Held;
+use seen::Seen;
+use view::views::*;
+
+/// What the views of the drawing share.
+#[derive(Clone, Copy)]
+pub struct Hand {
+    app: App,
+    /// The drawing as it is written.
+    drawing: ReadSignal<Option<Drawing>>,
+    /// The numbers of the elements that are chosen.
+    chosen: Signal<Vec<usize>>,
+    /// Whether what is moved comes to lie on the grid.
+    grid: Signal<bool>,
+    /// Where everything stands in the picture.
+    seen: Signal<Option<Seen>>,
+    /// What the pointer holds.
+    held: Signal<Option<Held>>,
+    /// Why the last change was refused.
+    refusal: Signal<Option<String>>,
+}
+
+/// The drawing, as its author changes it.
+pub fn view(app: App) -> HtmlDiv {
+    let drawing = memo(move || {
+        app.typed.track();
+        app.written.track();
+        read(&document::read(&typing::text(app, 0)))
+    });
+    let hand = Hand {
+        app,
+        drawing,
+        chosen: create_signal(Vec::new()),
+        grid: create_signal(true),
+        seen: create_signal(None),
+        held: create_signal(None),
+        refusal: create_signal(None),
+    };
+    let exists = memo(move || drawing.with(Option::is_some));
+    let content = move || if exists.get() { drawn(hand) } else { begin(hand) };
+    // What is no longer there cannot be chosen.
+    effect(move || {
+        let count = drawing.with(|drawing| drawing.as_ref().map_or(0, |drawing| drawing.items.len()));
+        if hand.chosen.with_untracked(|chosen| chosen.iter().any(|number| *number >= count)) {
+            hand.chosen.set(Vec::new());
+        }
+    });
+    div().class("drawing-form").child(changing(content))
+}
+
+fn drawn(hand: Hand) -> View {
+    View::from((
+        palette::view(hand),
+        tools::view(hand),
+        canvas::view(hand),
+        refusal_of(hand.refusal),
+        div().class("drawing-lists").child(layers::view(hand)).child(inspector::view(hand)),
+    ))
+}
+
+/// A document without a scene.
+fn begin(hand: Hand) -> View {
+    let words = words::of(hand.app);
+    let add = button().id("drawing-begin").when(events::click, move |_| acts::begin(hand)).child(words.begin);
+    View::from((note(words.nothing), div().class("form-tools").child(add), refusal_of(hand.refusal)))
+}

@@ -1,0 +1,157 @@
+//! Mouse, pen and finger on the canvas: what is pressed is chosen, and moved where it is dragged to.
+
+use super::canvas::Canvas;
+use super::seen::path_of;
+use super::{Hand, acts};
+use document::drawing::Grip;
+use view::browser;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, Node, PointerEvent};
+
+/// A drag by fewer CSS pixels moves nothing.
+const STILL: f64 = 3.0;
+/// So far from an element, in CSS pixels, a finger or a mouse still means it.
+const MARGIN: [f64; 2] = [14.0, 5.0];
+
+/// What the pointer holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held {
+    pointer: i32,
+    /// Which grip of which element.
+    pub grip: (usize, Grip),
+    /// Where in the picture it took hold, and where it is now.
+    pub from: [f64; 2],
+    /// Where it is now.
+    pub at: [f64; 2],
+    /// How large a CSS pixel is there.
+    pixel: f64,
+}
+
+impl Held {
+    /// Whether it has been moved and not only pressed.
+    pub fn is_moved(&self) -> bool {
+        let [right, down] = self.way();
+        libm::hypot(right, down) > STILL * self.pixel
+    }
+
+    fn way(&self) -> [f64; 2] {
+        [self.at[0] - self.from[0], self.at[1] - self.from[1]]
+    }
+}
+
+/// What listens to the pointer.
+#[derive(Clone)]
+pub struct Pointing {
+    /// The drawing.
+    pub hand: Hand,
+    /// Its picture.
+    pub canvas: Canvas,
+}
+
+impl Pointing {
+    /// A press: chooses what is there, and takes hold of it.
+    pub fn begin(&self, event: &PointerEvent) {
+        let hand = self.hand;
+        let Some(seen) = hand.seen.get_clone_untracked() else { return };
+        if event.button() != 0 || hand.held.get_untracked().is_some() {
+            return;
+        }
+        let at = seen.from_window.point([f64::from(event.client_x()), f64::from(event.client_y())]);
+        let margin = MARGIN[usize::from(event.pointer_type() == "mouse")] * seen.pixel;
+        let grip = gripped(event).or_else(|| {
+            let number = self.hit(event).or_else(|| seen.near(at, margin))?;
+            let adds = event.shift_key() || event.ctrl_key() || event.meta_key();
+            hand.chosen.update(|chosen| match chosen.iter().position(|one| *one == number) {
+                Some(place) if adds => drop(chosen.remove(place)),
+                Some(_) => {}
+                None if adds => chosen.push(number),
+                None => *chosen = vec![number],
+            });
+            Some((number, Grip::Whole))
+        });
+        let Some(grip) = grip else {
+            hand.chosen.set(Vec::new());
+            return;
+        };
+        event.prevent_default();
+        browser::focus("drawing-canvas");
+        if let Some(node) = event.current_target().and_then(|node| node.dyn_into::<Element>().ok()) {
+            let _ = node.set_pointer_capture(event.pointer_id());
+        }
+        hand.held.set(Some(Held { pointer: event.pointer_id(), grip, from: at, at, pixel: seen.pixel }));
+    }
+
+    /// The hand moves.
+    pub fn follow(&self, event: &PointerEvent) {
+        let Some(held) = self.held_by(event) else { return };
+        let at = self.hand.seen.with_untracked(|seen| {
+            let place = [f64::from(event.client_x()), f64::from(event.client_y())];
+            seen.as_ref().map(|seen| seen.from_window.point(place))
+        });
+        if let Some(at) = at {
+            self.hand.held.set(Some(Held { at, ..held }));
+        }
+    }
+
+    /// The hand lets go: the text is changed.
+    pub fn end(&self, event: &PointerEvent) {
+        self.follow(event);
+        let Some(held) = self.held_by(event) else { return };
+        self.hand.held.set(None);
+        if !held.is_moved() {
+            return;
+        }
+        let (number, grip) = held.grip;
+        let way = if grip == Grip::Turn { [self.turned(number, &held), 0.0] } else { held.way() };
+        acts::move_by(self.hand, held.grip, way);
+    }
+
+    fn held_by(&self, event: &PointerEvent) -> Option<Held> {
+        self.hand.held.get_untracked().filter(|held| held.pointer == event.pointer_id())
+    }
+
+    /// By what angle the hand has gone around the middle of an element, clockwise, in radians.
+    fn turned(&self, number: usize, held: &Held) -> f64 {
+        let seen = self.hand.seen.get_clone_untracked();
+        let middle = seen.and_then(|seen| seen.items.get(number)?.as_ref()?.middle);
+        let Some([x, y]) = middle else { return 0.0 };
+        let angle = |[right, down]: [f64; 2]| libm::atan2(down - y, right - x);
+        let turn = angle(held.at) - angle(held.from);
+        // The shorter way around.
+        let around = std::f64::consts::TAU;
+        turn - around * (turn / around).round()
+    }
+
+    /// The element under the pointer: the innermost one that can be chosen.
+    fn hit(&self, event: &PointerEvent) -> Option<usize> {
+        let root = self.canvas.root()?;
+        let node: Node = event.composed_path().get(0).dyn_into().ok()?;
+        let shadow: &Node = root.as_ref();
+        if !shadow.contains(Some(&node)) {
+            return None;
+        }
+        let path = path_of(&root, &node)?;
+        let places = self.hand.app.read_desk(|desk| desk.drawing_places())?;
+        let drawing = self.hand.drawing.get_clone_untracked()?;
+        let mut best: Option<(usize, usize)> = None;
+        for (number, place) in places.elements.iter().enumerate() {
+            let is_frame = drawing.items.get(number).is_none_or(|item| item.is_frame());
+            let Some(place) = place.as_ref().filter(|_| !is_frame) else { continue };
+            let depth = place.paths.iter().filter(|own| path.starts_with(own)).map(Vec::len).max();
+            if let Some(depth) = depth.filter(|depth| best.is_none_or(|(_, known)| *depth > known)) {
+                best = Some((number, depth));
+            }
+        }
+        best.map(|(number, _)| number)
+    }
+}
+
+/// The grip under the pointer.
+fn gripped(event: &PointerEvent) -> Option<(usize, Grip)> {
+    let node: Element = event.composed_path().get(0).dyn_into().ok()?;
+    let name = node.closest("[data-grip]").ok()??.get_attribute("data-grip")?;
+    let (number, name) = name.split_once(' ')?;
+    let all = [Grip::Beginning, Grip::End, Grip::Corner, Grip::Edge, Grip::Turn];
+    let grip = all.into_iter().find(|grip| format!("{grip:?}") == name)?;
+    Some((number.parse().ok()?, grip))
+}

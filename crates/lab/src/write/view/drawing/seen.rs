@@ -1,0 +1,151 @@
+//! Where the elements are seen: their edges and grips in units of the picture, and how to get from there to their lengths.
+
+use super::matrix::Matrix;
+use desk::DrawingPlaces;
+use document::drawing::{Grip, Ground, Located};
+use document::edit::Measure;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, Node, SvgElement, SvgGraphicsElement};
+
+/// Lines of the grid are at least so many CSS pixels apart, and without it what is moved goes on in such steps.
+const GRID: f64 = 9.0;
+const FREE: f64 = 0.9;
+
+/// Everything that is seen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// The `viewBox` of the picture: left, top, width, height.
+    pub view_box: [f64; 4],
+    /// How large a CSS pixel is, in units of the picture.
+    pub pixel: f64,
+    /// From the window to the picture.
+    pub from_window: Matrix,
+    /// On what new elements are drawn.
+    pub ground: Ground,
+    /// The elements; `None` for one that is not in the picture.
+    pub items: Vec<Option<SeenItem>>,
+}
+
+/// An element.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeenItem {
+    /// Left, top, right and bottom edge.
+    pub edges: [f64; 4],
+    /// What can be gripped, and where; all of it has no place.
+    pub grips: Vec<(Grip, [f64; 2])>,
+    /// About what it turns.
+    pub middle: Option<[f64; 2]>,
+    /// From the picture to where its lengths are counted.
+    inwards: Matrix,
+    /// Units of the drawing for an SI unit of length.
+    scale: f64,
+    unit: String,
+}
+
+impl SeenItem {
+    /// A way in the picture in the element's lengths: to the right and, in a frame, upwards.
+    pub fn way(&self, way: [f64; 2], framed: bool) -> [f64; 2] {
+        let [right, down] = self.inwards.way(way);
+        let up = if framed { -down } else { down };
+        [right / self.scale, up / self.scale]
+    }
+
+    /// How many units of its own coordinates a unit of the picture has.
+    pub fn inwards_scale(&self) -> f64 {
+        self.inwards.scale()
+    }
+
+    /// In what steps it moves.
+    pub fn measure(&self, pixel: f64, on_grid: bool) -> Measure {
+        let least = pixel * self.inwards.scale() * if on_grid { GRID } else { FREE };
+        Measure::round(&self.unit, least / self.scale, self.scale)
+    }
+}
+
+impl Seen {
+    /// Measures the picture `root`. `None` while it is not laid out.
+    pub fn measure(root: &SvgElement, places: DrawingPlaces) -> Option<Self> {
+        let root: &SvgGraphicsElement = root.dyn_ref()?;
+        let from_window = Matrix::of(&root.get_screen_ctm()?).inverse()?;
+        let view_box = root.get_attribute("viewBox")?;
+        let numbers = view_box.split([' ', ',']).filter(|text| !text.is_empty()).map(|text| text.parse::<f64>().ok());
+        let view_box: [f64; 4] = numbers.collect::<Option<Vec<f64>>>()?.try_into().ok()?;
+        let item = |place: &Option<Located>| seen_item(root, &from_window, place.as_ref()?);
+        let items = places.elements.iter().map(item).collect();
+        Some(Self { view_box, pixel: from_window.scale(), from_window, ground: places.ground, items })
+    }
+
+    /// In what new elements are measured; its step is that of the grid.
+    pub fn ground_measure(&self) -> Measure {
+        Measure::round(&self.ground.unit, GRID * self.pixel / self.ground.scale, self.ground.scale)
+    }
+
+    /// The middle of the view in lengths of the ground, and how large something is there that is well seen.
+    pub fn middle(&self) -> ([f64; 2], f64) {
+        let [left, top, width, height] = self.view_box;
+        let Ground { origin, scale, framed, .. } = &self.ground;
+        let (right, down) = ((left + width / 2.0 - origin[0]) / scale, (top + height / 2.0 - origin[1]) / scale);
+        ([right, if *framed { -down } else { down }], width.min(height) / 3.0 / scale)
+    }
+
+    /// The element at a place of the picture of which nothing was hit: the smallest one whose edges, with a margin, hold it.
+    pub fn near(&self, [x, y]: [f64; 2], margin: f64) -> Option<usize> {
+        let area = |[left, top, right, bottom]: [f64; 4]| (right - left + margin) * (bottom - top + margin);
+        let holds = |[left, top, right, bottom]: [f64; 4]| {
+            (left - margin..=right + margin).contains(&x) && (top - margin..=bottom + margin).contains(&y)
+        };
+        let items = self.items.iter().enumerate().filter_map(|(number, item)| Some((number, item.as_ref()?.edges)));
+        let held = items.filter(|(_, edges)| holds(*edges));
+        held.min_by(|(_, one), (_, other)| area(*one).total_cmp(&area(*other))).map(|(number, _)| number)
+    }
+}
+
+fn seen_item(root: &SvgGraphicsElement, from_window: &Matrix, place: &Located) -> Option<SeenItem> {
+    let node = at_path(root, place.paths.first()?)?;
+    let parent: SvgGraphicsElement = node.parent_element()?.dyn_into().ok()?;
+    let outwards = Matrix::of(&parent.get_screen_ctm()?);
+    let to_picture = |spot: [f64; 2]| from_window.point(outwards.point(spot));
+    let bounds = node.get_bounding_client_rect();
+    let [left, top] = from_window.point([bounds.left(), bounds.top()]);
+    let [right, bottom] = from_window.point([bounds.right(), bounds.bottom()]);
+    let inverse = outwards.inverse()?;
+    // From the picture over the window to the element.
+    let back = from_window.inverse()?;
+    let inwards = inverse.after(&back);
+    Some(SeenItem {
+        edges: [left, top, right, bottom],
+        grips: place.grips.iter().map(|(grip, spot)| (*grip, to_picture(*spot))).collect(),
+        middle: place.middle.map(to_picture),
+        inwards,
+        scale: place.scale,
+        unit: place.unit.clone(),
+    })
+}
+
+/// The node of an element, child for child from the root.
+fn at_path(root: &SvgGraphicsElement, path: &[usize]) -> Option<Element> {
+    let mut node: Node = root.clone().into();
+    for number in path {
+        node = node.child_nodes().get(u32::try_from(*number).ok()?)?;
+    }
+    node.dyn_into().ok()
+}
+
+/// The path of a node from the root; `None` of what lies outside.
+pub fn path_of(root: &SvgElement, node: &Node) -> Option<Vec<usize>> {
+    let root: &Node = root.as_ref();
+    let mut path = Vec::new();
+    let mut at = node.clone();
+    while !at.is_same_node(Some(root)) {
+        let mut number = 0;
+        let mut before = at.previous_sibling();
+        while let Some(sibling) = before {
+            number += 1;
+            before = sibling.previous_sibling();
+        }
+        path.push(number);
+        at = at.parent_node()?;
+    }
+    path.reverse();
+    Some(path)
+}

@@ -1,0 +1,75 @@
+//! The buttons over the canvas.
+
+use super::acts::{self, Edge};
+use super::{Hand, words};
+use crate::write::typing;
+use document::edit::Order;
+use view::icons;
+use view::views::*;
+
+/// All of them; those that have nothing to act on are dim.
+pub fn view(hand: Hand) -> HtmlDiv {
+    let (app, words) = (hand.app, words::of(hand.app));
+    let around = app.words();
+    let count = memo(move || hand.chosen.with(Vec::len));
+    let undo = |icon, name: &'static str, forwards| {
+        labelled(icon, name).when(events::click, move |_| typing::undo(app, 0, forwards))
+    };
+    let act = |id: &'static str, name: &'static str, act: fn(Hand), several: bool| {
+        button()
+            .class("quiet")
+            .id(id)
+            .prop("disabled", move || count.get() == 0 || !several && count.get() > 1)
+            .when(events::click, move |_| act(hand))
+            .child(name)
+    };
+    let snap = input()
+        .r#type("checkbox")
+        .id("drawing-grid")
+        .prop("checked", move || hand.grid.get())
+        .when(events::change, move |event| hand.grid.set(is_checked(&event)));
+    div()
+        .class("form-tools drawing-tools")
+        .child(undo(icons::undo(), around.undo_change, false))
+        .child(undo(icons::redo(), around.redo_change, true))
+        .child(act("drawing-copy", words.copy, acts::copy, false))
+        .child(act("drawing-remove", words.remove, acts::remove, true))
+        .child(act("drawing-forward", words.forward, |hand| acts::reorder(hand, Order::Forward), false))
+        .child(act("drawing-backward", words.backward, |hand| acts::reorder(hand, Order::Backward), false))
+        .child(align(hand))
+        .child(switch(snap, words.snap))
+}
+
+/// Several elements are brought together by their edges.
+fn align(hand: Hand) -> View {
+    let words = words::of(hand.app);
+    let edges = [
+        (Edge::Left, words.align_left),
+        (Edge::Centre, words.align_centre),
+        (Edge::Right, words.align_right),
+        (Edge::Top, words.align_top),
+        (Edge::Middle, words.align_middle),
+        (Edge::Bottom, words.align_bottom),
+    ];
+    let several = memo(move || hand.chosen.with(|chosen| chosen.len() > 1));
+    changing(move || {
+        if !several.get() {
+            return View::new();
+        }
+        let mut field = select().class("cell").id("drawing-align").attr("aria-label", words.align);
+        let node: web_sys::HtmlSelectElement = field.node();
+        let chosen = move |_| {
+            let number: Option<usize> = node.value().parse().ok();
+            if let Some((edge, _)) = number.and_then(|number| edges.get(number)) {
+                acts::align(hand, *edge);
+            }
+            node.set_value("");
+        };
+        let choices = edges.into_iter().enumerate();
+        field
+            .child(option().value("").child(words.align))
+            .each(choices, |(number, (_, name))| option().value(number.to_string()).child(name))
+            .when(events::change, chosen)
+            .into()
+    })
+}

@@ -161,8 +161,9 @@ globalThis.meniscusEditor = (changed, propose, moved) => {
     /** The text of a file as it stands. */
     text: (number) => state(number)?.doc.toString() ?? "",
     /** Changes any file, shown or not, as typing would: the focus stays, and the history of the file can take it back. */
-    edit(number, changes) {
-      const change = { changes, userEvent: "input.type" };
+    edit(number, changes, isTyped) {
+      // What is typed joins in the history with what was typed just before.
+      const change = { changes, userEvent: isTyped ? "input.type" : "input.complete" };
       if (number === file) view.dispatch(change);
       else if (states[number]) {
         states[number] = states[number].update(change).state;

@@ -43,6 +43,16 @@ icons! {
     fit: "M5 9.5V5h4.5M14.5 5H19v4.5M19 14.5V19h-4.5M9.5 19H5v-4.5";
     /// A stopwatch.
     stopwatch: "M12 21a7.5 7.5 0 1 0 0-15 7.5 7.5 0 0 0 0 15zM12 6V3M9.5 3h5M12 13.5V9.5M17.5 7.5l1.5-1.5";
+    /// Squares in rows.
+    grid: "M4 4h16v16H4zM4 9.3h16M4 14.7h16M9.3 4v16M14.7 4v16";
+    /// Two sheets, one behind the other.
+    copy: "M9 9h10v11H9zM6 15H5V4h10v2";
+    /// A bin.
+    bin: "M5 7h14M9.5 7V4.5h5V7M7 7l.8 12.5h8.4L17 7M10.3 10.5l.4 6M13.7 10.5l-.4 6";
+    /// A sheet that rises above another one.
+    forward: "M6 13h12v7H6zM12 10V3.5M9 6.5l3-3 3 3";
+    /// A sheet that sinks below another one.
+    backward: "M6 4h12v7H6zM12 14v6.5M9 17.5l3 3 3-3";
     /// A ruler with its marks.
     ruler: "M4 16L16 4l4 4L8 20zM8 12l2 2M11 9l2 2M14 6l2 2";
     /// Three dots.

@@ -97,9 +97,10 @@ impl Editor {
         self.call("text", &[(file as f64).into()]).as_string().unwrap_or_default()
     }
 
-    /// Changes a text that need not be the one shown; the focus stays where it is.
-    pub fn edit(&self, file: usize, changes: &[TextChange]) {
-        self.call("edit", &[(file as f64).into(), described(changes)]);
+    /// Changes a text that need not be the one shown; the focus stays where it is. What is typed joins with what was typed just before
+    /// into one step of the history; anything else is a step of its own.
+    pub fn edit(&self, file: usize, changes: &[TextChange], is_typed: bool) {
+        self.call("edit", &[(file as f64).into(), described(changes), is_typed.into()]);
     }
 
     /// Takes back the last change of a text, or makes again what was taken back, and has the text checked.

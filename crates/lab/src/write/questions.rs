@@ -111,7 +111,7 @@ fn form(app: App) -> View {
             hides: hides.checked(),
         };
         let text = typing::text(app, 0);
-        let added = typing::change(app, 0, &text, |outline| add_question(outline, &question).map(|edit| vec![edit]));
+        let added = typing::act(app, 0, &text, |outline| add_question(outline, &question).map(|edit| vec![edit]));
         if added.is_ok() {
             prompt.set_value("");
             hint.set_value("");

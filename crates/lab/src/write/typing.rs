@@ -15,7 +15,7 @@ pub fn text(app: App, file: usize) -> String {
     }
 }
 
-/// Changes a file. What was changed, or why nothing was.
+/// Changes a file as its writer types into a field. What was changed, or why nothing was.
 ///
 /// # Errors
 /// Those of `edit`, in the language of the page.
@@ -25,11 +25,33 @@ pub fn change<'a>(
     text: &'a str,
     edit: impl FnOnce(&Outline<'a>) -> Result<Vec<Edit>, EditError>,
 ) -> Result<Vec<Edit>, String> {
+    edited(app, (file, text), true, edit)
+}
+
+/// Changes a file by one act, such as a button's, which is taken back as one. What was changed, or why nothing was.
+///
+/// # Errors
+/// Those of `edit`, in the language of the page.
+pub fn act<'a>(
+    app: App,
+    file: usize,
+    text: &'a str,
+    edit: impl FnOnce(&Outline<'a>) -> Result<Vec<Edit>, EditError>,
+) -> Result<Vec<Edit>, String> {
+    edited(app, (file, text), false, edit)
+}
+
+fn edited<'a>(
+    app: App,
+    (file, text): (usize, &'a str),
+    is_typed: bool,
+    edit: impl FnOnce(&Outline<'a>) -> Result<Vec<Edit>, EditError>,
+) -> Result<Vec<Edit>, String> {
     let edits = edit(&document::read(text));
     let edits = edits.map_err(|refusal| refusal.words().text(app.language.get_untracked()).to_owned())?;
     let editor = app.with(|lab| lab.editor.clone()).flatten();
     if let Some(editor) = editor.filter(|_| !edits.is_empty()) {
-        editor.edit(file, &text_changes(text, &edits));
+        editor.edit(file, &text_changes(text, &edits), is_typed);
         app.typed.update(|count| *count += 1);
     }
     Ok(edits)

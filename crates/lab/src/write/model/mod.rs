@@ -92,7 +92,7 @@ fn add_button(forms: Forms, section: Section) -> HtmlButton {
 fn add(forms: Forms, section: Section) {
     let app = forms.app;
     let text = typing::text(app, 0);
-    let added = typing::change(app, 0, &text, |outline| {
+    let added = typing::act(app, 0, &text, |outline| {
         add_statement(outline, section, &proposal(outline, section)).map(|edit| vec![edit])
     });
     match added {

@@ -12,7 +12,7 @@ use view::views::*;
 fn remove(forms: Forms, number: usize) {
     let app = forms.app;
     let text = typing::text(app, 0);
-    let removed = typing::change(app, 0, &text, |outline| remove_statement(outline, number).map(|edit| vec![edit]));
+    let removed = typing::act(app, 0, &text, |outline| remove_statement(outline, number).map(|edit| vec![edit]));
     match removed {
         Ok(_) => {
             let left = forms.form.with_untracked(|form| {

@@ -35,7 +35,7 @@ pub enum Edge {
 /// Changes the text. Whether that was possible; why not is said.
 fn change(hand: Hand, edit: impl FnOnce(&Outline) -> Result<Vec<Edit>, EditError>) -> bool {
     let text = typing::text(hand.app, 0);
-    let done = typing::change(hand.app, 0, &text, edit);
+    let done = typing::act(hand.app, 0, &text, edit);
     let is_done = done.is_ok();
     hand.refusal.set(done.err());
     is_done

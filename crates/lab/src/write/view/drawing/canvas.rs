@@ -1,7 +1,8 @@
 //! The canvas: the picture as it runs, with the grid and what can be gripped over it.
 
+use super::pointing::Pointing;
 use super::seen::Seen;
-use super::{Hand, keys, overlay, pointing, words};
+use super::{Hand, keys, overlay, words};
 use std::cell::RefCell;
 use std::rc::Rc;
 use sycamore_reactive::on_cleanup;
@@ -9,7 +10,7 @@ use view::picture::Picture;
 use view::views::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
-use web_sys::{Element, ResizeObserver, SvgElement};
+use web_sys::{AddEventListenerOptions, Element, ResizeObserver, SvgElement, TouchEvent};
 
 /// The picture of the canvas; it is built again for each program.
 #[derive(Clone, Default)]
@@ -71,9 +72,11 @@ pub fn view(hand: Hand) -> View {
     follow_size(hand, canvas.clone(), &node);
     let runs = memo(move || hand.seen.with(Option::is_some));
     let over = move || if runs.get() { overlay::view(hand) } else { View::new() };
-    let pointing = pointing::Pointing { hand, canvas };
+    let pointing = Pointing { hand, canvas };
+    let mut surface = div();
+    scrolls_beside(&pointing, &surface.node());
     let (down, moved, up) = (pointing.clone(), pointing.clone(), pointing);
-    let surface = div()
+    let surface = surface
         .class("drawing-canvas")
         .id("drawing-canvas")
         .tabindex("0")
@@ -88,7 +91,18 @@ pub fn view(hand: Hand) -> View {
         .child(place)
         .child(changing(over));
     let paused = move || if runs.get() { View::new() } else { note(words.paused).into() };
-    View::from((surface, p().id("drawing-keys").class("note small").child(words.keys), changing(paused)))
+    View::from((surface, p().id("drawing-keys").class("note").child(words.keys), changing(paused)))
+}
+
+/// Listens to fingers before the browser begins to scroll, which a passive listener could not prevent.
+fn scrolls_beside(pointing: &Pointing, surface: &Element) {
+    let pointing = pointing.clone();
+    let touched = Closure::<dyn FnMut(TouchEvent)>::new(move |event: TouchEvent| pointing.touched(&event));
+    let options = AddEventListenerOptions::new();
+    options.set_passive(false);
+    let listener = touched.as_ref().unchecked_ref();
+    let _ = surface.add_event_listener_with_callback_and_add_event_listener_options("touchstart", listener, &options);
+    on_cleanup(move || drop(touched));
 }
 
 /// Measures again when the canvas has another size.

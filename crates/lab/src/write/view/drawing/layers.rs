@@ -2,7 +2,7 @@
 
 use super::{Hand, words};
 use crate::write::typing;
-use document::drawing::Item;
+use document::drawing::{Drawing, Item};
 use view::views::*;
 use web_sys::MouseEvent;
 
@@ -17,17 +17,27 @@ pub fn name(hand: Hand, item: &Item) -> String {
     }
 }
 
+/// What stands in a frame or group, from above, each followed by what it holds: number, depth and name.
+fn downwards(
+    hand: Hand,
+    drawing: &Drawing,
+    (parent, depth): (Option<usize>, usize),
+    rows: &mut Vec<(usize, usize, String)>,
+) {
+    for (number, item) in drawing.items.iter().enumerate().rev().filter(|(_, item)| item.parent == parent) {
+        rows.push((number, depth, name(hand, item)));
+        downwards(hand, drawing, (Some(number), depth + 1), rows);
+    }
+}
+
 /// A button for each.
 pub fn view(hand: Hand) -> HtmlDiv {
     let words = words::of(hand.app);
     let rows = memo(move || {
         hand.drawing.with(|drawing| {
-            let items = drawing.iter().flat_map(|drawing| drawing.items.iter().enumerate());
-            let row = |(number, item): (usize, &Item)| {
-                let around = std::iter::successors(item.parent, |parent| drawing.as_ref()?.items.get(*parent)?.parent);
-                (number, around.count(), name(hand, item))
-            };
-            items.map(row).collect::<Vec<_>>()
+            let mut rows = Vec::new();
+            drawing.iter().for_each(|drawing| downwards(hand, drawing, (None, 0), &mut rows));
+            rows
         })
     });
     let choose = move |event: &MouseEvent, number: usize| {
@@ -55,7 +65,7 @@ pub fn view(hand: Hand) -> HtmlDiv {
         if rows.iter().all(|(_, depth, _)| *depth == 0) && rows.len() <= 1 {
             return View::from(note(words.layers_none));
         }
-        ul().class("layers").each(rows.into_iter().rev(), row).into()
+        ul().class("layers").each(rows, row).into()
     };
     div()
         .class("drawing-layers")

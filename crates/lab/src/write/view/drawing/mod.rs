@@ -68,12 +68,13 @@ pub fn view(app: App) -> HtmlDiv {
 }
 
 fn drawn(hand: Hand) -> View {
+    let palette_open = create_signal(false);
     View::from((
-        palette::view(hand),
-        tools::view(hand),
+        tools::view(hand, palette_open),
+        palette::view(hand, palette_open),
         canvas::view(hand),
         refusal_of(hand.refusal),
-        div().class("drawing-lists").child(layers::view(hand)).child(inspector::view(hand)),
+        div().class("drawing-lists").child(inspector::view(hand)).child(layers::view(hand)),
     ))
 }
 

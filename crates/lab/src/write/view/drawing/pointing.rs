@@ -1,12 +1,12 @@
 //! Mouse, pen and finger on the canvas: what is pressed is chosen, and moved where it is dragged to.
 
 use super::canvas::Canvas;
-use super::seen::path_of;
+use super::seen::{from_window, path_of};
 use super::{Hand, acts};
 use document::drawing::Grip;
 use view::browser;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, Node, PointerEvent};
+use web_sys::{Element, Event, Node, PointerEvent, TouchEvent};
 
 /// A drag by fewer CSS pixels moves nothing.
 const STILL: f64 = 3.0;
@@ -49,6 +49,18 @@ pub struct Pointing {
 }
 
 impl Pointing {
+    /// A finger that means an element does not scroll the page; beside them it does.
+    pub fn touched(&self, event: &TouchEvent) {
+        let Some(seen) = self.hand.seen.get_clone_untracked() else { return };
+        let Some(touch) = event.changed_touches().get(0) else { return };
+        let Some(at) = self.place(touch.client_x(), touch.client_y()) else { return };
+        let means =
+            gripped(event).is_some() || self.hit(event).is_some() || seen.near(at, MARGIN[0] * seen.pixel).is_some();
+        if means && event.cancelable() {
+            event.prevent_default();
+        }
+    }
+
     /// A press: chooses what is there, and takes hold of it.
     pub fn begin(&self, event: &PointerEvent) {
         let hand = self.hand;
@@ -56,7 +68,7 @@ impl Pointing {
         if event.button() != 0 || hand.held.get_untracked().is_some() {
             return;
         }
-        let at = seen.from_window.point([f64::from(event.client_x()), f64::from(event.client_y())]);
+        let Some(at) = self.place(event.client_x(), event.client_y()) else { return };
         let margin = MARGIN[usize::from(event.pointer_type() == "mouse")] * seen.pixel;
         let grip = gripped(event).or_else(|| {
             let number = self.hit(event).or_else(|| seen.near(at, margin))?;
@@ -74,7 +86,7 @@ impl Pointing {
             return;
         };
         event.prevent_default();
-        browser::focus("drawing-canvas");
+        browser::focus_in_place("drawing-canvas");
         if let Some(node) = event.current_target().and_then(|node| node.dyn_into::<Element>().ok()) {
             let _ = node.set_pointer_capture(event.pointer_id());
         }
@@ -84,11 +96,7 @@ impl Pointing {
     /// The hand moves.
     pub fn follow(&self, event: &PointerEvent) {
         let Some(held) = self.held_by(event) else { return };
-        let at = self.hand.seen.with_untracked(|seen| {
-            let place = [f64::from(event.client_x()), f64::from(event.client_y())];
-            seen.as_ref().map(|seen| seen.from_window.point(place))
-        });
-        if let Some(at) = at {
+        if let Some(at) = self.place(event.client_x(), event.client_y()) {
             self.hand.held.set(Some(Held { at, ..held }));
         }
     }
@@ -104,6 +112,11 @@ impl Pointing {
         let (number, grip) = held.grip;
         let way = if grip == Grip::Turn { [self.turned(number, &held), 0.0] } else { held.way() };
         acts::move_by(self.hand, held.grip, way);
+    }
+
+    /// A place of the window in the picture.
+    fn place(&self, x: i32, y: i32) -> Option<[f64; 2]> {
+        Some(from_window(&self.canvas.root()?)?.point([f64::from(x), f64::from(y)]))
     }
 
     fn held_by(&self, event: &PointerEvent) -> Option<Held> {
@@ -123,7 +136,7 @@ impl Pointing {
     }
 
     /// The element under the pointer: the innermost one that can be chosen.
-    fn hit(&self, event: &PointerEvent) -> Option<usize> {
+    fn hit(&self, event: &Event) -> Option<usize> {
         let root = self.canvas.root()?;
         let node: Node = event.composed_path().get(0).dyn_into().ok()?;
         let shadow: &Node = root.as_ref();
@@ -147,7 +160,7 @@ impl Pointing {
 }
 
 /// The grip under the pointer.
-fn gripped(event: &PointerEvent) -> Option<(usize, Grip)> {
+fn gripped(event: &Event) -> Option<(usize, Grip)> {
     let node: Element = event.composed_path().get(0).dyn_into().ok()?;
     let name = node.closest("[data-grip]").ok()??.get_attribute("data-grip")?;
     let (number, name) = name.split_once(' ')?;

@@ -18,8 +18,6 @@ pub struct Seen {
     pub view_box: [f64; 4],
     /// How large a CSS pixel is, in units of the picture.
     pub pixel: f64,
-    /// From the window to the picture.
-    pub from_window: Matrix,
     /// On what new elements are drawn.
     pub ground: Ground,
     /// The elements; `None` for one that is not in the picture.
@@ -65,14 +63,13 @@ impl SeenItem {
 impl Seen {
     /// Measures the picture `root`. `None` while it is not laid out.
     pub fn measure(root: &SvgElement, places: DrawingPlaces) -> Option<Self> {
-        let root: &SvgGraphicsElement = root.dyn_ref()?;
-        let from_window = Matrix::of(&root.get_screen_ctm()?).inverse()?;
+        let from_window = from_window(root)?;
         let view_box = root.get_attribute("viewBox")?;
         let numbers = view_box.split([' ', ',']).filter(|text| !text.is_empty()).map(|text| text.parse::<f64>().ok());
         let view_box: [f64; 4] = numbers.collect::<Option<Vec<f64>>>()?.try_into().ok()?;
         let item = |place: &Option<Located>| seen_item(root, &from_window, place.as_ref()?);
         let items = places.elements.iter().map(item).collect();
-        Some(Self { view_box, pixel: from_window.scale(), from_window, ground: places.ground, items })
+        Some(Self { view_box, pixel: from_window.scale(), ground: places.ground, items })
     }
 
     /// In what new elements are measured; its step is that of the grid.
@@ -100,7 +97,7 @@ impl Seen {
     }
 }
 
-fn seen_item(root: &SvgGraphicsElement, from_window: &Matrix, place: &Located) -> Option<SeenItem> {
+fn seen_item(root: &SvgElement, from_window: &Matrix, place: &Located) -> Option<SeenItem> {
     let node = at_path(root, place.paths.first()?)?;
     let parent: SvgGraphicsElement = node.parent_element()?.dyn_into().ok()?;
     let outwards = Matrix::of(&parent.get_screen_ctm()?);
@@ -122,8 +119,14 @@ fn seen_item(root: &SvgGraphicsElement, from_window: &Matrix, place: &Located) -
     })
 }
 
+/// From the window to a picture, as it stands now: the page may have been scrolled.
+pub fn from_window(root: &SvgElement) -> Option<Matrix> {
+    let root: &SvgGraphicsElement = root.dyn_ref()?;
+    Matrix::of(&root.get_screen_ctm()?).inverse()
+}
+
 /// The node of an element, child for child from the root.
-fn at_path(root: &SvgGraphicsElement, path: &[usize]) -> Option<Element> {
+fn at_path(root: &SvgElement, path: &[usize]) -> Option<Element> {
     let mut node: Node = root.clone().into();
     for number in path {
         node = node.child_nodes().get(u32::try_from(*number).ok()?)?;

@@ -1,43 +1,49 @@
 //! The buttons over the canvas.
 
 use super::acts::{self, Edge};
-use super::{Hand, words};
+use super::{Hand, palette, words};
 use crate::write::typing;
 use document::edit::Order;
 use view::icons;
 use view::views::*;
 
-/// All of them; those that have nothing to act on are dim.
-pub fn view(hand: Hand) -> HtmlDiv {
+/// All of them; those that have nothing to act on are dim. The first one opens the palette.
+pub fn view(hand: Hand, open: Signal<bool>) -> HtmlDiv {
     let (app, words) = (hand.app, words::of(hand.app));
     let around = app.words();
     let count = memo(move || hand.chosen.with(Vec::len));
-    let undo = |icon, name: &'static str, forwards| {
-        labelled(icon, name).when(events::click, move |_| typing::undo(app, 0, forwards))
+    let undo = |icon: SvgSvg, name: &'static str, forwards| {
+        button().class("icon").called(name).when(events::click, move |_| typing::undo(app, 0, forwards)).child(icon)
     };
-    let act = |id: &'static str, name: &'static str, act: fn(Hand), several: bool| {
+    let act = |id: &'static str, (icon, name): (SvgSvg, &'static str), act: fn(Hand), several: bool| {
         button()
-            .class("quiet")
+            .class("icon")
             .id(id)
+            .called(name)
             .prop("disabled", move || count.get() == 0 || !several && count.get() > 1)
             .when(events::click, move |_| act(hand))
-            .child(name)
+            .child(icon)
     };
-    let snap = input()
-        .r#type("checkbox")
+    let grid = button()
+        .class("icon")
         .id("drawing-grid")
-        .prop("checked", move || hand.grid.get())
-        .when(events::change, move |event| hand.grid.set(is_checked(&event)));
+        .called(words.snap)
+        .attr("aria-pressed", move || hand.grid.get().to_string())
+        .when(events::click, move |_| hand.grid.set(!hand.grid.get_untracked()))
+        .child(icons::grid());
+    let forward = |hand| acts::reorder(hand, Order::Forward);
+    let backward = |hand| acts::reorder(hand, Order::Backward);
     div()
-        .class("form-tools drawing-tools")
+        .class("drawing-tools")
+        .child(palette::button_of(hand, open))
         .child(undo(icons::undo(), around.undo_change, false))
         .child(undo(icons::redo(), around.redo_change, true))
-        .child(act("drawing-copy", words.copy, acts::copy, false))
-        .child(act("drawing-remove", words.remove, acts::remove, true))
-        .child(act("drawing-forward", words.forward, |hand| acts::reorder(hand, Order::Forward), false))
-        .child(act("drawing-backward", words.backward, |hand| acts::reorder(hand, Order::Backward), false))
+        .child(act("drawing-copy", (icons::copy(), words.copy), acts::copy, false))
+        .child(act("drawing-remove", (icons::bin(), words.remove), acts::remove, true))
+        .child(act("drawing-forward", (icons::forward(), words.forward), forward, false))
+        .child(act("drawing-backward", (icons::backward(), words.backward), backward, false))
         .child(align(hand))
-        .child(switch(snap, words.snap))
+        .child(grid)
 }
 
 /// Several elements are brought together by their edges.

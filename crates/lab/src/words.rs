@@ -167,6 +167,9 @@ table_of_words! {
     panel_model: "Model", "Modelo";
     insight: "Under the cursor", "Bajo el cursor";
     insight_none: "What the cursor is on is explained here.", "Aquí se explica aquello sobre lo que está el cursor.";
+    panel_view: "View", "Vista";
+    view_drawing: "Drawing", "Dibujo";
+    view_plots: "Plots", "Gráficas";
     panel_questions: "Questions", "Preguntas";
     questions_none: "This document asks no question yet.", "Este documento aún no hace ninguna pregunta.";
     question_answer: "Answer", "Respuesta";

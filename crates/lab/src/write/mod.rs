@@ -16,6 +16,7 @@ mod translation;
 mod typing;
 mod version_list;
 mod versions;
+mod view;
 
 pub use changes::follow_file;
 pub use draft::{flush, resume};
@@ -23,7 +24,7 @@ pub use editor::Editor;
 pub use panel::Panel;
 
 use crate::app::App;
-use view::views::*;
+use ::view::views::*;
 use web_sys::Element;
 
 /// The tab.
@@ -56,6 +57,7 @@ pub fn view(app: App) -> View {
         .child(panels::tabs(app))
         .child(text)
         .child(built(Panel::Model, model::view))
+        .child(built(Panel::View, view::view))
         .child(built(Panel::Questions, questions::view))
         .child(built(Panel::Translation, translation::view))
         .child(insight::view(app))

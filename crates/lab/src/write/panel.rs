@@ -8,6 +8,8 @@ pub enum Panel {
     Text,
     /// Forms of its model.
     Model,
+    /// Forms of what its readers see: drawing, plots, values and controls.
+    View,
     /// Its questions with their answers.
     Questions,
     /// Its texts beside those of a translation.
@@ -16,13 +18,14 @@ pub enum Panel {
 
 impl Panel {
     /// All of them in the order of the tabs.
-    pub const ALL: [Self; 4] = [Self::Text, Self::Model, Self::Questions, Self::Translation];
+    pub const ALL: [Self; 5] = [Self::Text, Self::Model, Self::View, Self::Questions, Self::Translation];
 
     /// The name in ids.
     pub fn id(self) -> &'static str {
         match self {
             Self::Text => "text",
             Self::Model => "model",
+            Self::View => "view",
             Self::Questions => "questions",
             Self::Translation => "translation",
         }

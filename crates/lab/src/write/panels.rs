@@ -1,4 +1,4 @@
-//! The row of tabs inside *Write*: one document, shown as text, as forms of its model, as its questions, beside its translation.
+//! The row of tabs inside *Write*: one document, shown as text, as forms of its model and of its view, as its questions, beside its translation.
 
 use super::panel::Panel;
 use crate::app::App;
@@ -73,6 +73,7 @@ fn title(app: App, panel: Panel) -> &'static str {
     match panel {
         Panel::Text => words.panel_text,
         Panel::Model => words.panel_model,
+        Panel::View => words.panel_view,
         Panel::Questions => words.panel_questions,
         Panel::Translation => words.panel_translation,
     }

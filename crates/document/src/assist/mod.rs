@@ -6,6 +6,7 @@ mod place;
 mod suggestion;
 mod vocabulary;
 
+pub(crate) use names::independent;
 pub use suggestion::{Completion, Explanation, Suggestion, SuggestionKind};
 
 use crate::{Outline, scene};

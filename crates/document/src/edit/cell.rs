@@ -83,8 +83,19 @@ pub(super) fn expect(
     (block, expected): (usize, &[Vec<(CellKind, String)>]),
     refusal: EditError,
 ) -> Result<(), EditError> {
+    expect_in(outline, edits, &[block], expected, refusal)
+}
+
+/// Refuses edits unless they leave front matter and all blocks but these as they are, and turn the form into `expected`.
+pub(super) fn expect_in(
+    outline: &Outline,
+    edits: &[Edit],
+    blocks: &[usize],
+    expected: &[Vec<(CellKind, String)>],
+    refusal: EditError,
+) -> Result<(), EditError> {
     let text = result(outline, edits)?;
-    if !Layout::of(outline).differs_only_in(block, &text) {
+    if !Layout::of(outline).differs_only_in(blocks, &text) {
         return Err(EditError::ChangesOthers);
     }
     let after = read(&text);

@@ -8,10 +8,13 @@ mod cell;
 mod columns;
 mod error;
 mod layout;
+mod lines;
 mod parameter;
+mod plots;
 mod question;
 mod rename;
 mod settings;
+mod shown;
 mod statements;
 mod translation;
 
@@ -21,9 +24,11 @@ pub use error::EditError;
 pub(crate) use layout::line_end;
 pub use model::Edit;
 pub use parameter::set_parameter;
+pub use plots::{NewPlot, add_plot, exchange_plots, remove_plot, set_plot};
 pub use question::{NewQuestion, add_question};
 pub use rename::rename;
 pub use settings::set_front_matter;
+pub use shown::{exchange_statements, set_hidden, set_label};
 pub use statements::{add_statement, remove_statement};
 pub use translation::set_translation;
 

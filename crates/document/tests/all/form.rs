@@ -163,7 +163,7 @@ fn statements_are_added_and_removed() {
 }
 
 /// What turns the text after the edits into the one before.
-fn inverse(before: &str, edits: &[Edit]) -> Vec<Edit> {
+pub fn inverse(before: &str, edits: &[Edit]) -> Vec<Edit> {
     let mut ordered = edits.to_vec();
     ordered.sort_by_key(|edit| edit.span.start);
     let mut shift = 0isize;

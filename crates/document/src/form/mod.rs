@@ -11,7 +11,7 @@ pub use cells::{Cell, CellKind};
 pub use plots::{PlotCell, PlotPart, plots};
 pub use proposal::proposal;
 pub use section::Section;
-pub use shown::{Place, Shown, shown};
+pub use shown::{Place, Shown, plottable, shown};
 
 use crate::source::trim;
 use crate::{BlockKind, Outline};

@@ -3,6 +3,7 @@
 use crate::Outline;
 use crate::source::trim;
 use model::{Expression, Members, Quoted, Span, Statement, StatementKind};
+use program::{Kind, Program, Role};
 
 /// Among which others a control or value is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -69,6 +70,19 @@ pub fn shown(outline: &Outline) -> Vec<Shown> {
         })
     };
     models.enumerate().filter_map(one).collect()
+}
+
+/// The quantities that can be drawn, each with its label: those that change during a run, and the independent variable before them if
+/// it is wanted.
+pub fn plottable(program: &Program, with_independent: bool) -> Vec<(String, Option<String>)> {
+    let model = &program.model;
+    let independent = with_independent.then(|| (model.independent.name.clone(), None));
+    let states = model.states.iter().filter(|state| matches!(state.role, Role::Own | Role::Hidden));
+    let states = states.map(|state| (state.name(), state.label.clone()));
+    let quantities = model.quantities.iter().filter(|quantity| !quantity.remembered && quantity.varies);
+    let numbers = quantities.filter(|quantity| quantity.value.kind == Kind::Number);
+    let quantities = numbers.map(|quantity| (quantity.name.clone(), quantity.label.clone()));
+    independent.into_iter().chain(states).chain(quantities).collect()
 }
 
 fn named(source: &str, statement: &Statement) -> Option<(Place, String)> {

@@ -5,6 +5,8 @@ use desk::text_changes;
 use document::Outline;
 use document::edit::EditError;
 use model::Edit;
+use view::icons;
+use view::views::*;
 
 /// A file as it stands in the editor, also where its last change has not been checked.
 pub fn text(app: App, file: usize) -> String {
@@ -33,6 +35,19 @@ pub fn change<'a>(
         app.typed.update(|count| *count += 1);
     }
     Ok(edits)
+}
+
+/// The buttons that take back the last change of the document and make it again.
+pub fn undo_buttons(app: App) -> HtmlDiv {
+    let words = app.words();
+    let undo = |icon, name: &'static str, forwards| {
+        labelled(icon, name).when(events::click, move |_| self::undo(app, 0, forwards))
+    };
+    div().class("form-tools").child(undo(icons::undo(), words.undo_change, false)).child(undo(
+        icons::redo(),
+        words.redo_change,
+        true,
+    ))
 }
 
 /// Takes back the last change of a file, wherever it was made, or makes it again.

@@ -12,7 +12,8 @@ pub use suggestion::{Completion, Explanation, Suggestion, SuggestionKind};
 use crate::{Outline, scene};
 use model::Span;
 use names::{dimension, names};
-use place::{Place, attribute_around, attribute_at, place, word_at};
+pub(crate) use place::word_at;
+use place::{Place, attribute_around, attribute_at, place};
 use program::Program;
 use units::{Dimension, QuantityName, Unit, Words, words};
 

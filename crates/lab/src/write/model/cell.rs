@@ -4,7 +4,7 @@ use super::fault;
 use super::forms::{Forms, Refusal};
 use crate::write::fields::{follow, take_back};
 use crate::write::{insight, typing};
-use document::edit::set_cell;
+use document::edit::{set_cell, set_name};
 use document::form::CellKind;
 use view::views::*;
 use web_sys::{Event, HtmlInputElement};
@@ -45,8 +45,12 @@ impl Behaviour {
     /// Writes what was typed into the document.
     fn write(&self, typed: &str) {
         let Self { forms, number, kind, refusal } = *self;
-        let text = typing::text(forms.app, 0);
-        let written = typing::change(forms.app, 0, &text, |outline| set_cell(outline, number, kind, typed));
+        let written = if kind == CellKind::Name {
+            typing::change_all(forms.app, |outline, translations| set_name(outline, number, typed, translations))
+        } else {
+            let text = typing::text(forms.app, 0);
+            typing::change(forms.app, 0, &text, |outline| set_cell(outline, number, kind, typed)).map(|_| ())
+        };
         refusal.set(written.err().map(|why| (kind, why)));
     }
 }

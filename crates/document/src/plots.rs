@@ -162,11 +162,11 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
 const AGAINST: [&str; 5] = ["vs", "versus", "over", "contra", "frente"];
 
 /// The word before what is drawn as single points.
-const POINTS: &str = "points";
+pub const POINTS: &str = "points";
 
 /// Whether a word says how curves are drawn: it stands before another one, not before an operator or a comma, which would
 /// make it a name.
-fn begins_with(word: &str, text: &str) -> bool {
+pub fn begins_with(word: &str, text: &str) -> bool {
     let Some(rest) = text.strip_prefix(word) else { return false };
     let next = rest.trim_start();
     rest.starts_with(char::is_whitespace)
@@ -297,7 +297,7 @@ fn moment(expressions: &mut Expressions, range: Range<usize>, what: &Words) -> O
 }
 
 /// Whether a part after a comma asks for units of the same length on both axes.
-fn is_equal_axes(part: &str) -> bool {
+pub fn is_equal_axes(part: &str) -> bool {
     part.split_whitespace().eq(["equal", "axes"])
 }
 

@@ -61,6 +61,10 @@ icons! {
     full_screen: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5M4 4l6 6M20 4l-6 6M20 20l-6-6M4 20l6-6";
     /// A large and a small letter A.
     type_size: "M3 18L8 6l5 12M4.7 14h6.6M15 18l3-7 3 7M16 15.7h4";
+    /// An arrow that points upwards.
+    up: "M12 19V5.5M6 11l6-6 6 6";
+    /// An arrow that points downwards.
+    down: "M12 5v13.5M6 13l6 6 6-6";
     /// A cross.
     cross: "M7 7l10 10M17 7L7 17";
     /// A loudspeaker with a wave.

@@ -136,7 +136,16 @@ pub fn hover(files: &OpenFiles, asked: &HoverParams) -> Option<Hover> {
 /// No name of the model stands there, or the new one cannot be given; in words for people.
 pub fn rename(files: &OpenFiles, asked: &RenameParams) -> Result<Option<WorkspaceEdit>, String> {
     let Some((file, at)) = place(files, &asked.text_document_position) else { return Ok(None) };
-    let edits = document::edit::rename(&document::read(&file.text), at, asked.new_name.trim())
+    let uri = &asked.text_document_position.text_document.uri;
+    let others = files.translations(uri);
+    let texts: Vec<&str> = others.iter().map(|(_, text)| text.as_str()).collect();
+    let edits = document::edit::rename_with(&document::read(&file.text), at, asked.new_name.trim(), &texts)
         .map_err(|refusal| refusal.words().text(files.language()).to_owned())?;
-    Ok(Some(edited(&asked.text_document_position.text_document.uri, &file.text, &edits)))
+    let all = std::iter::once((uri, file.text.as_str())).chain(others.iter().map(|(uri, text)| (uri, text.as_str())));
+    let changed = all.zip(&edits).filter(|(_, edits)| !edits.is_empty());
+    // The address is a key here by the type of the protocol; it is not changed afterwards.
+    #[allow(clippy::mutable_key_type)]
+    let changes: HashMap<Uri, Vec<TextEdit>> =
+        changed.map(|((uri, text), edits)| (uri.clone(), text_edits(text, edits))).collect();
+    Ok(Some(WorkspaceEdit::new(changes)))
 }

@@ -130,6 +130,34 @@ fn names_are_completed_explained_and_renamed() {
 }
 
 #[test]
+fn a_name_changes_in_translations_that_are_open_and_beside_the_file() {
+    let folder = std::env::temp_dir().join(format!("meniscus rename {}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let address = |name: &str| format!("file://{}/{name}", folder.display().to_string().replace(' ', "%20"));
+    let translation = |language: &str| format!("---\nlanguage: {language}\ntranslates: spring.md\n---\n\n{{stiff}}\n");
+    std::fs::write(folder.join("spring.fr.md"), translation("fr")).unwrap();
+    std::fs::write(folder.join("spring.es.md"), "not what the editor has").unwrap();
+    std::fs::write(folder.join("spring.other.md"), "a note on {stiff}\n").unwrap();
+    let mut editor = Editor::open("en");
+    for (name, text) in [("spring.md", DOCUMENT.replace("-stif*", "-stiff*")), ("spring.es.md", translation("es"))] {
+        let file = json!({ "uri": address(name), "languageId": "markdown", "version": 1, "text": text });
+        editor.tell("textDocument/didOpen", json!({ "textDocument": file }));
+        editor.hear();
+    }
+    let asked = json!({
+        "textDocument": { "uri": address("spring.md") },
+        "position": { "line": 1, "character": 12 },
+        "newName": "k",
+    });
+    let edits = editor.ask("textDocument/rename", asked);
+    let count = |name: &str| edits["changes"][address(name)].as_array().map(Vec::len);
+    let counts = ["spring.md", "spring.es.md", "spring.fr.md", "spring.other.md"].map(count);
+    assert_eq!(counts, [Some(3), Some(1), Some(1), None], "{edits}");
+    editor.close();
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
 fn a_document_is_given_the_layout() {
     let mut editor = Editor::open("en");
     editor.write("```model\nx' = -x\nx(0)=1\n```\n");

@@ -6,12 +6,14 @@ mod place;
 mod suggestion;
 mod vocabulary;
 
+pub(crate) use names::independent;
 pub use suggestion::{Completion, Explanation, Suggestion, SuggestionKind};
 
 use crate::{Outline, scene};
 use model::Span;
 use names::{dimension, names};
-use place::{Place, attribute_around, attribute_at, place, word_at};
+pub(crate) use place::word_at;
+use place::{Place, attribute_around, attribute_at, place};
 use program::Program;
 use units::{Dimension, QuantityName, Unit, Words, words};
 

@@ -32,6 +32,18 @@ pub fn names(outline: &Outline, program: Option<&Program>) -> Vec<Suggestion> {
     names
 }
 
+/// The independent variable of a document and its unit, which is empty for a number.
+pub fn independent(outline: &Outline) -> (String, String) {
+    let statements = outline.blocks().iter().flat_map(|block| &block.statements);
+    let mut declared = statements.filter_map(|statement| match &statement.kind {
+        StatementKind::Independent { name, unit, .. } => {
+            Some((name.text.clone(), unit.as_ref().map(|unit| unit.unit.text.clone()).unwrap_or_default()))
+        }
+        _ => None,
+    });
+    declared.next().unwrap_or_else(|| ("t".to_owned(), "s".to_owned()))
+}
+
 const FUNCTION: (&str, &str) = ("function of this document", "función de este documento");
 
 /// The names that a statement gives, and what they are.

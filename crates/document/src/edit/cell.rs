@@ -2,7 +2,7 @@
 
 use super::columns::keeping_columns;
 use super::layout::{Layout, result, with_line_ends_of};
-use super::rename::rename;
+use super::rename::rename_with;
 use super::{Edit, EditError};
 use crate::form::{CellKind, Part, structure};
 use crate::outline::{Outline, read};
@@ -16,7 +16,7 @@ use model::Span;
 /// # Errors
 ///
 /// [`EditError::UnknownCell`], [`EditError::NotOneCell`], [`EditError::NotOneStatement`], [`EditError::TooLong`], and those of
-/// [`rename`].
+/// [`rename_with`].
 pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) -> Result<Vec<Edit>, EditError> {
     let parts = structure(outline);
     let cell = parts.get(number).and_then(|part| part.cell(kind)).ok_or(EditError::UnknownCell)?;
@@ -25,11 +25,7 @@ pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) ->
         return Ok(Vec::new());
     }
     if kind == CellKind::Name {
-        // Of `y'(0)` the name is what stands before the primes.
-        let letters =
-            cell.text.find(|letter: char| !letter.is_alphanumeric() && letter != '_').unwrap_or(cell.text.len());
-        let rest = &cell.text[letters..];
-        return rename(outline, cell.span.start + letters, text.strip_suffix(rest).unwrap_or(&text));
+        return set_name(outline, number, &text, &[]).map(|mut edits| edits.pop().unwrap_or_default());
     }
     let edit = match (kind, cell.outer.start == cell.outer.end) {
         (CellKind::Text | CellKind::Value, _) => Edit { span: cell.span, text: text.clone() },
@@ -55,6 +51,29 @@ pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) ->
     }
     expect(outline, std::slice::from_ref(&edit), (parts[number].block, &expected), refusal)?;
     Ok(vec![edit])
+}
+
+/// The name of a parameter or state is changed everywhere in the document and in its translations: the edits of each.
+///
+/// # Errors
+///
+/// [`EditError::UnknownCell`], and those of [`rename_with`].
+pub fn set_name(
+    outline: &Outline,
+    number: usize,
+    text: &str,
+    translations: &[&str],
+) -> Result<Vec<Vec<Edit>>, EditError> {
+    let parts = structure(outline);
+    let cell = parts.get(number).and_then(|part| part.cell(CellKind::Name)).ok_or(EditError::UnknownCell)?;
+    let text = text.trim();
+    if text == cell.text {
+        return Ok(Vec::new());
+    }
+    // Of `y'(0)` the name is what stands before the primes.
+    let letters = cell.text.find(|letter: char| !letter.is_alphanumeric() && letter != '_').unwrap_or(cell.text.len());
+    let rest = &cell.text[letters..];
+    rename_with(outline, cell.span.start + letters, text.strip_suffix(rest).unwrap_or(text), translations)
 }
 
 /// What is not there yet, as it is written behind what stands before it.
@@ -83,8 +102,19 @@ pub(super) fn expect(
     (block, expected): (usize, &[Vec<(CellKind, String)>]),
     refusal: EditError,
 ) -> Result<(), EditError> {
+    expect_in(outline, edits, &[block], expected, refusal)
+}
+
+/// Refuses edits unless they leave front matter and all blocks but these as they are, and turn the form into `expected`.
+pub(super) fn expect_in(
+    outline: &Outline,
+    edits: &[Edit],
+    blocks: &[usize],
+    expected: &[Vec<(CellKind, String)>],
+    refusal: EditError,
+) -> Result<(), EditError> {
     let text = result(outline, edits)?;
-    if !Layout::of(outline).differs_only_in(block, &text) {
+    if !Layout::of(outline).differs_only_in(blocks, &text) {
         return Err(EditError::ChangesOthers);
     }
     let after = read(&text);

@@ -49,12 +49,25 @@ impl Layout {
         Self { entries: self.entries, blocks }
     }
 
-    /// Whether a text has the same front matter and blocks, the content of one block aside.
-    pub(super) fn differs_only_in(mut self, block: usize, text: &str) -> bool {
+    /// Whether a text has the same front matter and blocks, the contents of these blocks aside.
+    pub(super) fn differs_only_in(mut self, blocks: &[usize], text: &str) -> bool {
         let mut other = Self::read(text);
-        if let (Some((_, content)), Some((_, other))) = (self.blocks.get_mut(block), other.blocks.get_mut(block)) {
-            content.clear();
-            other.clear();
+        for &block in blocks {
+            if let (Some((_, content)), Some((_, other))) = (self.blocks.get_mut(block), other.blocks.get_mut(block)) {
+                content.clear();
+                other.clear();
+            }
+        }
+        self == other
+    }
+
+    /// Whether a text has the same front matter and blocks, the contents of the blocks of one kind aside.
+    pub(super) fn differs_only_in_kind(mut self, kind: BlockKind, text: &str) -> bool {
+        let mut other = Self::read(text);
+        for (own, content) in self.blocks.iter_mut().chain(&mut other.blocks) {
+            if *own == kind {
+                content.clear();
+            }
         }
         self == other
     }

@@ -9,15 +9,18 @@ mod columns;
 mod drawing;
 mod error;
 mod layout;
+mod lines;
 mod parameter;
+mod plots;
 mod question;
 mod rename;
 mod settings;
+mod shown;
 mod statements;
 mod translation;
 
 pub use blocks::{insert_block, remove_block, replace_block};
-pub use cell::set_cell;
+pub use cell::{set_cell, set_name};
 pub(crate) use drawing::split_distance;
 pub use drawing::{
     Measure, Order, add_element, add_scene, duplicate_element, follow, remove_elements, reorder_element, set_attribute,
@@ -27,9 +30,11 @@ pub use error::EditError;
 pub(crate) use layout::line_end;
 pub use model::Edit;
 pub use parameter::set_parameter;
+pub use plots::{NewPlot, add_plot, exchange_plots, remove_plot, set_plot};
 pub use question::{NewQuestion, add_question};
-pub use rename::rename;
+pub use rename::{rename, rename_with};
 pub use settings::set_front_matter;
+pub use shown::{exchange_statements, set_hidden, set_label};
 pub use statements::{add_statement, remove_statement};
 pub use translation::set_translation;
 

@@ -1,8 +1,8 @@
 //! Other names for quantities.
 
 use super::{Edit, EditError, layout};
-use crate::assist::{NameAt, name_at, names_in};
-use crate::outline::Outline;
+use crate::assist::{NameAt, name_at, names_in, word_at};
+use crate::outline::{Outline, read};
 use model::{ExpressionKind, Severity, Span};
 use program::functions::Function;
 
@@ -30,6 +30,21 @@ const TEXTS: [&str; 12] = [
 /// [`EditError::NoName`] if no name of the model stands there, [`EditError::NewName`] if the new one cannot be a name or has a
 /// meaning already, [`EditError::Incomplete`] if the document has more errors afterwards, and [`EditError::TooLong`].
 pub fn rename(outline: &Outline, offset: usize, new: &str) -> Result<Vec<Edit>, EditError> {
+    rename_with(outline, offset, new, &[]).map(|mut edits| edits.pop().unwrap_or_default())
+}
+
+/// The same with the translations of the document, where names stand in the braces of prose and of texts of the drawing: the edits of
+/// the document, and those of each translation.
+///
+/// # Errors
+///
+/// Those of [`rename`].
+pub fn rename_with(
+    outline: &Outline,
+    offset: usize,
+    new: &str,
+    translations: &[&str],
+) -> Result<Vec<Vec<Edit>>, EditError> {
     let source = outline.source();
     let names = names_in(outline);
     let NameAt { span, .. } = name_at(outline, offset).ok_or(EditError::NoName)?;
@@ -40,21 +55,37 @@ pub fn rename(outline: &Outline, offset: usize, new: &str) -> Result<Vec<Edit>, 
     if !can_be_name(new) || names.iter().any(|name| name == new) {
         return Err(EditError::NewName(new.to_owned()));
     }
-    let mut edits = Vec::new();
-    for (at, _) in source.match_indices(old) {
-        let found = name_at(outline, at + old.len()).filter(|found| found.span == Span::new(at, at + old.len()));
-        if let Some(found) = found
-            && found.attribute.is_none_or(|attribute| !TEXTS.contains(&attribute))
-        {
-            edits.push(Edit { span: found.span, text: new.to_owned() });
-        }
-    }
-    let errors = |text: &str| {
-        let opened = crate::open(text, &[]);
+    let others: Vec<Outline> = translations.iter().map(|text| read(text)).collect();
+    let files = || std::iter::once(outline).chain(&others);
+    let edits: Vec<Vec<Edit>> = files().map(|file| in_file(file, old, new)).collect();
+    let renamed = files().zip(&edits).map(|(file, edits)| layout::result(file, edits));
+    let renamed = renamed.collect::<Result<Vec<String>, _>>()?;
+    let (text, texts) = renamed.split_first().ok_or(EditError::NoName)?;
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    let errors = |text: &str, translations: &[&str]| {
+        let opened = crate::open(text, translations);
         opened.diagnostics.iter().filter(|(_, found)| found.severity == Severity::Error).count()
     };
-    let text = layout::result(outline, &edits)?;
-    if errors(&text) > errors(source) { Err(EditError::Incomplete(old.to_owned())) } else { Ok(edits) }
+    if errors(text, &texts) > errors(source, translations) {
+        return Err(EditError::Incomplete(old.to_owned()));
+    }
+    Ok(edits)
+}
+
+/// The new name in the place of the old one, where it means the quantity.
+fn in_file(outline: &Outline, old: &str, new: &str) -> Vec<Edit> {
+    // A list of names.
+    let varied = outline.front_matter().get("vary").map(|value| value.span);
+    let is_varied = |span: &Span| varied.is_some_and(|all| all.start <= span.start && span.end <= all.end);
+    let places = outline.source().match_indices(old).map(|(at, _)| Span::new(at, at + old.len()));
+    let meant = |span: &Span| {
+        if is_varied(span) {
+            return word_at(outline.source(), span.end) == Some(*span);
+        }
+        let found = name_at(outline, span.end).filter(|found| found.span == *span);
+        found.is_some_and(|found| found.attribute.is_none_or(|attribute| !TEXTS.contains(&attribute)))
+    };
+    places.filter(meant).map(|span| Edit { span, text: new.to_owned() }).collect()
 }
 
 /// Whether a text is a name of the language that nothing else uses.

@@ -3,6 +3,7 @@
 use super::blocks::{insert_block, remove_block};
 use super::cell::expect;
 use super::layout::{line_end, with_line_ends_of};
+use super::lines::lines_around;
 use super::{Edit, EditError};
 use crate::BlockKind;
 use crate::form::{CellKind, Part, Section, structure};
@@ -31,7 +32,7 @@ pub fn add_statement(outline: &Outline, section: Section, text: &str) -> Result<
     let last = last.or_else(|| parts.iter().rev().find(|part| part.block == number));
     let (block, edit) = match last {
         Some(part) => {
-            let at = line_around(source, part.span).1;
+            let at = lines_around(source, part.span).end;
             (part.block, Edit { span: Span::new(at, at), text: format!("{}{text}", line_end(source)) })
         }
         None => {
@@ -62,7 +63,7 @@ pub fn remove_statement(outline: &Outline, number: usize) -> Result<Edit, EditEr
     if outline.blocks().get(part.block).is_some_and(|block| block.kind == BlockKind::Table) {
         return remove_block(outline, part.block);
     }
-    let (start, end) = line_around(source, part.span);
+    let Span { start, end } = lines_around(source, part.span);
     let next = source[end..].find('\n').map_or(source.len(), |length| end + length + 1);
     let shares_line = |other: &Part| other.span != part.span && other.span.start < next && start < other.span.end;
     let span = if parts.iter().any(shares_line) { part.span } else { Span::new(start, next) };
@@ -72,12 +73,4 @@ pub fn remove_statement(outline: &Outline, number: usize) -> Result<Edit, EditEr
     expected.remove(number);
     expect(outline, std::slice::from_ref(&edit), (part.block, &expected), EditError::ChangesOthers)?;
     Ok(edit)
-}
-
-/// Where the lines of a piece of text begin, and where they end without their line end.
-fn line_around(source: &str, span: Span) -> (usize, usize) {
-    let start = source[..span.start].rfind('\n').map_or(0, |at| at + 1);
-    let end = source[span.end..].find('\n').map_or(source.len(), |length| span.end + length);
-    let end = if source[..end].ends_with('\r') && end > span.end { end - 1 } else { end };
-    (start, end)
 }

@@ -57,6 +57,8 @@ pub(super) fn row(source: &str, statement: &Statement) -> Option<(String, Vec<Ce
     if text.contains(['\n', '“', '”', '«', '»', '#']) || !statement.over.is_empty() {
         return None;
     }
+    let all = all.start + hidden_length(text)..all.end;
+    let text = &source[all.clone()];
     let word = ["parameter", "switch", "random", "size", "discrete"].into_iter().find(|word| begins_with(text, word));
     let is_start = match &statement.kind {
         StatementKind::InitialValue { .. } | StatementKind::Discrete { .. } => true,
@@ -158,6 +160,12 @@ fn unit(source: &str, bracket: Option<usize>, before: usize, until: usize) -> Ce
     };
     let inside = open + 1..source[open..until].find(']').map_or(until, |at| open + at);
     Cell::of(source, CellKind::Unit, inside, before..trimmed_end(source, &(before..until)))
+}
+
+/// How long the word `hidden` with the blanks behind it is, where a statement begins with it.
+fn hidden_length(text: &str) -> usize {
+    let rest = text.strip_prefix("hidden").unwrap_or(text);
+    if rest.starts_with([' ', '\t']) { text.len() - rest.trim_start().len() } else { 0 }
 }
 
 fn begins_with(text: &str, word: &str) -> bool {

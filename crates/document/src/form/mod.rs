@@ -2,12 +2,16 @@
 //! statement, each with its place. [`crate::edit`] changes a cell by its place.
 
 mod cells;
+mod plots;
 mod proposal;
 mod section;
+mod shown;
 
 pub use cells::{Cell, CellKind};
+pub use plots::{PlotCell, PlotPart, plots};
 pub use proposal::proposal;
 pub use section::Section;
+pub use shown::{Place, Shown, plottable, shown};
 
 use crate::source::trim;
 use crate::{BlockKind, Outline};

@@ -2,8 +2,7 @@
 
 use super::Section;
 use crate::Outline;
-use crate::assist::names_in;
-use model::StatementKind;
+use crate::assist::{self, names_in};
 
 /// A short statement of a section with names that are free, to be changed. That of a quantity with a value at the start brings its
 /// equation.
@@ -14,15 +13,8 @@ pub fn proposal(outline: &Outline, section: Section) -> String {
         let numbered = (1..1000).flat_map(|number| letters.chars().map(move |letter| format!("{letter}_{number}")));
         plain.chain(numbered).find(|name| !taken.contains(name)).unwrap_or_default()
     };
-    let statements = outline.blocks().iter().flat_map(|block| &block.statements);
-    let mut independents = statements.filter_map(|statement| match &statement.kind {
-        StatementKind::Independent { name, unit, .. } => {
-            Some((name.text.clone(), unit.as_ref().map(|unit| unit.unit.text.clone())))
-        }
-        _ => None,
-    });
-    let (independent, unit) = independents.next().unwrap_or_else(|| ("t".to_owned(), Some("s".to_owned())));
-    let unit = unit.filter(|unit| !unit.is_empty());
+    let (independent, unit) = assist::independent(outline);
+    let unit = Some(unit).filter(|unit| !unit.is_empty());
     let (per, of) = match &unit {
         Some(unit) => (format!(" [1/({unit})]"), format!(" [{unit}]")),
         None => (String::new(), String::new()),

@@ -3,7 +3,8 @@
 use crate::arbitrary::document_text;
 use crate::outline::check_places;
 use document::edit::{
-    Edit, EditError, apply, insert_block, remove_block, rename, replace_block, set_front_matter, set_parameter,
+    Edit, EditError, apply, insert_block, remove_block, rename, rename_with, replace_block, set_front_matter,
+    set_parameter,
 };
 use document::{BlockKind, Outline, open, read};
 use model::{ParameterStatement, Span, StatementKind};
@@ -339,6 +340,14 @@ fn a_quantity_is_renamed_where_it_is_meant() {
         .replace("= m*x'", "= mass*x'")
         .replace(": m = 3", ": mass = 3");
     assert_eq!(renamed(place, "mass").unwrap(), expected);
+    // In translations and in the list of what fits vary, too.
+    let varying = source.replace("title: m\n", "title: m\nvary: m_2, m\n");
+    let spanish = "---\nlanguage: es\ntranslates: a.md\n---\nLa masa m es {m in [g]}.\n\n```translations\n\"m\" = \"masa m\"\n```\n";
+    let edits = rename_with(&read(&varying), varying.find("= m*x'").unwrap() + 2, "mass", &[spanish]).unwrap();
+    let texts: Vec<String> =
+        [varying.as_str(), spanish].iter().zip(&edits).map(|(text, edits)| apply(text, edits).unwrap()).collect();
+    assert_eq!(texts[0], expected.replace("title: m\n", "title: m\nvary: m_2, mass\n"));
+    assert_eq!(texts[1], spanish.replace("{m in", "{mass in"));
     assert_eq!(renamed(place, "x"), Err(EditError::NewName("x".to_owned())));
     for new in ["", "2m", "a b", "sin", "pi", "if", "x'"] {
         assert_eq!(renamed(place, new), Err(EditError::NewName(new.to_owned())), "{new}");

@@ -20,6 +20,7 @@ mod independent;
 mod open;
 mod outline;
 mod parts;
+mod plot_forms;
 mod reference;
 mod repeats;
 mod scene;

@@ -23,7 +23,7 @@ fn format(app: App) {
     let (file, words) = (app.written_file.get_untracked(), app.words());
     let text = typing::text(app, file);
     let mut keeps_faults = false;
-    let changed = typing::change(app, file, &text, |outline| {
+    let changed = typing::act(app, file, &text, |outline| {
         let formatted = document::format(outline);
         keeps_faults = !formatted.left.is_empty();
         Ok(formatted.edits)

@@ -3,6 +3,7 @@
 mod changes;
 mod draft;
 mod editor;
+mod fields;
 mod findings;
 mod insight;
 mod kept;

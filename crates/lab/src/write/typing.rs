@@ -5,6 +5,8 @@ use desk::text_changes;
 use document::Outline;
 use document::edit::EditError;
 use model::Edit;
+use view::icons;
+use view::views::*;
 
 /// A file as it stands in the editor, also where its last change has not been checked.
 pub fn text(app: App, file: usize) -> String {
@@ -55,6 +57,39 @@ fn edited<'a>(
         app.typed.update(|count| *count += 1);
     }
     Ok(edits)
+}
+
+/// Changes the document and its translations together: `edit` takes the document and the texts of the others and gives the edits of each.
+///
+/// # Errors
+/// Those of `edit`, in the language of the page.
+pub fn change_all(
+    app: App,
+    edit: impl FnOnce(&Outline, &[&str]) -> Result<Vec<Vec<Edit>>, EditError>,
+) -> Result<(), String> {
+    let count = app.read_writing(|writing| writing.texts().len());
+    let texts: Vec<String> = (0..count).map(|file| text(app, file)).collect();
+    let Some((first, others)) = texts.split_first() else { return Ok(()) };
+    let others: Vec<&str> = others.iter().map(String::as_str).collect();
+    let edits = edit(&document::read(first), &others);
+    let edits = edits.map_err(|refusal| refusal.words().text(app.language.get_untracked()).to_owned())?;
+    for (file, (text, edits)) in texts.iter().zip(edits).enumerate() {
+        act(app, file, text, |_| Ok(edits))?;
+    }
+    Ok(())
+}
+
+/// The buttons that take back the last change of the document and make it again.
+pub fn undo_buttons(app: App) -> HtmlDiv {
+    let words = app.words();
+    let undo = |icon, name: &'static str, forwards| {
+        labelled(icon, name).when(events::click, move |_| self::undo(app, 0, forwards))
+    };
+    div().class("form-tools").child(undo(icons::undo(), words.undo_change, false)).child(undo(
+        icons::redo(),
+        words.redo_change,
+        true,
+    ))
 }
 
 /// Takes back the last change of a file, wherever it was made, or makes it again.

@@ -39,7 +39,7 @@ pub(super) fn expect(
     expected: &[Shape],
 ) -> Result<(), EditError> {
     let text = result(outline, edits)?;
-    if !Layout::of(outline).differs_only_in(drawing.block, &text) {
+    if !Layout::of(outline).differs_only_in(&[drawing.block], &text) {
         return Err(EditError::ChangesOthers);
     }
     let after = outline::read(&text);

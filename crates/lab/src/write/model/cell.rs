@@ -2,11 +2,12 @@
 
 use super::fault;
 use super::forms::{Forms, Refusal};
+use crate::write::fields::{follow, take_back};
 use crate::write::{insight, typing};
-use document::edit::set_cell;
+use document::edit::{set_cell, set_name};
 use document::form::CellKind;
 use view::views::*;
-use web_sys::{Event, HtmlInputElement, KeyboardEvent};
+use web_sys::{Event, HtmlInputElement};
 
 /// The id of a field.
 pub fn id(number: usize, kind: CellKind) -> String {
@@ -44,8 +45,12 @@ impl Behaviour {
     /// Writes what was typed into the document.
     fn write(&self, typed: &str) {
         let Self { forms, number, kind, refusal } = *self;
-        let text = typing::text(forms.app, 0);
-        let written = typing::change(forms.app, 0, &text, |outline| set_cell(outline, number, kind, typed));
+        let written = if kind == CellKind::Name {
+            typing::change_all(forms.app, |outline, translations| set_name(outline, number, typed, translations))
+        } else {
+            let text = typing::text(forms.app, 0);
+            typing::change(forms.app, 0, &text, |outline| set_cell(outline, number, kind, typed)).map(|_| ())
+        };
         refusal.set(written.err().map(|why| (kind, why)));
     }
 }
@@ -77,7 +82,7 @@ pub fn field(forms: Forms, number: usize, kind: CellKind, name: String, refusal:
         .attr("aria-label", name)
         .attr("aria-describedby", fault::id(number))
         .attr("aria-invalid", is_wrong)
-        .when(events::keydown, move |event| take_back(forms, text, &event));
+        .when(events::keydown, move |event| take_back(forms.app, text, &event));
     let write = move |event: Event| own.write(&value_of(&event));
     if kind == CellKind::Name {
         return field.when(events::change, write);
@@ -103,7 +108,7 @@ pub fn lines(forms: Forms, number: usize, name: String, refusal: Refusal) -> Htm
         .attr("aria-label", name)
         .attr("aria-describedby", fault::id(number))
         .attr("aria-invalid", is_wrong)
-        .when(events::keydown, move |event| take_back(forms, text, &event))
+        .when(events::keydown, move |event| take_back(forms.app, text, &event))
         .when(events::input, move |event| own.write(&value_of(&event)))
 }
 
@@ -124,30 +129,7 @@ pub fn switch_field(forms: Forms, number: usize, name: String, refusal: Refusal)
         .when(events::change, move |event| own.write(&value_of(&event)))
 }
 
-/// Shows the text in the field whenever it differs by more than blanks from what is typed there.
-fn follow(node: HtmlInputElement, text: ReadSignal<String>) {
-    effect(move || {
-        text.with(|text| {
-            if node.value().trim() != text.trim() {
-                node.set_value(text);
-            }
-        });
-    });
-}
-
 /// While a statement is typed it keeps its place in the form, whatever it becomes on the way.
 fn rests<E: Build>(forms: Forms, field: E) -> E {
     field.when(events::focus, move |_| forms.typing.set(true)).when(events::blur, move |_| forms.typing.set(false))
-}
-
-/// Control with Z takes back the last change of the document, unless something is typed that is not in it.
-fn take_back(forms: Forms, text: ReadSignal<String>, event: &KeyboardEvent) {
-    let key = event.key().to_lowercase();
-    if !(event.ctrl_key() || event.meta_key()) || !matches!(key.as_str(), "z" | "y") {
-        return;
-    }
-    if text.with_untracked(|text| value_of(event).trim() == text.trim()) {
-        event.prevent_default();
-        typing::undo(forms.app, 0, key == "y" || event.shift_key());
-    }
 }

@@ -17,7 +17,7 @@ pub fn view(forms: Forms, number: usize, refusal: Refusal) -> HtmlDiv {
         let checked = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
         // A text that has changed since is checked first.
         if checked == typing::text(app, 0) {
-            let _ = typing::change(app, 0, &checked, |_| Ok(fix.edits.clone()));
+            let _ = typing::act(app, 0, &checked, |_| Ok(fix.edits.clone()));
         }
         crate::write::flush(app);
     });

@@ -1,7 +1,8 @@
-//! The model of the document as forms: parameters and initial values in tables, equations beside their typeset form, events, choices
+//! The model of the document as forms: its description, parameters and initial values in tables, equations beside their typeset form, events, choices
 //! and tables as cards. Each cell changes its place in the text.
 
 mod cell;
+mod description;
 mod fault;
 mod faults;
 mod forms;
@@ -37,15 +38,6 @@ pub fn view(app: App) -> View {
         }
         last.clone()
     });
-    let undo = |icon, name: &'static str, forwards| {
-        labelled(icon, name).when(events::click, move |_| typing::undo(app, 0, forwards))
-    };
-    let words = app.words();
-    let tools = div().class("form-tools").child(undo(icons::undo(), words.undo_change, false)).child(undo(
-        icons::redo(),
-        words.redo_change,
-        true,
-    ));
     let sections = move || {
         let shapes = shapes.get_clone();
         let numbered = |section: Section| -> Vec<(usize, Shape)> {
@@ -57,7 +49,7 @@ pub fn view(app: App) -> View {
         let more = (!empty.is_empty()).then(|| div().class("form-tools").each(empty, |one| add_button(forms, one)));
         div().class("forms").each(shown, section).maybe(more)
     };
-    View::from((tools, changing(sections)))
+    View::from((typing::undo_buttons(app), description::view(app), changing(sections)))
 }
 
 /// A heading with what stands under it, and a button that adds more.

@@ -1,8 +1,12 @@
-//! What readers see of the document: its drawing and its plots.
+//! What readers see of the document: its drawing, its plots, and the order of controls and values.
 
 mod drawing;
+mod new_plot;
+mod plot;
 mod plots;
+mod shown;
 
+use super::typing;
 use crate::app::App;
 use view::views::*;
 
@@ -10,11 +14,18 @@ use view::views::*;
 pub fn view(app: App) -> View {
     let words = app.words();
     let section = |id: &'static str, title: &'static str, content: HtmlDiv| {
-        tags::section().class("form-section").attr("aria-labelledby", id).child(h3().id(id).child(title)).child(content)
+        div()
+            .class("form-section")
+            .role("group")
+            .attr("aria-labelledby", id)
+            .child(h3().id(id).child(title))
+            .child(content)
     };
-    div()
+    let forms = div()
         .class("forms")
         .child(section("view-drawing", words.view_drawing, drawing::view(app)))
         .child(section("view-plots", words.view_plots, plots::view(app)))
-        .into()
+        .child(section("view-controls", words.view_controls, shown::controls(app)))
+        .child(section("view-values", words.view_values, shown::values(app)));
+    View::from((typing::undo_buttons(app), forms))
 }

@@ -2,19 +2,14 @@
 
 use super::acts::{self, Edge};
 use super::{Hand, palette, words};
-use crate::write::typing;
 use document::edit::Order;
 use view::icons;
 use view::views::*;
 
 /// All of them; those that have nothing to act on are dim. The first one opens the palette.
 pub fn view(hand: Hand, open: Signal<bool>) -> HtmlDiv {
-    let (app, words) = (hand.app, words::of(hand.app));
-    let around = app.words();
+    let words = words::of(hand.app);
     let count = memo(move || hand.chosen.with(Vec::len));
-    let undo = |icon: SvgSvg, name: &'static str, forwards| {
-        button().class("icon").called(name).when(events::click, move |_| typing::undo(app, 0, forwards)).child(icon)
-    };
     let act = |id: &'static str, (icon, name): (SvgSvg, &'static str), act: fn(Hand), several: bool| {
         button()
             .class("icon")
@@ -36,8 +31,6 @@ pub fn view(hand: Hand, open: Signal<bool>) -> HtmlDiv {
     div()
         .class("drawing-tools")
         .child(palette::button_of(hand, open))
-        .child(undo(icons::undo(), around.undo_change, false))
-        .child(undo(icons::redo(), around.redo_change, true))
         .child(act("drawing-copy", (icons::copy(), words.copy), acts::copy, false))
         .child(act("drawing-remove", (icons::bin(), words.remove), acts::remove, true))
         .child(act("drawing-forward", (icons::forward(), words.forward), forward, false))

@@ -1,0 +1,236 @@
+//! Single plots.
+
+use super::blocks::{insert_block, remove_block};
+use super::columns::keeping_columns;
+use super::layout::{Layout, begin_line, line_end, result, with_line_ends_of};
+use super::lines::{exchanged, lines_around};
+use super::{Edit, EditError};
+use crate::form::{PlotCell, PlotPart, plots};
+use crate::outline::{Outline, read};
+use crate::scan::{find_word, split};
+use crate::{BlockKind, assist};
+use model::Span;
+
+/// A plot of quantities against another one.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct NewPlot {
+    /// Its title.
+    pub title: String,
+    /// What is drawn, with commas between.
+    pub curves: String,
+    /// What it is drawn against.
+    pub across: String,
+}
+
+/// Gives a cell of the plot with this number in [`plots`] another text. An empty text removes `against`, the word of a kind, or
+/// `equal axes`. With another kind comes what it needs and goes what it cannot have: `every` of points, the abscissa of a histogram.
+/// The text may be wrong, and then findings of [`crate::open`] lie in the plot; what is refused is a text that would not be read
+/// as this one cell.
+///
+/// # Errors
+///
+/// [`EditError::UnknownCell`], [`EditError::NotOneCell`], [`EditError::ChangesOthers`] and [`EditError::TooLong`].
+pub fn set_plot(outline: &Outline, number: usize, kind: PlotCell, text: &str) -> Result<Vec<Edit>, EditError> {
+    let source = outline.source();
+    let parts = plots(outline);
+    let part = parts.get(number).ok_or(EditError::UnknownCell)?;
+    let (old, span) = part.cell(kind).ok_or(EditError::UnknownCell)?;
+    let text = with_line_ends_of(source, text.trim());
+    if text == old {
+        return Ok(Vec::new());
+    }
+    let edit = match kind {
+        PlotCell::Title => titled(source, &parts, part, &text),
+        PlotCell::Kind => of_kind(outline, part, &text)?,
+        // What is empty stands between words, where it needs a blank.
+        PlotCell::Curves if old.is_empty() => Edit { span, text: format!("{text} ") },
+        PlotCell::Curves if text.is_empty() => {
+            let rest = &source[span.end..];
+            let blanks = rest.len() - rest.trim_start_matches(' ').len();
+            Edit { span: Span::new(span.start, span.end + blanks), text: String::new() }
+        }
+        PlotCell::Across if old.is_empty() || text.is_empty() => {
+            let before = part.cell(PlotCell::Curves).map_or(span.start, |(_, curves)| curves.end);
+            let text = if text.is_empty() { text.clone() } else { format!(" against {text}") };
+            Edit { span: Span::new(before, span.end), text }
+        }
+        PlotCell::Equal => {
+            let before =
+                part.cell(PlotCell::Across).or(part.cell(PlotCell::Curves)).map_or(span.start, |(_, it)| it.end);
+            let text = if text.is_empty() { String::new() } else { format!(", {text}") };
+            Edit { span: Span::new(before, span.end), text }
+        }
+        PlotCell::Curves | PlotCell::Across | PlotCell::Text => Edit { span, text: text.clone() },
+    };
+    let mut expected: Vec<Vec<(PlotCell, String)>> = parts.iter().map(texts).collect();
+    if let Some(cells) = expected.get_mut(number) {
+        match kind {
+            PlotCell::Text => cells.clear(),
+            // The others follow the kind.
+            PlotCell::Kind => cells.retain(|(one, _)| *one == PlotCell::Title),
+            _ => cells.retain(|(one, _)| *one != kind && *one != PlotCell::Text),
+        }
+        cells.push((kind, text));
+    }
+    let edits = vec![edit];
+    expect(outline, &edits, &expected, EditError::NotOneCell)?;
+    Ok(edits)
+}
+
+/// Adds a plot behind the last one. A document without plots gets a block of them behind model and drawing.
+///
+/// # Errors
+///
+/// [`EditError::NotOneCell`] if a text would not be read as the part of the plot that it is, and those of [`insert_block`].
+pub fn add_plot(outline: &Outline, plot: &NewPlot) -> Result<Edit, EditError> {
+    let source = outline.source();
+    let [title, curves, across] = [&plot.title, &plot.curves, &plot.across].map(|text| text.trim());
+    if [title, curves, across].contains(&"") {
+        return Err(EditError::NotOneCell);
+    }
+    let line = format!("\"{title}\": {curves} against {across}");
+    let blocks = outline.blocks();
+    let edit = match blocks.iter().rfind(|block| block.kind == BlockKind::Plots) {
+        Some(last) => {
+            let at = last.content.end;
+            let text = format!("{}{line}{}", begin_line(source, at), line_end(source));
+            Edit { span: Span::new(at, at), text }
+        }
+        None => {
+            let is_before = |kind| matches!(kind, BlockKind::Model | BlockKind::Scene | BlockKind::Table);
+            let last = blocks.iter().rposition(|block| is_before(block.kind)).or(blocks.len().checked_sub(1));
+            let mut edit = insert_block(outline, last, BlockKind::Plots, &line)?;
+            edit.text.insert_str(0, line_end(source));
+            edit
+        }
+    };
+    let mut expected: Vec<Vec<(PlotCell, String)>> = plots(outline).iter().map(texts).collect();
+    let cells = [(PlotCell::Title, title), (PlotCell::Curves, curves), (PlotCell::Across, across)];
+    expected.push(cells.map(|(kind, text)| (kind, text.to_owned())).to_vec());
+    if outline.blocks_of(BlockKind::Plots).next().is_some() {
+        expect(outline, std::slice::from_ref(&edit), &expected, EditError::NotOneCell)?;
+    } else if !are(&plots(&read(&result(outline, std::slice::from_ref(&edit))?)), &expected) {
+        return Err(EditError::NotOneCell);
+    }
+    Ok(edit)
+}
+
+/// Removes the plot with this number, with the comment on its lines; the last one of a block goes with its fence.
+///
+/// # Errors
+///
+/// [`EditError::UnknownCell`] if there is no such plot, [`EditError::ChangesOthers`].
+pub fn remove_plot(outline: &Outline, number: usize) -> Result<Edit, EditError> {
+    let source = outline.source();
+    let parts = plots(outline);
+    let part = parts.get(number).ok_or(EditError::UnknownCell)?;
+    let content = outline.blocks().get(part.block).ok_or(EditError::UnknownCell)?.content;
+    let lines = lines_around(source, part.span);
+    let end = source[lines.end..].find('\n').map_or(source.len(), |length| lines.end + length + 1).min(content.end);
+    let (before, after) = (&source[content.start..lines.start], &source[end.max(lines.end)..content.end]);
+    if before.trim().is_empty() && after.trim().is_empty() {
+        return remove_block(outline, part.block);
+    }
+    let edit = Edit { span: Span::new(lines.start, end.max(lines.end)), text: String::new() };
+    let mut expected: Vec<Vec<(PlotCell, String)>> = parts.iter().map(texts).collect();
+    expected.remove(number);
+    expect(outline, std::slice::from_ref(&edit), &expected, EditError::ChangesOthers)?;
+    Ok(edit)
+}
+
+/// Exchanges two plots with the comments on their lines.
+///
+/// # Errors
+///
+/// [`EditError::UnknownCell`] if there is no such plot, [`EditError::ChangesOthers`].
+pub fn exchange_plots(outline: &Outline, one: usize, other: usize) -> Result<Vec<Edit>, EditError> {
+    let parts = plots(outline);
+    let (Some(first), Some(second)) = (parts.get(one), parts.get(other)) else { return Err(EditError::UnknownCell) };
+    let edits = exchanged(outline.source(), first.span, second.span);
+    let mut expected: Vec<Vec<(PlotCell, String)>> = parts.iter().map(texts).collect();
+    expected.swap(one, other);
+    expect(outline, &edits, &expected, EditError::ChangesOthers)?;
+    Ok(edits)
+}
+
+/// The title with its colon, so that what follows stays in its column.
+fn titled(source: &str, parts: &[PlotPart], part: &PlotPart, text: &str) -> Edit {
+    let head = |part: &PlotPart| {
+        let (_, title) = part.cell(PlotCell::Title)?;
+        let colon = source[title.end..].find(':')?;
+        Some(Span::new(title.start, title.end + colon + 1))
+    };
+    let Some(span) = head(part) else { return Edit { span: part.span, text: text.to_owned() } };
+    let title_end = part.cell(PlotCell::Title).map_or(span.end, |(_, title)| title.end);
+    let edit = Edit { span, text: format!("{text}{}", &source[title_end..span.end]) };
+    keeping_columns(source, edit, parts.iter().filter(|other| other.block == part.block).filter_map(head))
+}
+
+/// The plot from its kind on, as one of another kind.
+fn of_kind(outline: &Outline, part: &PlotPart, kind: &str) -> Result<Edit, EditError> {
+    let (_, old) = part.cell(PlotCell::Kind).ok_or(EditError::UnknownCell)?;
+    let (curves, _) = part.cell(PlotCell::Curves).ok_or(EditError::UnknownCell)?;
+    let across = part.cell(PlotCell::Across).map(|(across, _)| across).filter(|across| !across.is_empty());
+    let equal = part.cell(PlotCell::Equal).map_or("", |(equal, _)| equal);
+    let (name, unit) = assist::independent(outline);
+    let end = part.span.end;
+    let text = match (kind, across) {
+        ("histogram", _) => {
+            let first = split(curves, 0..curves.len(), ',').into_iter().next().unwrap_or_default();
+            let end = find_word(curves, first.clone(), "against").map_or(first.end, |against| against.start);
+            format!("histogram {}", curves[first.start..end].trim())
+        }
+        _ => {
+            let across = across.unwrap_or(&name);
+            let word = |word| find_word(across, 0..across.len(), word);
+            let moments = word("every").or_else(|| word("at"));
+            let across = match (kind, &moments) {
+                ("points", None) if word("in").is_none() && word("for").is_none() => {
+                    let unit = if unit.is_empty() { unit } else { format!(" [{unit}]") };
+                    format!("{across} every 1{unit}")
+                }
+                ("points", _) => across.to_owned(),
+                (_, Some(moments)) => across[..moments.start].trim_end().to_owned(),
+                (_, None) => across.to_owned(),
+            };
+            let has_own =
+                part.cell(PlotCell::Across).is_none() && find_word(curves, 0..curves.len(), "against").is_some();
+            let across = if has_own { String::new() } else { format!(" against {across}") };
+            let word = if kind.is_empty() { String::new() } else { format!("{kind} ") };
+            let equal = if equal.is_empty() { String::new() } else { format!(", {equal}") };
+            format!("{word}{curves}{across}{equal}")
+        }
+    };
+    Ok(Edit { span: Span::new(old.start, end), text })
+}
+
+/// The cells of a plot without their places; the whole text where it has none.
+fn texts(part: &PlotPart) -> Vec<(PlotCell, String)> {
+    let whole = (PlotCell::Text, part.whole.clone());
+    part.cells
+        .iter()
+        .map(|(kind, text, _)| (*kind, text.clone()))
+        .chain(part.cells.is_empty().then_some(whole))
+        .collect()
+}
+
+fn are(parts: &[PlotPart], expected: &[Vec<(PlotCell, String)>]) -> bool {
+    let has = |part: &PlotPart, kind, text: &String| part.cell(kind).is_some_and(|(own, _)| own == text);
+    let is =
+        |(part, cells): (&PlotPart, &Vec<(PlotCell, String)>)| cells.iter().all(|(kind, text)| has(part, *kind, text));
+    parts.len() == expected.len() && parts.iter().zip(expected).all(is)
+}
+
+/// Refuses edits unless they leave everything but plots as it is, and turn these into `expected`.
+fn expect(
+    outline: &Outline,
+    edits: &[Edit],
+    expected: &[Vec<(PlotCell, String)>],
+    refusal: EditError,
+) -> Result<(), EditError> {
+    let text = result(outline, edits)?;
+    if !Layout::of(outline).differs_only_in_kind(BlockKind::Plots, &text) {
+        return Err(EditError::ChangesOthers);
+    }
+    if are(&plots(&read(&text)), expected) { Ok(()) } else { Err(refusal) }
+}

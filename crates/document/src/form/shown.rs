@@ -1,0 +1,104 @@
+//! What a page shows of the model, in its order: the controls of parameters, and the values that are read off.
+
+use crate::Outline;
+use crate::source::trim;
+use model::{Expression, Members, Quoted, Span, Statement, StatementKind};
+use program::{Kind, Program, Role};
+
+/// Among which others a control or value is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Place {
+    /// The sizes of families, before the parameters.
+    Size,
+    /// Parameters, switches, random seeds and choices, in the order of the text.
+    Parameter,
+    /// Unknowns and what events change, in the order in which the equations name them first.
+    Unknown,
+    /// Definitions, in the order of the text, behind the unknowns.
+    Computed,
+}
+
+impl Place {
+    /// Whether the order of the statements is that of the page.
+    pub fn is_ordered(self) -> bool {
+        self != Self::Unknown
+    }
+}
+
+/// A control or a value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shown {
+    /// The number of its statement in the [form](super::Form).
+    pub number: usize,
+    /// Among which others it is shown.
+    pub place: Place,
+    /// Its name, with primes and indices.
+    pub name: String,
+    /// Its label; empty without one.
+    pub label: String,
+    /// Where the label stands with its marks, or where it would begin.
+    pub label_at: Span,
+    /// Whether its value is kept out of the values.
+    pub is_hidden: bool,
+}
+
+/// The controls and values of a document, in the order of its text. Statements that could not be read are left out.
+pub fn shown(outline: &Outline) -> Vec<Shown> {
+    let source = outline.source();
+    let models = outline.blocks().iter().flat_map(|block| {
+        let is_model = block.kind == crate::BlockKind::Model;
+        block.statements.iter().map(move |statement| (is_model, statement))
+    });
+    let one = |(number, (is_model, statement)): (usize, (bool, &Statement))| {
+        let (place, name) = named(source, statement).filter(|_| is_model)?;
+        let end = source[..trim(source, statement.span.range()).end].trim_end().len();
+        let label = match &statement.kind {
+            StatementKind::Choice(choice) => choice.label.as_ref(),
+            _ => statement.label.as_ref(),
+        };
+        let behind = match &statement.kind {
+            StatementKind::Choice(choice) => choice.name.span.end,
+            _ => end,
+        };
+        Some(Shown {
+            number,
+            place,
+            name,
+            label: label.map(|label| label.text.clone()).unwrap_or_default(),
+            label_at: label.map_or(Span::new(behind, behind), |label: &Quoted| label.span),
+            is_hidden: statement.hidden,
+        })
+    };
+    models.enumerate().filter_map(one).collect()
+}
+
+/// The quantities that can be drawn, each with its label: those that change during a run, and the independent variable before them if
+/// it is wanted.
+pub fn plottable(program: &Program, with_independent: bool) -> Vec<(String, Option<String>)> {
+    let model = &program.model;
+    let independent = with_independent.then(|| (model.independent.name.clone(), None));
+    let states = model.states.iter().filter(|state| matches!(state.role, Role::Own | Role::Hidden));
+    let states = states.map(|state| (state.name(), state.label.clone()));
+    let quantities = model.quantities.iter().filter(|quantity| !quantity.remembered && quantity.varies);
+    let numbers = quantities.filter(|quantity| quantity.value.kind == Kind::Number);
+    let quantities = numbers.map(|quantity| (quantity.name.clone(), quantity.label.clone()));
+    independent.into_iter().chain(states).chain(quantities).collect()
+}
+
+fn named(source: &str, statement: &Statement) -> Option<(Place, String)> {
+    let of = |expression: &Expression| source[expression.span.range()].to_owned();
+    Some(match &statement.kind {
+        StatementKind::Parameter(parameter) => (Place::Parameter, parameter.name.text.clone()),
+        StatementKind::Choice(choice) => (Place::Parameter, choice.name.text.clone()),
+        StatementKind::Size(size) => (Place::Size, size.name.text.clone()),
+        StatementKind::Definition { name, .. } => (Place::Computed, name.text.clone()),
+        StatementKind::InitialValue { name, order, .. } => {
+            let primes = "'".repeat(usize::try_from(*order).unwrap_or_default());
+            (Place::Unknown, format!("{}{primes}", name.text))
+        }
+        StatementKind::Discrete { name, .. } => (Place::Unknown, name.text.clone()),
+        StatementKind::Members { what: Members::Definitions, left, .. } => (Place::Computed, of(left)),
+        StatementKind::Members { left, .. } => (Place::Unknown, of(left)),
+        _ => return None,
+    })
+}

@@ -1,0 +1,85 @@
+//! A plot is added: what it draws, against what, and its title.
+
+use crate::app::App;
+use crate::write::fields::refuse;
+use crate::write::typing;
+use document::edit::{NewPlot, add_plot};
+use document::form::plottable;
+use view::browser;
+use view::icons;
+use view::views::*;
+use web_sys::{HtmlInputElement, HtmlSelectElement, SubmitEvent};
+
+/// The button and the form.
+pub fn view(app: App) -> View {
+    let words = app.words();
+    let open = create_signal(false);
+    let refusal = create_signal(None::<String>);
+    let names = |with_independent: bool| {
+        memo(move || {
+            app.written.track();
+            app.read(|play| plottable(play.program(), with_independent))
+        })
+    };
+    let choice = |(name, label): (String, Option<String>)| {
+        let title = label.map_or_else(|| name.clone(), |label| format!("{name}: {label}"));
+        option().value(name).child(title)
+    };
+    let (drawn, abscissas) = (names(false), names(true));
+    let mut curves = select().class("cell").id("new-plot-curves");
+    let mut across = select().class("cell").id("new-plot-across");
+    let mut title = input().r#type("text").class("cell").id("new-plot-title").autocomplete("off");
+    let nodes: (HtmlSelectElement, HtmlSelectElement, HtmlInputElement) = (curves.node(), across.node(), title.node());
+    let add = move |event: SubmitEvent| {
+        event.prevent_default();
+        let (curves, across, title) = &nodes;
+        let name = curves.value();
+        // Without a title of its author's a plot is called as what it draws.
+        let label =
+            drawn.with_untracked(|all| all.iter().find(|(own, _)| *own == name).and_then(|(_, label)| label.clone()));
+        let given = Some(title.value()).filter(|title| !title.trim().is_empty());
+        let plot =
+            NewPlot { title: given.or(label).unwrap_or_else(|| name.clone()), curves: name, across: across.value() };
+        let text = typing::text(app, 0);
+        let added = typing::act(app, 0, &text, |outline| add_plot(outline, &plot).map(|edit| vec![edit]));
+        if added.is_ok() {
+            title.set_value("");
+            open.set(false);
+            browser::focus_later("new-plot".to_owned());
+        }
+        refuse(refusal, added.err());
+    };
+    let line = |id: &'static str, name: &'static str, field: View| {
+        div().class("new-line").child(label().r#for(id).child(name)).child(field)
+    };
+    let fields = tags::form()
+        .class("new-question card")
+        .id("new-plot-form")
+        .hidden(move || !open.get())
+        .when(events::submit, add)
+        .child(line(
+            "new-plot-curves",
+            words.plot_curves,
+            curves.child(changing(move || each(drawn.get_clone(), choice))).into(),
+        ))
+        .child(line(
+            "new-plot-across",
+            words.plot_against,
+            across.child(changing(move || each(abscissas.get_clone(), choice))).into(),
+        ))
+        .child(line("new-plot-title", words.text_title, title.into()))
+        .child(refusal_of(refusal))
+        .child(button().r#type("submit").class("primary").child(words.plot_add));
+    let show = move |_| {
+        open.update(|open| *open = !*open);
+        if open.get_untracked() {
+            browser::focus_later("new-plot-curves".to_owned());
+        }
+    };
+    let button = labelled(icons::plus(), words.plot)
+        .id("new-plot")
+        .attr("aria-controls", "new-plot-form")
+        .attr("aria-expanded", move || open.get().to_string())
+        .when(events::click, show);
+    View::from((div().class("form-tools").child(button), fields))
+}

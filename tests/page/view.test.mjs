@@ -1,0 +1,119 @@
+// The panel View of Write: plots, controls and values by forms; each change is one of the text.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { STILL, eventually, visit } from "./lab.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const editor = (lab) => lab.page.locator(".cm-content");
+const text = (lab) => editor(lab).evaluate((content) => content.cmTile?.view?.state.doc.toString() ?? content.innerText);
+const now = (lab, expected) => eventually(async () => assert.match(await text(lab), expected));
+const field = (lab, name) => lab.page.getByLabel(name, { exact: true });
+const runs = (lab) => eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /^The simulation runs as written/));
+
+/** The oscillator of the templates, at what its readers see. */
+async function view(lab, { write = "Write", begin = "New", template = "A mass on a spring", panel = "View" } = {}) {
+  await lab.tab(write);
+  await editor(lab).waitFor();
+  await lab.press(begin);
+  await lab.press(template);
+  await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), template));
+  await lab.page.getByRole("tab", { name: panel, exact: true }).click();
+  await lab.page.locator(".plots-form").waitFor();
+}
+
+visit("a plot is added, changed, moved and removed, and the text with it", async (lab) => {
+  await view(lab);
+  const before = await text(lab);
+  await lab.press("Plot");
+  await lab.page.locator("#new-plot-curves").selectOption("y'");
+  await lab.page.locator("#new-plot-across").selectOption("y");
+  await field(lab, "Title").fill("Phases");
+  await lab.press("Add plot");
+  await now(lab, /"Phases": y' against y\n/);
+  await runs(lab);
+  const count = await lab.page.locator(".plot-form").count();
+  const last = `Plot ${count}`;
+  await field(lab, `${last}: Title`).fill("Phase portrait");
+  await field(lab, `${last}: Add a quantity`).selectOption("y");
+  await now(lab, /"Phase portrait": y', y against y\n/);
+  await field(lab, `${last}: Draws`).fill("y'");
+  await field(lab, `${last}: Equal scales`).check();
+  await now(lab, /"Phase portrait": y' against y, equal axes\n/);
+  await field(lab, `${last}: As`).selectOption("points");
+  await now(lab, /"Phase portrait": points y' against y every 1 \[s\], equal axes\n/);
+  await field(lab, `${last}: As`).selectOption("histogram");
+  await now(lab, /"Phase portrait": histogram y'\n/);
+  await runs(lab);
+  await lab.press("Move up: Phase portrait");
+  await eventually(async () => assert.equal(await field(lab, `Plot ${count - 1}: Title`).inputValue(), "Phase portrait"));
+  await eventually(async () => assert.equal(await lab.page.evaluate(() => document.activeElement.id), `plot-form-${count - 2}-up`));
+  await lab.press("Remove Phase portrait");
+  await eventually(async () => assert.equal(await lab.page.locator(".plot-form").count(), count - 1));
+  await eventually(async () => assert.equal(await text(lab), before));
+});
+
+visit("a fault of a plot stands beside it, and what would be read otherwise is refused", async (lab) => {
+  await view(lab);
+  const card = lab.page.locator(".plot-form").first();
+  const curves = field(lab, "Plot 1: Draws");
+  const kept = await curves.inputValue();
+  await curves.fill("yy");
+  await card.locator(".brief.error").waitFor();
+  await curves.fill(kept);
+  await eventually(async () => assert.equal(await card.locator(".brief").count(), 0));
+  const before = await text(lab);
+  await field(lab, "Plot 1: Title").fill('a" b');
+  await card.locator(".refusal", { hasText: "does not fit" }).waitFor();
+  assert.equal(await text(lab), before);
+  await field(lab, "Plot 1: Title").fill("Height");
+  await now(lab, /"Height":/);
+  assert.equal(await card.locator(".refusal").innerText(), "");
+});
+
+visit("controls change their order and labels, values are hidden, with keys alone", async (lab) => {
+  await view(lab);
+  const names = () => lab.page.locator("[aria-labelledby=view-controls] .shown-row .word").allInnerTexts();
+  const [first, second, ...rest] = await names();
+  await lab.button(`Move down: ${first}`).focus();
+  await lab.keys("Enter");
+  await eventually(async () => assert.deepEqual(await names(), [second, first, ...rest]));
+  await eventually(async () => assert.match(await lab.page.evaluate(() => document.activeElement.id), /^shown-\d+-down$/));
+  await field(lab, `${first}: Label`).fill("What hangs there");
+  await now(lab, /"What hangs there"/);
+  await runs(lab);
+  const shown = lab.page.locator("[aria-labelledby=view-values] input[type=checkbox]").last();
+  await shown.focus();
+  await lab.keys("Space");
+  await now(lab, /\nhidden /);
+  await runs(lab);
+  await lab.tab("Play");
+  await eventually(async () => {
+    const labels = await lab.page.locator(".parameter label").allInnerTexts();
+    assert.ok(labels[1].includes("What hangs there"), `${labels}`);
+  });
+});
+
+for (const [language, theme, width] of [["en-GB", "light", 1440], ["es-ES", "dark", 390], ["es-ES", "light", 1024]]) {
+  visit(`the panel fits and is accessible: ${language}, ${theme}, ${width} px`, { ...STILL, language, theme, width, height: 900, touch: width < 500 }, async (lab) => {
+    const spanish = { write: "Escribir", begin: "Nuevo", template: "Una masa en un resorte", panel: "Vista" };
+    await view(lab, language === "es-ES" ? spanish : {});
+    await lab.page.locator("#new-plot").click();
+    const cut = await lab.page.locator(".tabs, .writing-tabs, .writing-tabs button, .plot-form, .shown-row").evaluateAll((parts) =>
+      parts.filter((part) => part.scrollWidth > part.clientWidth + 1).map((part) => `${part.className} ${part.innerText}`));
+    assert.deepEqual(cut, []);
+    await lab.page.evaluate(axe);
+    const { violations } = await lab.page.evaluate(() => window.axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"] }));
+    assert.deepEqual(violations.map((found) => [found.id, found.nodes.map((node) => node.html)]), []);
+    if (width < 500) {
+      const small = await lab.page.locator(".plots-form :is(button, select, input:not([type=checkbox])), .shown-row :is(button, input:not([type=checkbox]))").evaluateAll((parts) =>
+        parts.map((part) => [part.id, part.getBoundingClientRect().height]).filter(([, height]) => height > 1 && height < 39.5));
+      assert.deepEqual(small, []);
+    }
+    if (process.env.SHOTS) {
+      await lab.page.locator("#view-plots").scrollIntoViewIfNeeded();
+      await lab.page.screenshot({ path: `${process.env.SHOTS}/view-${width}-${theme}.png`, fullPage: true });
+    }
+  });
+}

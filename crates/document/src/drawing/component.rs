@@ -38,7 +38,7 @@ pub(crate) fn at_axis(source: &str, value: Span, axis: Axis) -> Option<Range<usi
 
 /// What one component of a point follows: the name of a quantity, if it is that alone or with a distance added; an empty text if it
 /// stays where it is; `None` if it is something else.
-pub fn follows<'a>(source: &'a str, value: Span, axis: Axis) -> Option<&'a str> {
+pub fn follows(source: &str, value: Span, axis: Axis) -> Option<&str> {
     let text = source.get(at_axis(source, value, axis)?)?;
     let (name, _) = crate::edit::split_distance(text);
     let is_name = name.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '\'' | '.'));

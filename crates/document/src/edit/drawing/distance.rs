@@ -152,7 +152,7 @@ impl Measure {
 fn decimal(value: f64, step: f64) -> String {
     const MOST: usize = 9;
     let is_whole = |decimals: &usize| {
-        let times = step * 10_f64.powi(*decimals as i32);
+        let times = step * libm::pow(10.0, *decimals as f64);
         (times - times.round()).abs() <= 1e-6 * times.abs()
     };
     let decimals = (0..MOST).find(is_whole).unwrap_or(MOST);

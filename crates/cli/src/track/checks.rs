@@ -1,10 +1,10 @@
 //! What is refused before the first frame is decoded.
 
-use super::arguments::{Point, Track as Arguments, TrackFormat};
-use super::opened::{Opened, refused};
+use super::arguments::{Place, Point, Track as Arguments, TrackFormat};
+use super::opened::{Opened, refused_with};
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
-use units::{Words, words};
+use units::words;
 
 /// Surfaces and bodies that are tracked at once.
 const MOST_SURFACES: usize = 2;
@@ -89,10 +89,11 @@ fn beside(film: &Path, folder: Option<&Path>, format: TrackFormat) -> PathBuf {
 /// Refuses points outside the picture.
 pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
     let [width, height] = film.upright_size();
+    let clicked = |places: &[Place]| places.iter().map(|place| place.position).collect::<Vec<Point>>();
     let named = |name: &'static str, points: Vec<Point>| points.into_iter().map(move |point| (name, point));
-    let all = named("--surface", arguments.surface.clone())
+    let all = named("--surface", arguments.surface.iter().flat_map(|surface| clicked(&surface.places)).collect())
         .chain(named("--tube", arguments.tube.concat()))
-        .chain(named("--body", arguments.body.iter().map(|body| body.position).collect()))
+        .chain(named("--body", arguments.body.iter().flat_map(|body| clicked(&body.places)).collect()))
         .chain(named("--marks", arguments.marks.iter().flat_map(|marks| marks.0.clone()).collect()))
         .chain(named("--scale", arguments.scale.iter().flat_map(|ruler| ruler.marks).collect()));
     for (name, [x, y]) in all {
@@ -101,12 +102,11 @@ pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
                 "{name} {x},{y} lies outside the picture, which is {width} pixels wide and {height} high",
                 "{name} {x},{y} está fuera de la imagen, que mide {width} píxeles de ancho y {height} de alto"
             );
-            let Failure::Request { message, .. } = refused(&film.path, why) else { continue };
-            let hint: Words = words(
+            let hint = words(
                 "points count from the top left corner of the upright picture, x to the right and y down",
                 "los puntos se cuentan desde la esquina superior izquierda de la imagen derecha, x hacia la derecha e y hacia abajo",
             );
-            return Err(Failure::in_words(message, hint));
+            return Err(refused_with(&film.path, why, hint));
         }
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! From pixels to tracks.
 
-use super::arguments::Track as Arguments;
+use super::arguments::{Body, Given, Place, Track as Arguments};
 use super::clock::Clock;
 use super::decoding::Decoding;
 use super::opened::{Opened, refused};
@@ -26,7 +26,7 @@ pub struct Followed {
 /// Tracks what was clicked. Frames that repeat the picture before are left out in a second reading: their times are wrong.
 pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &ProgressBar) -> Result<Followed, Failure> {
     let refusal = |refusal: Refusal| refused(&film.path, refusal.words());
-    let mut following = Following::new(plan(film, clock, arguments)).map_err(refusal)?;
+    let mut following = Following::new(plan(film, clock, arguments)?).map_err(refusal)?;
     while following.wanted().is_some() {
         read(film, &mut following, bar)?;
     }
@@ -74,32 +74,38 @@ fn read(film: &Opened, following: &mut Following, bar: &ProgressBar) -> Result<(
     Ok(())
 }
 
-fn plan(film: &Opened, clock: &Clock, arguments: &Arguments) -> Plan {
-    let frame = clock.frames.first().copied().unwrap_or(0);
-    let click = |point: [f64; 2]| Click { frame, position: film.stored(point) };
+fn plan(film: &Opened, clock: &Clock, arguments: &Arguments) -> Result<Plan, Failure> {
     let [_, high] = film.upright_size();
-    let known = |given: Option<super::arguments::Given>| given.map_or(Known::Estimated, |given| given.0);
-    let column = |(at, surface): (usize, &[f64; 2])| {
-        let upright = [[surface[0], 0.5], [surface[0], high - 0.5]];
-        let tube = arguments.tube.get(at).copied().unwrap_or(upright).map(|point| film.stored(point));
+    let known = |given: Option<Given>| given.map_or(Known::Estimated, |given| given.0);
+    let clicks = |places: &[Place]| -> Result<Vec<Click>, Failure> {
+        let click =
+            |place: &Place| Ok(Click { frame: clock.frame_of(film, place)?, position: film.stored(place.position) });
+        places.iter().map(click).collect()
+    };
+    let mut surfaces = Vec::new();
+    for (at, surface) in arguments.surface.iter().enumerate() {
+        let clicks = clicks(&surface.places)?;
+        let (Some(first), Some((click, anchors))) = (surface.places.first(), clicks.split_first()) else { continue };
+        let [x, _] = first.position;
+        let tube = arguments.tube.get(at).copied().unwrap_or([[x, 0.5], [x, high - 0.5]]);
         let settings = Settings {
-            tube: Some(tube),
+            tube: Some(tube.map(|point| film.stored(point))),
             half_width: Some(HALF_WIDTH * high),
             exposure: known(arguments.exposure),
             readout: known(arguments.readout),
-            ..Settings::new(click(*surface))
+            ..Settings::new(*click)
         };
-        Surface { settings, anchors: Vec::new() }
-    };
-    let body = |body: &super::arguments::Body| {
-        let keys = vec![click(body.position)];
-        body::Settings { keys, radius: body.radius, readout: known(arguments.readout) }
+        surfaces.push(Surface { settings, anchors: anchors.to_vec() });
+    }
+    let body = |body: &Body| {
+        let keys = clicks(&body.places)?;
+        Ok(body::Settings { keys, radius: body.radius, readout: known(arguments.readout) })
     };
     let time = |frame: &usize| (*frame, clock.times.get(*frame).copied().unwrap_or(f64::NAN));
-    Plan {
-        surfaces: arguments.surface.iter().enumerate().map(column).collect(),
-        bodies: arguments.body.iter().map(body).collect(),
+    Ok(Plan {
+        surfaces,
+        bodies: arguments.body.iter().map(body).collect::<Result<_, Failure>>()?,
         marks: arguments.marks.iter().flat_map(|marks| &marks.0).map(|mark| film.stored(*mark)).collect(),
         frames: clock.frames.iter().map(time).collect(),
-    }
+    })
 }

@@ -59,7 +59,7 @@ fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Term
     bar.finish_and_clear();
     let followed = followed?;
     let table = Table::of(&followed.tracks, &calibration, &|frame| clock.times.get(frame).copied().unwrap_or(f64::NAN));
-    let found = notes::notes(&followed.tracks, &table, &calibration);
+    let found = notes::notes(&followed.tracks, &table, &calibration, &film.times);
     let notes: Vec<Words> = [film.notes.clone(), clock.notes.clone(), followed.notes, found].concat();
     let bytes = match format(arguments) {
         TrackFormat::Csv => text(&table, &calibration).into_bytes(),

@@ -1,5 +1,6 @@
 //! What was found in a film, in words.
 
+use super::clock::displayed;
 use film::calibration::{Calibration, Lengths};
 use film::table::Table;
 use film::tracking::{Exposure, Track};
@@ -9,11 +10,11 @@ use units::{Words, words};
 /// Frames that are listed one by one.
 const LISTED: usize = 8;
 
-/// What a person should know about tracks and their lengths.
-pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration) -> Vec<Words> {
+/// What a person should know about tracks and their lengths. `shown` are the times of all frames of the film, in seconds.
+pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration, shown: &[f64]) -> Vec<Words> {
     let mut notes = Vec::new();
     for (number, track) in (1..).zip(tracks) {
-        let found = of_track(track, table);
+        let found = of_track(track, table, shown);
         let named = |words: Words| {
             words!(
                 "track {number}: {what}",
@@ -35,7 +36,7 @@ pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration) -> Vec<
     notes
 }
 
-fn of_track(track: &Track, table: &Table) -> Vec<Words> {
+fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
     let mut notes = Vec::new();
     if track.points.is_empty() {
         notes.push(words("it was found in no frame", "no se encontró en ningún fotograma"));
@@ -71,16 +72,20 @@ fn of_track(track: &Track, table: &Table) -> Vec<Words> {
         ));
     }
     if let Some(frame) = track.lost {
-        // Rows of other bodies go on.
-        let then = if table.frames.len() > track.points.len() {
-            words("later rows have no value for it", "las filas posteriores no tienen valor para él")
-        } else {
-            words("later frames have no row", "los fotogramas posteriores no tienen fila")
+        let time = shown.get(frame).copied().unwrap_or(f64::NAN);
+        // Rows go on where a key frame finds it again, and for other bodies.
+        let then = match track.points.last() {
+            Some(last) if last.frame > frame => words("it is found again later", "se vuelve a encontrar después"),
+            _ if table.frames.len() > track.points.len() => {
+                words("later rows have no value for it", "las filas posteriores no tienen valor para él")
+            }
+            _ => words("later frames have no row", "los fotogramas posteriores no tienen fila"),
         };
         notes.push(words!(
-            "lost from frame {frame} on (counted from 0), where nothing resembles what was clicked; {then}",
-            "perdido desde el fotograma {frame} (contado desde 0), donde nada se parece a lo elegido; {then}",
+            "lost from frame {frame} on (counted from 0; {time} s of the film), where nothing resembles what was clicked; {then}",
+            "perdido desde el fotograma {frame} (contado desde 0; {time} s del vídeo), donde nada se parece a lo elegido; {then}",
             frame = Words::same(frame.to_string()),
+            time = displayed(time),
             then = then
         ));
     }

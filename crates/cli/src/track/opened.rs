@@ -201,7 +201,15 @@ impl<R: Read> Frames<R> {
 
 /// A film that is not tracked, and why.
 pub fn refused(path: &Path, why: Words) -> Failure {
+    Failure::Request { message: named(path, why), hint: None }
+}
+
+/// The same, and what to do.
+pub fn refused_with(path: &Path, why: Words, hint: Words) -> Failure {
+    Failure::in_words(named(path, why), hint)
+}
+
+fn named(path: &Path, why: Words) -> Words {
     let name = Words::same(path.display().to_string());
-    let message = words!("{name}: {why}", "{name}: {why}", name = name, why = why);
-    Failure::Request { message, hint: None }
+    words!("{name}: {why}", "{name}: {why}", name = name, why = why)
 }

@@ -19,7 +19,7 @@ mod unit_error;
 
 pub use dimension::Dimension;
 pub use exponent::Exponent;
-pub use language::{Language, Words, words};
+pub use language::{Language, Words, sentence, words};
 pub use nearest::nearest;
 pub use parse::raised;
 pub use quantity::QuantityName;

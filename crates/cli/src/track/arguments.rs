@@ -14,6 +14,7 @@ Examples:
   meniscus track pendulum.mov --body 320,240 --from 2 --until '12 [s]'
   meniscus track pendulum.mov --body '320,240 410,255@3.5'             found again at 3.5 s, after something hid it
   meniscus track fall.mp4 --body 100,40,12 --rate 8                    filmed at 240 frames/s, played at 30
+  meniscus track utube.mp4 --surface 255,130 --report utube.html       a page that shows what was tracked
   meniscus track *.mp4 --surface 255,130                               several films: FILM.csv beside each
 
 Points are pixels of the upright picture, x to the right and y down from its top left corner, in the first frame that is tracked,
@@ -80,6 +81,11 @@ pub struct Track {
     /// standard output; for several films FILM.csv beside each]
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
+
+    /// Write a report (.html) besides: a frame with the marks, the space-time picture, times and calibration; for several films into
+    /// this folder
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
 }
 
 /// The forms of a track.
@@ -124,12 +130,14 @@ pub struct Body {
 }
 
 /// Two marks and their distance in metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Ruler {
     /// The marks.
     pub marks: Line,
     /// Their distance.
     pub length: f64,
+    /// The same as it was typed.
+    pub typed: String,
 }
 
 /// Several points in one argument.
@@ -202,9 +210,11 @@ fn scale(text: &str) -> Result<Ruler, String> {
     let wrong = || "write two marks and their distance, such as '60,50,580,60=35 [cm]'".to_owned();
     let (marks, length) = text.split_once('=').ok_or_else(wrong)?;
     let (value, unit) = quantity(length).ok_or_else(wrong)?;
+    let typed = length.replace(['[', ']'], "").trim().to_owned();
     let unit = unit.filter(|unit| unit.dimension == Dimension::LENGTH).ok_or_else(wrong)?;
     let length = unit.to_si(value);
-    if length > 0.0 { Ok(Ruler { marks: line(marks).map_err(|_| wrong())?, length }) } else { Err(wrong()) }
+    let marks = line(marks).map_err(|_| wrong())?;
+    if length > 0.0 { Ok(Ruler { marks, length, typed }) } else { Err(wrong()) }
 }
 
 fn known(text: &str) -> Result<Given, String> {
@@ -249,9 +259,9 @@ mod tests {
         let places = vec![place(3.0, 4.0, Some(0.5)), place(6.0, 7.0, Some(2.5)), place(8.0, 9.0, Some(3.0))];
         assert_eq!(body("3,4,5@0.5 6,7@2500 [ms]  8, 9@3[s]"), Ok(Body { places, radius: Some(5.0) }));
         assert_eq!(points("1,2 3,4").map(|points| points.0.len()), Ok(2));
-        let ruler = Ruler { marks: [[60.0, 50.0], [580.0, 60.0]], length: 0.1 };
-        assert_eq!(scale("60,50,580,60=10 [cm]"), Ok(ruler));
-        assert_eq!(scale("60,50,580,60 = 100 mm"), Ok(ruler));
+        let ruler = |typed: &str| Ruler { marks: [[60.0, 50.0], [580.0, 60.0]], length: 0.1, typed: typed.to_owned() };
+        assert_eq!(scale("60,50,580,60=10 [cm]"), Ok(ruler("10 cm")));
+        assert_eq!(scale("60,50,580,60 = 100 mm"), Ok(ruler("100 mm")));
         assert_eq!(known("auto"), Ok(Given(Known::Estimated)));
         assert_eq!(known("4 [ms]"), Ok(Given(Known::Seconds(0.004))));
         assert_eq!(known("2.5e-2"), Ok(Given(Known::Seconds(0.025))));

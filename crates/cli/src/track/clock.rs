@@ -20,6 +20,8 @@ pub struct Clock {
     pub factor: f64,
     /// When each frame of the film was taken, in seconds.
     pub times: Vec<f64>,
+    /// Frames a second as the film is shown.
+    pub rate: Option<f64>,
     /// The numbers of the frames that are tracked, in order.
     pub frames: Vec<usize>,
     /// What a person should know about the times.
@@ -57,6 +59,7 @@ impl Clock {
         }
         let from = limit("--from", arguments.from.as_deref())?.unwrap_or(f64::NEG_INFINITY);
         let until = limit("--until", arguments.until.as_deref())?.unwrap_or(f64::INFINITY);
+        let rate = intervals.as_ref().map(|intervals| intervals.rate);
         // Two frames with one time cannot both be right, and the first one is kept.
         let doubled = intervals.map_or_else(Vec::new, |intervals| intervals.doubled);
         let inside = |frame: &usize| film.times.get(*frame).is_some_and(|time| (from..=until).contains(time));
@@ -71,7 +74,7 @@ impl Clock {
                 ),
             ));
         }
-        Ok(Self { factor, times: base.times().to_vec(), frames, notes })
+        Ok(Self { factor, times: base.times().to_vec(), rate, frames, notes })
     }
 
     /// The frame in which something was clicked: the first that is tracked from the time of the click on, as for `--from` and for

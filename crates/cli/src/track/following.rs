@@ -5,8 +5,9 @@ use super::clock::Clock;
 use super::decoding::Decoding;
 use super::opened::{Opened, refused};
 use crate::failure::Failure;
+use film::Plane;
 use film::tracking::body;
-use film::tracking::column::{Click, Settings};
+use film::tracking::column::{Click, Settings, SpaceTimePicture};
 use film::tracking::{Following, Known, Plan, Refusal, Surface, Track};
 use indicatif::ProgressBar;
 use units::{Words, words};
@@ -21,14 +22,19 @@ pub struct Followed {
     pub tracks: Vec<Track>,
     /// What a person should know.
     pub notes: Vec<Words>,
+    /// The first frame that was tracked, and its number.
+    pub still: Option<(usize, Plane)>,
+    /// The space-time picture of each surface.
+    pub pictures: Vec<SpaceTimePicture>,
 }
 
 /// Tracks what was clicked. Frames that repeat the picture before are left out in a second reading: their times are wrong.
 pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &ProgressBar) -> Result<Followed, Failure> {
     let refusal = |refusal: Refusal| refused(&film.path, refusal.words());
     let mut following = Following::new(plan(film, clock, arguments)?).map_err(refusal)?;
+    let mut still = None;
     while following.wanted().is_some() {
-        read(film, &mut following, bar)?;
+        read(film, &mut following, &mut still, bar)?;
     }
     following.advance(usize::MAX).map_err(refusal)?;
     let (count, of) = (following.repeated().len(), clock.frames.len());
@@ -37,11 +43,19 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
         "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: el vídeo se convirtió a otra frecuencia; usa el original si lo tienes"
     );
     let notes = if count > 0 { vec![note] } else { Vec::new() };
-    Ok(Followed { tracks: following.tracks().into_iter().cloned().collect(), notes })
+    let frames: Vec<usize> = following.frames().iter().map(|frame| frame.0).collect();
+    let picture = |surface| Some(SpaceTimePicture::new(&following.space_time(surface)?, frames.clone()));
+    let pictures = (0..).map_while(picture).collect();
+    Ok(Followed { tracks: following.tracks().into_iter().cloned().collect(), notes, still, pictures })
 }
 
-/// Reads the film once, with the frames that are wanted.
-fn read(film: &Opened, following: &mut Following, bar: &ProgressBar) -> Result<(), Failure> {
+/// Reads the film once, with the frames that are wanted. The first of them is kept.
+fn read(
+    film: &Opened,
+    following: &mut Following,
+    still: &mut Option<(usize, Plane)>,
+    bar: &ProgressBar,
+) -> Result<(), Failure> {
     let count = following.frames().last().map_or(0, |last| last.0 + 1);
     let whole = count == film.times.len();
     let mut decoding = Decoding::begin(film, if whole { None } else { Some(count) })?;
@@ -56,6 +70,7 @@ fn read(film: &Opened, following: &mut Following, bar: &ProgressBar) -> Result<(
         };
         bar.set_position(frame as u64 + 1);
         if following.wanted() == Some(frame) {
+            still.get_or_insert_with(|| (frame, plane.clone()));
             following.take(plane).map_err(|refusal| refused(&film.path, refusal.words()))?;
         }
     }

@@ -99,7 +99,7 @@ fn settings(arguments: &Arguments) -> Value {
         "surfaces": arguments.surface.iter().map(surface).collect::<Vec<_>>(),
         "tubes": arguments.tube,
         "bodies": arguments.body.iter().map(body).collect::<Vec<_>>(),
-        "scale": arguments.scale.map(|ruler| json!({ "marks": ruler.marks, "metres": ruler.length })),
+        "scale": arguments.scale.as_ref().map(|ruler| json!({ "marks": ruler.marks, "metres": ruler.length })),
         "origin": arguments.origin,
         "marks": arguments.marks.as_ref().map(|marks| &marks.0),
         "rate": arguments.rate,

@@ -1,10 +1,9 @@
 //! What was found in a film, in words.
 
 use super::clock::displayed;
-use film::calibration::{Calibration, Lengths};
+use film::calibration::Calibration;
 use film::table::Table;
-use film::tracking::{Exposure, Track};
-use units::number::{fixed, plain};
+use film::tracking::Track;
 use units::{Words, words};
 
 /// Frames that are listed one by one.
@@ -25,14 +24,7 @@ pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration, shown: 
         };
         notes.extend(found.into_iter().map(|words| if tracks.len() > 1 { named(words) } else { words }));
     }
-    if let Lengths::Scale(scale) = &calibration.lengths {
-        notes.push(words!(
-            "scale: a pixel is {pixel} mm, with a standard error of {sigma} % that all lengths share",
-            "escala: un píxel mide {pixel} mm, con un error estándar del {sigma} % común a todas las longitudes",
-            pixel = significant(1e3 * scale.pixel, 4),
-            sigma = significant(100.0 * scale.relative_sigma, 2)
-        ));
-    }
+    notes.extend(calibration.notes());
     notes
 }
 
@@ -41,26 +33,7 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
     if track.points.is_empty() {
         notes.push(words("it was found in no frame", "no se encontró en ningún fotograma"));
     }
-    match track.exposure {
-        Some(Exposure::Seconds(seconds)) => {
-            notes.push(words!("exposure: {ms} ms", "exposición: {ms} ms", ms = milliseconds(seconds)));
-        }
-        Some(Exposure::Under(seconds)) => notes.push(words!(
-            "exposure: under {ms} ms, too short to smear the picture",
-            "exposición: menos de {ms} ms, demasiado corta para emborronar la imagen",
-            ms = milliseconds(seconds)
-        )),
-        None => {}
-    }
-    // One that was stated has no error, and stands in the arguments.
-    if let Some(readout) = track.readout.filter(|readout| readout.sigma > 0.0) {
-        notes.push(words!(
-            "rolling shutter: {ms} ± {sigma} ms from the first row to the last; times are corrected for it",
-            "obturador rodante: {ms} ± {sigma} ms de la primera fila a la última; los tiempos están corregidos",
-            ms = milliseconds(readout.seconds),
-            sigma = milliseconds(readout.sigma)
-        ));
-    }
+    notes.extend(track.camera());
     let doubtful: Vec<usize> = track.points.iter().filter(|point| point.doubtful).map(|point| point.frame).collect();
     if !doubtful.is_empty() {
         let (count, of) = (doubtful.len(), track.points.len());
@@ -90,12 +63,4 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
         ));
     }
     notes
-}
-
-fn milliseconds(seconds: f64) -> Words {
-    Words::each(|language| fixed(1e3 * seconds, 1, language.style()))
-}
-
-fn significant(value: f64, digits: usize) -> Words {
-    Words::each(|language| plain(value, digits, language.style()))
 }

@@ -15,7 +15,6 @@ mod plan;
 mod recipe;
 mod record;
 mod reporting;
-mod space_time;
 pub(crate) mod state;
 mod subject;
 mod times;
@@ -30,8 +29,9 @@ pub use identity::FilmIdentity;
 pub use lengths::{CalibrationForm, LengthsForm, ParallaxForm};
 pub use opening::FilmOpening;
 pub use recipe::{CameraSettings, FILMED_SIZE, FilmRecipe};
-pub use space_time::SpaceTimePicture;
 pub use subject::{FilmedBody, FilmedSurface, MOST_BODIES, MOST_SURFACES, POINT_SIGMA, Subject};
 pub use tracking::TrackingProgress;
 pub use truth::{FilmTruth, TruthComparison};
 pub use view::OpenFilm;
+
+pub use film::tracking::column::SpaceTimePicture;

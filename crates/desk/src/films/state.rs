@@ -1,11 +1,11 @@
 //! The films of a desk.
 
 use crate::films::clip::Clip;
-use crate::films::space_time::SpaceTimePicture;
 use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
 use film::Plane;
 use film::tracking::Following;
+use film::tracking::column::SpaceTimePicture;
 
 /// All films that a person has worked on, and the one that is open.
 #[derive(Debug, Default)]

@@ -3,13 +3,13 @@
 use crate::records::incoming::{Intake, Stage};
 use crate::records::record::{LONGEST_SAVED, LONGEST_TEXT, Record};
 use crate::records::runs;
-use crate::words::sentence;
 use crate::{Announcement, Desk, LONGEST_RECORD, MOST_RECORDS, Refusal};
 use analysis::finding::Finding;
 use analysis::inspection::{Inspection, Inspector, doubtful_times, inspect};
 use analysis::reading::{self, Contents, Reading, ReadingError};
 use std::collections::BTreeMap;
 use units::Language;
+use units::sentence;
 
 /// How far a file has been read.
 #[derive(Clone, Debug, PartialEq)]

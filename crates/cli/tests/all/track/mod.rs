@@ -4,6 +4,7 @@
 #[cfg(unix)]
 mod decoders;
 mod keys;
+mod reports;
 mod scenes;
 
 use crate::common::{Done, meniscus, numbers};

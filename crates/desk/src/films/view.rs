@@ -138,7 +138,8 @@ impl<'a> OpenFilm<'a> {
     }
 
     fn notes(self) -> Vec<Words> {
-        let mut notes = self.open.clip.notes();
+        let mut notes = self.open.notes.clone();
+        notes.extend(self.open.clip.notes());
         notes.extend(match (self.work.factor, self.open.clip.slow_motion()) {
             (None, found) => found.map(|found| found.words()),
             (Some(factor), _) => Some(words!(

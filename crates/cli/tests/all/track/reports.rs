@@ -60,7 +60,7 @@ fn a_report_shows_the_frame_with_its_marks_and_the_space_time_picture() {
     let (tracked, marks) = (lines(&html, "#ffb000"), lines(&html, "#648fff"));
     assert_eq!(tracked.iter().map(Vec::len).collect::<Vec<_>>(), [2, 1, 1]);
     assert!(tracked.iter().flatten().all(|line| line.len() == 90), "a point for each frame");
-    let near = |one: [f64; 2], other: [f64; 2]| (one[0] - other[0]).hypot(one[1] - other[1]) < 8.0;
+    let near = |one: [f64; 2], other: [f64; 2]| libm::hypot(one[0] - other[0], one[1] - other[1]) < 8.0;
     assert!(near(tracked[0][0][0], [200.0, 168.0]) && near(tracked[0][1][0], [440.0, 312.0]), "{:?}", tracked[0][0][0]);
     assert_eq!(marks[0], [vec![[40.0, 40.0], [440.0, 40.0]], vec![[0.0, 240.0]]]);
     // Time to the right, and the second arm is down where the first is up.

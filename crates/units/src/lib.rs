@@ -1,5 +1,5 @@
 //! Physical dimensions and units: parse, convert, print. And what every crate needs to speak: the [languages](Language), and the
-//! one writer of [numbers](number) for people.
+//! one writer of [numbers](number) for people. Numbers that look random are there, too ([`split_mix`]).
 
 pub mod alphabet;
 mod dimension;
@@ -13,6 +13,7 @@ mod parse;
 mod prefix;
 mod quantity;
 mod scale;
+pub mod split_mix;
 mod table;
 mod unit;
 mod unit_error;

@@ -4,7 +4,7 @@
 use crate::finding::Finding;
 use crate::import::{self, Import, ImportError, Importer};
 use crate::packed::{self, Archive};
-use crate::tracker::{self, Opening, TrackerError};
+use crate::tracker::{self, Opening, Project, TrackerError};
 use crate::workbook::{Progress, Workbook, WorkbookError};
 use std::borrow::Cow;
 use units::Language::{self, Spanish};
@@ -39,7 +39,7 @@ enum Source {
     File,
     Sheet(Sheet),
     /// A project, with what was noticed about it.
-    Project(Vec<Finding>),
+    Project(Box<Project>, Vec<Finding>),
 }
 
 /// The sheet that a text was made of, and the rest of its workbook.
@@ -58,6 +58,8 @@ pub struct Contents {
     pub import: Import,
     /// The text it was read from; that of a workbook's sheet or of a project can be read again by [`import::text`].
     pub text: String,
+    /// The project of Tracker that it was made of, if its film is in the archive with it.
+    pub project: Option<Box<Project>>,
 }
 
 /// Why a file was not read.
@@ -194,7 +196,8 @@ impl Reading {
     fn take_project(&self, project: Opening) -> Result<Stage, ReadingError> {
         let opened = project.finish().ok_or(ReadingError::Project(TrackerError::Damaged))?;
         let text = opened.project.table(self.most).map_err(ReadingError::Project)?;
-        Ok(Stage::Text(text, Source::Project(opened.remarks().into_iter().map(Finding::Project).collect())))
+        let findings = opened.remarks().into_iter().map(Finding::Project).collect();
+        Ok(Stage::Text(text, Source::Project(Box::new(opened.project), findings)))
     }
 
     /// The rest of the workbook, after a sheet that is no table.
@@ -209,6 +212,7 @@ impl Reading {
             Ok(finished) => finished,
             Err(error) => return self.next_sheet(error, source),
         };
+        let mut project = None;
         match source {
             Source::File => {}
             Source::Sheet(mut sheet) => {
@@ -216,11 +220,12 @@ impl Reading {
                     import.findings.insert(0, Finding::Sheet(sheet.name));
                 }
             }
-            Source::Project(findings) => {
+            Source::Project(own, findings) => {
                 import.findings.splice(0..0, findings);
+                project = Some(own).filter(|own| own.film.as_ref().is_some_and(|film| film.packed.is_some()));
             }
         }
-        Ok(Stage::Finished(Box::new(Contents { import, text: text.into_owned() })))
+        Ok(Stage::Finished(Box::new(Contents { import, text: text.into_owned(), project })))
     }
 }
 

@@ -2,6 +2,8 @@
 //!
 //! The truth behind such a record is known, so whoever fits it can see how far from it the answer lies.
 
+use units::split_mix::SplitMix64;
+
 /// The camera that films, and whoever reads the film.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -46,28 +48,19 @@ impl Camera {
     }
 }
 
-/// A source of chance that gives the same numbers for the same seed on every machine: SplitMix64 (Steele, Lea and Flood,
-/// *Fast splittable pseudorandom number generators*, OOPSLA 2014).
+/// A source of chance that gives the same numbers for the same seed on every machine.
 #[derive(Clone, Debug)]
-pub struct Chance(u64);
+pub struct Chance(SplitMix64);
 
 impl Chance {
     /// The one of this seed.
     pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    /// The next 64 bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
+        Self(SplitMix64::new(seed))
     }
 
     /// Evenly distributed, above 0 and at most 1.
     pub fn uniform(&mut self) -> f64 {
-        ((self.bits() >> 11) + 1) as f64 / (1_u64 << 53) as f64
+        ((self.0.bits() >> 11) + 1) as f64 / (1_u64 << 53) as f64
     }
 
     /// Two independent normal deviates of mean 0 and variance 1 (Box and Muller 1958).
@@ -98,23 +91,6 @@ mod tests {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
         (mean, values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / count)
-    }
-
-    #[test]
-    fn the_generator_is_the_published_one() {
-        // The first outputs for seed 1234567, as its authors' implementation gives them.
-        let mut chance = Chance::new(1_234_567);
-        let first: Vec<u64> = (0..5).map(|_| chance.bits()).collect();
-        assert_eq!(
-            first,
-            [
-                6_457_827_717_110_365_317,
-                3_203_168_211_198_807_973,
-                9_817_491_932_198_370_423,
-                4_593_380_528_125_082_431,
-                16_408_922_859_458_223_821
-            ]
-        );
     }
 
     #[test]

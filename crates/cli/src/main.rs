@@ -6,6 +6,7 @@ mod authoring;
 mod check;
 mod claims;
 mod columns;
+mod command;
 mod cycles;
 mod data;
 mod derivatives;

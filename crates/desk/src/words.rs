@@ -153,11 +153,6 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
     text.to_owned()
 }
 
-/// With a capital at its beginning and a stop at its end.
-pub(crate) fn sentence(text: &str) -> String {
-    play::words::sentence(text)
-}
-
 impl Desk {
     /// A refusal in the chosen language.
     pub fn refusal_text(&self, refusal: &Refusal) -> String {
@@ -189,7 +184,7 @@ impl Desk {
                 )
                 .to_owned(),
             Refusal::Fit { why } | Refusal::Film { why } => why.clone(),
-            Refusal::Size { why } => sentence(why),
+            Refusal::Size { why } => units::sentence(why),
         }
     }
 

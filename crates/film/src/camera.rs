@@ -5,6 +5,7 @@
 
 use crate::plane::Plane;
 use libm::{cos, log, sqrt};
+use units::split_mix::SplitMix64;
 
 /// Normal deviates that are computed once; each row of a picture reads them from another place on.
 const DEVIATES: usize = 1 << 16;
@@ -90,10 +91,7 @@ impl Exposure {
     }
 }
 
-/// A number of which each bit depends on all bits of another (*SplitMix64*; G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014).
+/// A number of which each bit depends on all bits of another.
 fn mixed(number: u64) -> u64 {
-    let mut bits = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^ (bits >> 31)
+    SplitMix64::new(number).bits()
 }

@@ -2,7 +2,7 @@
 //! out.
 
 use crate::app::App;
-use crate::tabs;
+use crate::{film, tabs};
 use desk::{Desk, LONGEST_RECORD, RecordProgress, Refusal};
 use view::browser;
 use view::views::*;
@@ -100,6 +100,9 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     // The views of the new record are made in a slice of their own.
     browser::breathe().await;
     app.act(|_| ());
+    if refusal.is_none() {
+        film::open_of_project(app, file).await;
+    }
     refusal
 }
 

@@ -20,8 +20,31 @@ pub async fn inflate(bytes: &[u8], most: usize) -> Option<String> {
     String::from_utf8(through("DecompressionStream", "deflate-raw", bytes, most).await?).ok()
 }
 
+/// Inflates a file of at most `most` bytes in parts, which stay where the browser has them.
+pub async fn inflate_parts(bytes: &Uint8Array, most: usize) -> Option<Array> {
+    let parts = Array::new();
+    let keep = |part: &Uint8Array| {
+        parts.push(part);
+    };
+    stream("DecompressionStream", "deflate-raw", bytes, most, keep).await?;
+    Some(parts)
+}
+
 /// What a transforming stream of the browser makes of some bytes; `None` if it fails or gives more than `most`.
 async fn through(kind: &str, format: &str, bytes: &[u8], most: usize) -> Option<Vec<u8>> {
+    let mut result = Vec::new();
+    stream(kind, format, &Uint8Array::from(bytes), most, |part| result.extend(part.to_vec())).await?;
+    Some(result)
+}
+
+/// The same in parts, each of which is given to `take`.
+async fn stream(
+    kind: &str,
+    format: &str,
+    bytes: &Uint8Array,
+    most: usize,
+    mut take: impl FnMut(&Uint8Array),
+) -> Option<()> {
     // Made by name: in `web_sys` they exist only behind an unstable flag.
     let maker: Function = Reflect::get(&js_sys::global(), &kind.into()).ok()?.dyn_into().ok()?;
     let stream = Reflect::construct(&maker, &Array::of1(&format.into())).ok()?;
@@ -31,21 +54,22 @@ async fn through(kind: &str, format: &str, bytes: &[u8], most: usize) -> Option<
     let writer = WritableStreamDefaultWriter::new(&writable).ok()?;
     let reader = ReadableStreamDefaultReader::new(&readable).ok()?;
     // Faults in what is written are met where it is read.
-    for promise in [writer.write_with_chunk(&Uint8Array::from(bytes)), writer.close()] {
+    for promise in [writer.write_with_chunk(bytes), writer.close()] {
         wasm_bindgen_futures::spawn_local(async move { drop(browser::wait(promise).await) });
     }
-    let mut result = Vec::new();
+    let mut length = 0;
     loop {
         let next = browser::wait(reader.read()).await.ok()?;
         let part = |name: &str| Reflect::get(&next, &name.into()).unwrap_or(JsValue::UNDEFINED);
         if part("done").is_truthy() {
-            return Some(result);
+            return Some(());
         }
         let chunk: Uint8Array = part("value").dyn_into().ok()?;
-        if result.len() + chunk.length() as usize > most {
+        length += chunk.length() as usize;
+        if length > most {
             drop(browser::wait(reader.cancel()).await);
             return None;
         }
-        result.extend(chunk.to_vec());
+        take(&chunk);
     }
 }

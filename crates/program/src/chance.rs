@@ -4,8 +4,8 @@
 //! firing. The stream is the start of a SplitMix64 generator (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014, 453), which gives
 //! as many numbers as the draw needs.
 
-/// 2^64 divided by the golden ratio.
-const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+use units::split_mix::{GOLDEN, SplitMix64, scramble};
+
 /// A rejection takes less than two rounds on average; so many it takes only if its arguments are beyond all sense.
 const ROUNDS: usize = 1000;
 /// From this mean on the sum of probabilities would take longer than a rejection.
@@ -13,13 +13,6 @@ const LARGE: f64 = 10.0;
 /// Beyond this number the logarithms of factorials are too inexact to be compared; there the distribution is a normal one to
 /// four digits, or a Poisson one.
 const ENORMOUS: f64 = 1e12;
-
-/// The finalizer of SplitMix64.
-fn scramble(mut bits: u64) -> u64 {
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^ (bits >> 31)
-}
 
 /// A whole number below 2^53 that depends on both numbers and looks like neither; NaN for NaN.
 pub fn stream(a: f64, b: f64) -> f64 {
@@ -33,18 +26,17 @@ pub fn stream(a: f64, b: f64) -> f64 {
 }
 
 /// The numbers of a stream.
-struct Numbers(u64);
+struct Numbers(SplitMix64);
 
 impl Numbers {
     /// Those of a stream; none of what is no number.
     fn of(stream: f64) -> Option<Self> {
-        (!stream.is_nan()).then(|| Self(scramble((stream + 0.0).to_bits())))
+        (!stream.is_nan()).then(|| Self(SplitMix64::new(scramble((stream + 0.0).to_bits()))))
     }
 
     /// The next one, between 0 and 1 and neither of them.
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(GOLDEN);
-        ((scramble(self.0) >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
+        ((self.0.bits() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
     }
 }
 

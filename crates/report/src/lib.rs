@@ -18,7 +18,7 @@ mod theory;
 
 pub use drawing::figure;
 pub use export::{csv, workbook};
-pub use film::{Film, FilmPicture, FilmView};
+pub use film::{Film, FilmFile, FilmPicture, FilmView, Frame, TrackReport, film_html};
 pub use markup::with_math_font;
 pub use page::html;
 pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};

@@ -1,5 +1,5 @@
 //! Physical dimensions and units: parse, convert, print. And what every crate needs to speak: the [languages](Language), and the
-//! one writer of [numbers](number) for people.
+//! one writer of [numbers](number) for people. Numbers that look random are there, too ([`split_mix`]).
 
 pub mod alphabet;
 mod dimension;
@@ -13,13 +13,14 @@ mod parse;
 mod prefix;
 mod quantity;
 mod scale;
+pub mod split_mix;
 mod table;
 mod unit;
 mod unit_error;
 
 pub use dimension::Dimension;
 pub use exponent::Exponent;
-pub use language::{Language, Words, words};
+pub use language::{Language, Words, sentence, words};
 pub use nearest::nearest;
 pub use parse::raised;
 pub use quantity::QuantityName;

@@ -13,7 +13,7 @@ const ARROWS: [(&str, &[&str]); 16] = [
     ("film", &["units"]),
     ("document", &["model", "program", "units"]),
     ("analysis", &["engine", "program", "units"]),
-    ("report", &["analysis", "document", "figure", "model", "program", "units"]),
+    ("report", &["analysis", "document", "figure", "film", "model", "program", "units"]),
     ("play", &["engine", "figure", "program", "units"]),
     ("desk", &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "units"]),
     ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),

@@ -36,6 +36,11 @@ impl Clip {
         behind.is_some_and(|behind| behind % step == 0 && behind / step < self.count)
     }
 
+    /// The frame of the film that a frame of the project is.
+    pub fn film_frame(&self, frame: u32) -> Option<usize> {
+        usize::try_from(i64::from(frame).checked_add(self.shift)?).ok()
+    }
+
     /// The time of a frame in seconds, as Tracker computes it (`StepperClipControl.getStepTime`): the frame's own time where
     /// the project lists it, stretched so that the mean duration of a frame is as stated; else that duration times the number
     /// of frames since the first.

@@ -27,6 +27,11 @@ pub enum Remark {
         /// The factor, as the project states another mean duration of a frame than its film.
         stretch: f64,
     },
+    /// Times are those of the frames of the film, which was opened.
+    FilmTimes {
+        /// The constant step that the project states, in milliseconds.
+        milliseconds: f64,
+    },
     /// How pixels became lengths.
     Calibration {
         /// The axes and the scale, those of the first frame.
@@ -219,6 +224,17 @@ impl Remark {
                     format!(
                         "los tiempos son los que el proyecto enumera para los fotogramas de su vídeo, multiplicados por {factor}, pues \
                          indica otra frecuencia de fotogramas que la del vídeo"
+                    ),
+                )
+            }
+            Self::FilmTimes { milliseconds } => {
+                let step = round(*milliseconds, 8);
+                say(
+                    format!(
+                        "times are those of the frames of its film, and not the constant step of {step} ms of the project"
+                    ),
+                    format!(
+                        "los tiempos son los de los fotogramas de su vídeo, y no el paso constante de {step} ms del proyecto"
                     ),
                 )
             }

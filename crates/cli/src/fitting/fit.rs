@@ -5,6 +5,7 @@ use super::fitted::Fitted;
 use super::prepare::{self, Theory};
 use super::{json, text};
 use crate::columns;
+use crate::command;
 use crate::data::{self, Measured};
 use crate::failure::Failure;
 use crate::output;
@@ -36,7 +37,7 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let fitted = complete(theory, task, arguments.profile)?;
     let notes = notes(&data, &fitted.theory);
     if let (Some(path), Some(kind)) = (&arguments.output, kind) {
-        let command = command();
+        let command = command::typed();
         write(path, kind, &arguments.data, &fitted.report(&notes, &command))?;
     }
     let shown = match arguments.common.format {
@@ -115,20 +116,6 @@ fn refused(theory: &Theory, task: &Task, error: &FitError) -> Failure {
 pub fn notes(data: &[Measured], theory: &Theory) -> Vec<Vec<String>> {
     let language = Language::of(&theory.document.program.language);
     data.iter().map(|one| one.findings.iter().map(|finding| finding.text(language)).collect()).collect()
-}
-
-/// The command as it was typed, as far as a shell needs quotes.
-pub fn command() -> String {
-    let mut words = vec!["meniscus".to_owned()];
-    for word in std::env::args().skip(1) {
-        let plain = |c: char| c.is_alphanumeric() || "-_=.,/+:@%".contains(c);
-        words.push(if word.chars().all(plain) && !word.is_empty() {
-            word
-        } else {
-            format!("'{}'", word.replace('\'', "'\\''"))
-        });
-    }
-    words.join(" ")
 }
 
 /// What a file is to hold, by its ending.

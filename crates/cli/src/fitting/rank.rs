@@ -1,7 +1,7 @@
 //! `meniscus rank`: several theories of the same data, best first.
 
 use super::arguments::{Form, Rank as Arguments};
-use super::fit::{FileKind, command, complete, kind, notes, read, with_font};
+use super::fit::{FileKind, complete, kind, notes, read, with_font};
 use super::fitted::Fitted;
 use super::prepare;
 use super::text::{Columns, beginnings, searches};
@@ -50,7 +50,7 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
         let notes: Vec<Vec<Vec<String>>> = contenders.iter().map(|one| notes(&data, &one.fitted.theory)).collect();
         let reports: Vec<Report> =
             contenders.iter().zip(&notes).map(|(one, notes)| one.fitted.report(notes, "")).collect();
-        let command = command();
+        let command = crate::command::typed();
         let ranking = Ranking { theories: &reports, command: &command };
         let bytes = match kind {
             FileKind::Xlsx => report::ranking_workbook(&ranking),

@@ -12,10 +12,13 @@ Examples:
   meniscus track utube.mp4 --surface 255,130 --scale '60,50,580,60=35 [cm]' --origin 255,180
   meniscus track utube.mp4 --surface 255,130 --surface 410,180         both arms, as y_1 and y_2
   meniscus track pendulum.mov --body 320,240 --from 2 --until '12 [s]'
+  meniscus track pendulum.mov --body '320,240 410,255@3.5'             found again at 3.5 s, after something hid it
   meniscus track fall.mp4 --body 100,40,12 --rate 8                    filmed at 240 frames/s, played at 30
+  meniscus track utube.mp4 --surface 255,130 --report utube.html       a page that shows what was tracked
   meniscus track *.mp4 --surface 255,130                               several films: FILM.csv beside each
 
-Points are pixels of the upright picture, x to the right and y down from its top left corner, in the first frame that is tracked.
+Points are pixels of the upright picture, x to the right and y down from its top left corner, in the first frame that is tracked,
+or, with @T, in the first frame from that time of the film on.
 Films are decoded by ffmpeg 5.1 or later; Y4M films are read without it. docs/films.md says how to film and what the table holds.
 Fit it, with its errors: meniscus fit DOC utube.csv --observe y";
 
@@ -26,16 +29,16 @@ pub struct Track {
     #[arg(value_name = "FILM", required = true)]
     pub films: Vec<PathBuf>,
 
-    /// The surface of a liquid in a tube; twice for both arms
-    #[arg(long, value_name = "X,Y", value_parser = point, conflicts_with = "body")]
-    pub surface: Vec<Point>,
+    /// The surface of a liquid in a tube, and perhaps where it is at further times; twice for both arms
+    #[arg(long, value_name = "X,Y X,Y@T", value_parser = surface, conflicts_with = "body")]
+    pub surface: Vec<Surface>,
 
     /// Two points of the axis of a tube that is not upright; one for each surface
     #[arg(long, value_name = "X1,Y1,X2,Y2", value_parser = line, requires = "surface")]
     pub tube: Vec<Line>,
 
-    /// A body, such as a bob or a ball, and perhaps its radius; up to four
-    #[arg(long, value_name = "X,Y[,R]", value_parser = body)]
+    /// A body, such as a bob or a ball, perhaps with its radius, and perhaps where it is at further times; up to four
+    #[arg(long, value_name = "X,Y[,R] X,Y@T", value_parser = body)]
     pub body: Vec<Body>,
 
     /// Two marks and their distance [default: the table is in pixels]
@@ -78,6 +81,11 @@ pub struct Track {
     /// standard output; for several films FILM.csv beside each]
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
+
+    /// Write a report (.html) besides: a frame with the marks, the space-time picture, times and calibration; for several films into
+    /// this folder
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
 }
 
 /// The forms of a track.
@@ -96,22 +104,40 @@ pub type Point = [f64; 2];
 /// Two points.
 pub type Line = [Point; 2];
 
-/// A body and its radius in pixels.
+/// A click.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Body {
-    /// Where it was clicked.
+pub struct Place {
+    /// Where.
     pub position: Point,
+    /// In the first frame from this time of the film on, in seconds; without it in the first that is tracked.
+    pub time: Option<f64>,
+}
+
+/// The surface of a liquid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// Where it was clicked. The first click says what is followed; the others hold the path.
+    pub places: Vec<Place>,
+}
+
+/// A body and its radius in pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Where it was clicked: first, and in key frames.
+    pub places: Vec<Place>,
     /// Without it the radius is found.
     pub radius: Option<f64>,
 }
 
 /// Two marks and their distance in metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Ruler {
     /// The marks.
     pub marks: Line,
     /// Their distance.
     pub length: f64,
+    /// The same as it was typed.
+    pub typed: String,
 }
 
 /// Several points in one argument.
@@ -143,37 +169,71 @@ fn points(text: &str) -> Result<Points, String> {
     points.map(Points).ok_or_else(|| "write one to four points, such as '60,50 580,60'".to_owned())
 }
 
+fn surface(text: &str) -> Result<Surface, String> {
+    match places(text, "write two numbers of pixels, such as 255,130")? {
+        (places, None) => Ok(Surface { places }),
+        (_, Some(_)) => Err("a surface has no radius: write a point, such as 255,130".to_owned()),
+    }
+}
+
 fn body(text: &str) -> Result<Body, String> {
-    if let Some(position) = numbers(text) {
-        return Ok(Body { position, radius: None });
+    let (places, radius) = places(text, "write a point and perhaps a radius, such as 320,240 or 320,240,12")?;
+    Ok(Body { places, radius })
+}
+
+/// A point, perhaps with a radius, and further points with their times: `320,240,12 410,255@3.5`. `example` says how a point is written.
+fn places(text: &str, example: &str) -> Result<(Vec<Place>, Option<f64>), String> {
+    // Spaces separate points, but those before a unit and after a comma do not.
+    let text = text.replace(" [", "[").replace(", ", ",");
+    let (mut places, mut radius) = (Vec::new(), None);
+    for part in text.split_whitespace() {
+        let (place, time) = part.split_once('@').map_or((part, None), |(place, time)| (place, Some(time)));
+        let no_time = || format!("{part}: a time is in seconds, as in @3.5, or has a unit, as in @3500[ms]");
+        let time = time.map(|time| seconds(time).ok_or_else(no_time)).transpose()?;
+        if !places.is_empty() && time.is_none() {
+            return Err(format!("{part}: say at which time of the film it is there, such as {part}@3.5"));
+        }
+        let position = match (numbers(place), numbers(place)) {
+            (Some(position), _) => position,
+            (None, Some([x, y, own])) if own > 0.0 && places.is_empty() => {
+                radius = Some(own);
+                [x, y]
+            }
+            _ => return Err(example.to_owned()),
+        };
+        places.push(Place { position, time });
     }
-    match numbers(text) {
-        Some([x, y, radius]) if radius > 0.0 => Ok(Body { position: [x, y], radius: Some(radius) }),
-        _ => Err("write a point and perhaps a radius, such as 320,240 or 320,240,12".to_owned()),
-    }
+    if places.is_empty() { Err(example.to_owned()) } else { Ok((places, radius)) }
 }
 
 fn scale(text: &str) -> Result<Ruler, String> {
     let wrong = || "write two marks and their distance, such as '60,50,580,60=35 [cm]'".to_owned();
     let (marks, length) = text.split_once('=').ok_or_else(wrong)?;
     let (value, unit) = quantity(length).ok_or_else(wrong)?;
+    let typed = length.replace(['[', ']'], "").trim().to_owned();
     let unit = unit.filter(|unit| unit.dimension == Dimension::LENGTH).ok_or_else(wrong)?;
     let length = unit.to_si(value);
-    if length > 0.0 { Ok(Ruler { marks: line(marks).map_err(|_| wrong())?, length }) } else { Err(wrong()) }
+    let marks = line(marks).map_err(|_| wrong())?;
+    if length > 0.0 { Ok(Ruler { marks, length, typed }) } else { Err(wrong()) }
 }
 
 fn known(text: &str) -> Result<Given, String> {
     if text == "auto" {
         return Ok(Given(Known::Estimated));
     }
-    let (value, unit) = quantity(text).ok_or("write auto, or a time such as 0.02 or '20 [ms]'")?;
-    let seconds = match unit {
-        Some(unit) if unit.dimension == Dimension::TIME => unit.to_si(value),
-        None => value,
-        Some(_) => return Err("a time is in seconds, or as '20 [ms]'".to_owned()),
-    };
+    let seconds = seconds(text).ok_or("write auto, or a time such as 0.02 or '20 [ms]'")?;
     // No camera exposes or reads a frame for longer.
     if seconds.abs() < 10.0 { Ok(Given(Known::Seconds(seconds))) } else { Err("it is below 10 s".to_owned()) }
+}
+
+/// A time, in seconds where no unit is stated.
+fn seconds(text: &str) -> Option<f64> {
+    let (value, unit) = quantity(text)?;
+    match unit {
+        Some(unit) if unit.dimension == Dimension::TIME => Some(unit.to_si(value)),
+        None => Some(value),
+        Some(_) => None,
+    }
 }
 
 /// A number, and its unit if there is one: `10 [cm]`, `10 cm`, `10`.
@@ -193,11 +253,15 @@ mod tests {
     #[test]
     fn points_scales_and_times_are_read() {
         assert_eq!(point("255, 130.5"), Ok([255.0, 130.5]));
-        assert_eq!(body("3,4,5"), Ok(Body { position: [3.0, 4.0], radius: Some(5.0) }));
+        let place = |x: f64, y: f64, time: Option<f64>| Place { position: [x, y], time };
+        assert_eq!(surface("255, 130"), Ok(Surface { places: vec![place(255.0, 130.0, None)] }));
+        assert_eq!(body("3,4,5"), Ok(Body { places: vec![place(3.0, 4.0, None)], radius: Some(5.0) }));
+        let places = vec![place(3.0, 4.0, Some(0.5)), place(6.0, 7.0, Some(2.5)), place(8.0, 9.0, Some(3.0))];
+        assert_eq!(body("3,4,5@0.5 6,7@2500 [ms]  8, 9@3[s]"), Ok(Body { places, radius: Some(5.0) }));
         assert_eq!(points("1,2 3,4").map(|points| points.0.len()), Ok(2));
-        let ruler = Ruler { marks: [[60.0, 50.0], [580.0, 60.0]], length: 0.1 };
-        assert_eq!(scale("60,50,580,60=10 [cm]"), Ok(ruler));
-        assert_eq!(scale("60,50,580,60 = 100 mm"), Ok(ruler));
+        let ruler = |typed: &str| Ruler { marks: [[60.0, 50.0], [580.0, 60.0]], length: 0.1, typed: typed.to_owned() };
+        assert_eq!(scale("60,50,580,60=10 [cm]"), Ok(ruler("10 cm")));
+        assert_eq!(scale("60,50,580,60 = 100 mm"), Ok(ruler("100 mm")));
         assert_eq!(known("auto"), Ok(Given(Known::Estimated)));
         assert_eq!(known("4 [ms]"), Ok(Given(Known::Seconds(0.004))));
         assert_eq!(known("2.5e-2"), Ok(Given(Known::Seconds(0.025))));
@@ -210,6 +274,9 @@ mod tests {
         for wrong in ["soon", "1 [m]", "99"] {
             assert!(known(wrong).is_err(), "{wrong}");
         }
-        assert!(body("1,2,-3").is_err() && points("").is_err() && points("1,1 2,2 3,3 4,4 5,5").is_err());
+        for wrong in ["1,2,-3", "", " ", "@2", "1,2 3,4", "1,2 3,4,5@2", "1,2@soon", "1,2@", "1,2@2@3", "1,2@1[kg"] {
+            assert!(body(wrong).is_err() && surface(wrong).is_err(), "{wrong}");
+        }
+        assert!(surface("1,2,3").is_err() && points("").is_err() && points("1,1 2,2 3,3 4,4 5,5").is_err());
     }
 }

@@ -1,11 +1,17 @@
 //! When the frames were taken, and which of them are tracked.
 
-use super::arguments::Track as Arguments;
-use super::opened::{Opened, refused};
+use super::arguments::{Place, Track as Arguments};
+use super::opened::{Opened, refused, refused_with};
 use crate::data::reading;
 use crate::failure::Failure;
 use film::timing::{Finding, Intervals, TimeBase, slow_motion};
+use units::number::fixed;
 use units::{Words, words};
+
+/// Times of films are stated to a millisecond, in seconds.
+const SHOWN: f64 = 1e-3;
+/// A time that is earlier than a frame's by no more than this is that frame's: `ffmpeg` counts in microseconds.
+const ROUNDED: f64 = 1e-6;
 
 /// The frames that are tracked.
 #[derive(Debug)]
@@ -14,6 +20,8 @@ pub struct Clock {
     pub factor: f64,
     /// When each frame of the film was taken, in seconds.
     pub times: Vec<f64>,
+    /// Frames a second as the film is shown.
+    pub rate: Option<f64>,
     /// The numbers of the frames that are tracked, in order.
     pub frames: Vec<usize>,
     /// What a person should know about the times.
@@ -51,6 +59,7 @@ impl Clock {
         }
         let from = limit("--from", arguments.from.as_deref())?.unwrap_or(f64::NEG_INFINITY);
         let until = limit("--until", arguments.until.as_deref())?.unwrap_or(f64::INFINITY);
+        let rate = intervals.as_ref().map(|intervals| intervals.rate);
         // Two frames with one time cannot both be right, and the first one is kept.
         let doubled = intervals.map_or_else(Vec::new, |intervals| intervals.doubled);
         let inside = |frame: &usize| film.times.get(*frame).is_some_and(|time| (from..=until).contains(time));
@@ -65,8 +74,38 @@ impl Clock {
                 ),
             ));
         }
-        Ok(Self { factor, times: base.times().to_vec(), frames, notes })
+        Ok(Self { factor, times: base.times().to_vec(), rate, frames, notes })
     }
+
+    /// The frame in which something was clicked: the first that is tracked from the time of the click on, as for `--from` and for
+    /// the pictures that `ffmpeg -ss` makes.
+    pub fn frame_of(&self, film: &Opened, click: &Place) -> Result<usize, Failure> {
+        let shown = |frame: &usize| film.times.get(*frame).copied().unwrap_or(f64::NAN);
+        let ends = self.frames.first().zip(self.frames.last());
+        let (first, last) = ends.map_or((0, 0), |(first, last)| (*first, *last));
+        let Some(time) = click.time else { return Ok(first) };
+        let next = self.frames.iter().find(|frame| shown(frame) >= time - ROUNDED).copied();
+        if let Some(frame) = next.filter(|_| time >= shown(&first) - SHOWN) {
+            return Ok(frame);
+        }
+        let [x, y] = click.position;
+        let why = words!(
+            "{x},{y}@{time}: no frame that is tracked has this time",
+            "{x},{y}@{time}: ningún fotograma que se sigue tiene ese tiempo"
+        );
+        let hint = words!(
+            "the frames that are tracked are from {first} s to {last} s of the film, as a player shows it",
+            "los fotogramas que se siguen van de {first} s a {last} s del vídeo, como lo muestra un reproductor",
+            first = displayed(shown(&first)),
+            last = displayed(shown(&last))
+        );
+        Err(refused_with(&film.path, why, hint))
+    }
+}
+
+/// A time of the film in seconds to its full millisecond: the first frame from there on is the one that is meant.
+pub fn displayed(seconds: f64) -> Words {
+    Words::each(|language| fixed((seconds / SHOWN + ROUNDED).floor() * SHOWN, 3, language.style()))
 }
 
 /// A finding in words. Frames with doubled times are not only found here but left out.

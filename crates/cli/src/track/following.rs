@@ -1,12 +1,13 @@
 //! From pixels to tracks.
 
-use super::arguments::Track as Arguments;
+use super::arguments::{Body, Given, Place, Track as Arguments};
 use super::clock::Clock;
 use super::decoding::Decoding;
 use super::opened::{Opened, refused};
 use crate::failure::Failure;
+use film::Plane;
 use film::tracking::body;
-use film::tracking::column::{Click, Settings};
+use film::tracking::column::{Click, Settings, SpaceTimePicture};
 use film::tracking::{Following, Known, Plan, Refusal, Surface, Track};
 use indicatif::ProgressBar;
 use units::{Words, words};
@@ -21,14 +22,19 @@ pub struct Followed {
     pub tracks: Vec<Track>,
     /// What a person should know.
     pub notes: Vec<Words>,
+    /// The first frame that was tracked, and its number.
+    pub still: Option<(usize, Plane)>,
+    /// The space-time picture of each surface.
+    pub pictures: Vec<SpaceTimePicture>,
 }
 
 /// Tracks what was clicked. Frames that repeat the picture before are left out in a second reading: their times are wrong.
 pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &ProgressBar) -> Result<Followed, Failure> {
     let refusal = |refusal: Refusal| refused(&film.path, refusal.words());
-    let mut following = Following::new(plan(film, clock, arguments)).map_err(refusal)?;
+    let mut following = Following::new(plan(film, clock, arguments)?).map_err(refusal)?;
+    let mut still = None;
     while following.wanted().is_some() {
-        read(film, &mut following, bar)?;
+        read(film, &mut following, &mut still, bar)?;
     }
     following.advance(usize::MAX).map_err(refusal)?;
     let (count, of) = (following.repeated().len(), clock.frames.len());
@@ -37,11 +43,19 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
         "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: el vídeo se convirtió a otra frecuencia; usa el original si lo tienes"
     );
     let notes = if count > 0 { vec![note] } else { Vec::new() };
-    Ok(Followed { tracks: following.tracks().into_iter().cloned().collect(), notes })
+    let frames: Vec<usize> = following.frames().iter().map(|frame| frame.0).collect();
+    let picture = |surface| Some(SpaceTimePicture::new(&following.space_time(surface)?, frames.clone()));
+    let pictures = (0..).map_while(picture).collect();
+    Ok(Followed { tracks: following.tracks().into_iter().cloned().collect(), notes, still, pictures })
 }
 
-/// Reads the film once, with the frames that are wanted.
-fn read(film: &Opened, following: &mut Following, bar: &ProgressBar) -> Result<(), Failure> {
+/// Reads the film once, with the frames that are wanted. The first of them is kept.
+fn read(
+    film: &Opened,
+    following: &mut Following,
+    still: &mut Option<(usize, Plane)>,
+    bar: &ProgressBar,
+) -> Result<(), Failure> {
     let count = following.frames().last().map_or(0, |last| last.0 + 1);
     let whole = count == film.times.len();
     let mut decoding = Decoding::begin(film, if whole { None } else { Some(count) })?;
@@ -56,6 +70,7 @@ fn read(film: &Opened, following: &mut Following, bar: &ProgressBar) -> Result<(
         };
         bar.set_position(frame as u64 + 1);
         if following.wanted() == Some(frame) {
+            still.get_or_insert_with(|| (frame, plane.clone()));
             following.take(plane).map_err(|refusal| refused(&film.path, refusal.words()))?;
         }
     }
@@ -74,32 +89,38 @@ fn read(film: &Opened, following: &mut Following, bar: &ProgressBar) -> Result<(
     Ok(())
 }
 
-fn plan(film: &Opened, clock: &Clock, arguments: &Arguments) -> Plan {
-    let frame = clock.frames.first().copied().unwrap_or(0);
-    let click = |point: [f64; 2]| Click { frame, position: film.stored(point) };
+fn plan(film: &Opened, clock: &Clock, arguments: &Arguments) -> Result<Plan, Failure> {
     let [_, high] = film.upright_size();
-    let known = |given: Option<super::arguments::Given>| given.map_or(Known::Estimated, |given| given.0);
-    let column = |(at, surface): (usize, &[f64; 2])| {
-        let upright = [[surface[0], 0.5], [surface[0], high - 0.5]];
-        let tube = arguments.tube.get(at).copied().unwrap_or(upright).map(|point| film.stored(point));
+    let known = |given: Option<Given>| given.map_or(Known::Estimated, |given| given.0);
+    let clicks = |places: &[Place]| -> Result<Vec<Click>, Failure> {
+        let click =
+            |place: &Place| Ok(Click { frame: clock.frame_of(film, place)?, position: film.stored(place.position) });
+        places.iter().map(click).collect()
+    };
+    let mut surfaces = Vec::new();
+    for (at, surface) in arguments.surface.iter().enumerate() {
+        let clicks = clicks(&surface.places)?;
+        let (Some(first), Some((click, anchors))) = (surface.places.first(), clicks.split_first()) else { continue };
+        let [x, _] = first.position;
+        let tube = arguments.tube.get(at).copied().unwrap_or([[x, 0.5], [x, high - 0.5]]);
         let settings = Settings {
-            tube: Some(tube),
+            tube: Some(tube.map(|point| film.stored(point))),
             half_width: Some(HALF_WIDTH * high),
             exposure: known(arguments.exposure),
             readout: known(arguments.readout),
-            ..Settings::new(click(*surface))
+            ..Settings::new(*click)
         };
-        Surface { settings, anchors: Vec::new() }
-    };
-    let body = |body: &super::arguments::Body| {
-        let keys = vec![click(body.position)];
-        body::Settings { keys, radius: body.radius, readout: known(arguments.readout) }
+        surfaces.push(Surface { settings, anchors: anchors.to_vec() });
+    }
+    let body = |body: &Body| {
+        let keys = clicks(&body.places)?;
+        Ok(body::Settings { keys, radius: body.radius, readout: known(arguments.readout) })
     };
     let time = |frame: &usize| (*frame, clock.times.get(*frame).copied().unwrap_or(f64::NAN));
-    Plan {
-        surfaces: arguments.surface.iter().enumerate().map(column).collect(),
-        bodies: arguments.body.iter().map(body).collect(),
+    Ok(Plan {
+        surfaces,
+        bodies: arguments.body.iter().map(body).collect::<Result<_, Failure>>()?,
         marks: arguments.marks.iter().flat_map(|marks| &marks.0).map(|mark| film.stored(*mark)).collect(),
         frames: clock.frames.iter().map(time).collect(),
-    }
+    })
 }

@@ -1,6 +1,6 @@
 //! What was found in a film, as one JSON object.
 
-use super::arguments::{Given, Track as Arguments};
+use super::arguments::{Body, Given, Place, Surface, Track as Arguments};
 use super::clock::Clock;
 use super::opened::Opened;
 use film::calibration::{Calibration, Lengths};
@@ -78,11 +78,28 @@ fn settings(arguments: &Arguments) -> Value {
         Some(Given(Known::Seconds(seconds))) => json!(seconds),
         _ => json!("auto"),
     };
+    let click = |place: &Place| json!({ "position": place.position, "time": place.time });
+    // The first click, and the others under the name that they have on the page.
+    let clicked = |places: &[Place], others: &str| {
+        let mut object = Map::new();
+        if let Some((first, further)) = places.split_first() {
+            object.insert("position".to_owned(), json!(first.position));
+            object.insert("time".to_owned(), json!(first.time));
+            object.insert(others.to_owned(), further.iter().map(click).collect());
+        }
+        object
+    };
+    let surface = |surface: &Surface| Value::Object(clicked(&surface.places, "anchors"));
+    let body = |body: &Body| {
+        let mut object = clicked(&body.places, "keys");
+        object.insert("radius".to_owned(), json!(body.radius));
+        Value::Object(object)
+    };
     json!({
-        "surfaces": arguments.surface,
+        "surfaces": arguments.surface.iter().map(surface).collect::<Vec<_>>(),
         "tubes": arguments.tube,
-        "bodies": arguments.body.iter().map(|body| json!({ "position": body.position, "radius": body.radius })).collect::<Vec<_>>(),
-        "scale": arguments.scale.map(|ruler| json!({ "marks": ruler.marks, "metres": ruler.length })),
+        "bodies": arguments.body.iter().map(body).collect::<Vec<_>>(),
+        "scale": arguments.scale.as_ref().map(|ruler| json!({ "marks": ruler.marks, "metres": ruler.length })),
         "origin": arguments.origin,
         "marks": arguments.marks.as_ref().map(|marks| &marks.0),
         "rate": arguments.rate,

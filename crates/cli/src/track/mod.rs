@@ -10,6 +10,7 @@ mod lengths;
 mod notes;
 mod opened;
 mod project;
+mod report;
 
 use crate::failure::Failure;
 use crate::output;
@@ -17,6 +18,7 @@ use crate::terminal::Terminal;
 use analysis::csv::{self, Dialect};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 use arguments::{Track as Arguments, TrackFormat};
+use checks::Targets;
 use clock::Clock;
 use film::calibration::Calibration;
 use film::table::Table;
@@ -32,7 +34,7 @@ pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let several = arguments.films.len() > 1;
     let mut failed = false;
     for (film, target) in arguments.films.iter().zip(&targets) {
-        let result = one(film, target.as_deref(), arguments, terminal);
+        let result = one(film, target, arguments, terminal);
         match result {
             Err(Failure::Request { message, hint }) if several => {
                 let language = terminal.language;
@@ -46,7 +48,7 @@ pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     if failed { Err(Failure::Argument) } else { Ok(()) }
 }
 
-fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
+fn one(path: &Path, targets: &Targets, arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     if let Some(failure) = project::refusal(path) {
         return Err(failure);
     }
@@ -59,18 +61,22 @@ fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Term
     bar.finish_and_clear();
     let followed = followed?;
     let table = Table::of(&followed.tracks, &calibration, &|frame| clock.times.get(frame).copied().unwrap_or(f64::NAN));
-    let found = notes::notes(&followed.tracks, &table, &calibration);
-    let notes: Vec<Words> = [film.notes.clone(), clock.notes.clone(), followed.notes, found].concat();
+    let found = notes::notes(&followed.tracks, &table, &calibration, &film.times);
+    let notes: Vec<Words> = [film.notes.clone(), clock.notes.clone(), followed.notes.clone(), found].concat();
+    let language = terminal.language;
     let bytes = match format(arguments) {
         TrackFormat::Csv => text(&table, &calibration).into_bytes(),
-        TrackFormat::Xlsx => workbook(path, &table, &calibration, &notes, terminal.language),
+        TrackFormat::Xlsx => workbook(path, &table, &calibration, &notes, language),
         TrackFormat::Json => {
             let found = (followed.tracks.as_slice(), &table, &calibration);
-            json::object(&film, arguments, &clock, found, &notes, terminal.language).into_bytes()
+            json::object(&film, arguments, &clock, found, &notes, language).into_bytes()
         }
     };
-    output::deliver(target, &arguments.films, &bytes)?;
-    let language = terminal.language;
+    output::deliver(targets.table.as_deref(), &arguments.films, &bytes)?;
+    if let Some(target) = &targets.report {
+        let page = report::page(&film, arguments, &clock, &followed, &notes, language);
+        output::file(target, &arguments.films, page.as_bytes())?;
+    }
     let name = if arguments.films.len() > 1 { format!("{}: ", path.display()) } else { String::new() };
     for note in &notes {
         terminal.print(&format!("{name}{}: {}\n", language.pick("note", "nota"), note.text(language)));

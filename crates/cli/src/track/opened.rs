@@ -19,6 +19,8 @@ const CHUNK: usize = 1 << 20;
 pub struct Opened {
     /// Its file.
     pub path: PathBuf,
+    /// Its size in bytes.
+    pub bytes: u64,
     /// Where its pixels come from.
     pub pixels: Pixels,
     /// Width and height of the picture as it is stored, with square pixels.
@@ -51,35 +53,37 @@ impl Opened {
     pub fn open(path: &Path) -> Result<Self, Failure> {
         let failure = |error: std::io::Error| Failure::file("read", path, &error);
         let mut file = File::open(path).map_err(failure)?;
-        if file.metadata().map_err(failure)?.is_dir() {
+        let metadata = file.metadata().map_err(failure)?;
+        if metadata.is_dir() {
             return Err(refused(path, words("it is a folder", "es una carpeta")));
         }
         let mut start = Vec::new();
         Read::by_ref(&mut file).take(Y4M.len() as u64).read_to_end(&mut start).map_err(failure)?;
         file.rewind().map_err(failure)?;
-        if start == Y4M { Self::plain(path, file) } else { Self::coded(path, file) }
+        let bytes = metadata.len();
+        if start == Y4M { Self::plain(path, file, bytes) } else { Self::coded(path, file, bytes) }
     }
 
-    fn coded(path: &Path, mut file: File) -> Result<Self, Failure> {
+    fn coded(path: &Path, mut file: File, bytes: u64) -> Result<Self, Failure> {
         let failure = |error: std::io::Error| Failure::file("read", path, &error);
-        let mut opening = Opening::new(file.metadata().map_err(failure)?.len());
+        let mut opening = Opening::new(bytes);
         let film = loop {
             match opening {
                 Opening::Done(result) => break result.map_err(|error| refused(path, error.words()))?,
                 Opening::Needs(request) => {
                     let range = request.range();
-                    let mut bytes = Vec::new();
+                    let mut part = Vec::new();
                     file.seek(SeekFrom::Start(range.start)).map_err(failure)?;
                     let wanted = range.end - range.start;
-                    Read::by_ref(&mut file).take(wanted).read_to_end(&mut bytes).map_err(failure)?;
-                    opening = request.supply(bytes);
+                    Read::by_ref(&mut file).take(wanted).read_to_end(&mut part).map_err(failure)?;
+                    opening = request.supply(part);
                 }
             }
         };
-        Ok(Self::of(path, &film))
+        Ok(Self::of(path, &film, bytes))
     }
 
-    fn of(path: &Path, film: &Film) -> Self {
+    fn of(path: &Path, film: &Film, bytes: u64) -> Self {
         let upright = film.display_size();
         let stored = film.orientation.upright_size(upright);
         let rotation = match film.orientation.quarter_turns % 4 {
@@ -93,6 +97,7 @@ impl Opened {
         notes.insert(0, words!("{coding}, {width} x {height} pixels", "{coding}, {width} x {height} píxeles"));
         Self {
             path: path.to_owned(),
+            bytes,
             pixels: Pixels::Coded,
             size: stored.map(|side| side.round() as usize),
             rotation,
@@ -105,7 +110,7 @@ impl Opened {
     }
 
     /// A Y4M film, whose frames are counted by reading it once.
-    fn plain(path: &Path, file: File) -> Result<Self, Failure> {
+    fn plain(path: &Path, file: File, bytes: u64) -> Result<Self, Failure> {
         let mut frames = Frames::new(path.to_owned(), file);
         let mut count = 0_usize;
         while frames.next()?.is_some() {
@@ -132,6 +137,7 @@ impl Opened {
         let (width, height) = (header.width, header.height);
         Ok(Self {
             path: path.to_owned(),
+            bytes,
             pixels: Pixels::Plain,
             size: [width, height],
             rotation: Rotation::None,
@@ -156,6 +162,11 @@ impl Opened {
     /// Where a point of the upright picture is in the stored one.
     pub fn stored(&self, point: [f64; 2]) -> [f64; 2] {
         self.rotation.undo(point, self.stored_size())
+    }
+
+    /// Where a point of the stored picture is in the upright one.
+    pub fn upright(&self, point: [f64; 2]) -> [f64; 2] {
+        self.rotation.apply(point, self.stored_size())
     }
 
     fn stored_size(&self) -> [f64; 2] {
@@ -201,7 +212,15 @@ impl<R: Read> Frames<R> {
 
 /// A film that is not tracked, and why.
 pub fn refused(path: &Path, why: Words) -> Failure {
+    Failure::Request { message: named(path, why), hint: None }
+}
+
+/// The same, and what to do.
+pub fn refused_with(path: &Path, why: Words, hint: Words) -> Failure {
+    Failure::in_words(named(path, why), hint)
+}
+
+fn named(path: &Path, why: Words) -> Words {
     let name = Words::same(path.display().to_string());
-    let message = words!("{name}: {why}", "{name}: {why}", name = name, why = why);
-    Failure::Request { message, hint: None }
+    words!("{name}: {why}", "{name}: {why}", name = name, why = why)
 }

@@ -1,6 +1,6 @@
 //! A project of Tracker in place of its film: what to track instead.
 
-use super::opened::refused;
+use super::opened::refused_with;
 use crate::failure::Failure;
 use analysis::tracker::{self, Film, Project};
 use std::fs::File;
@@ -29,8 +29,7 @@ pub fn refusal(path: &Path) -> Option<Failure> {
         return None;
     }
     let why = words("it is a project of Tracker, not a film", "es un proyecto de Tracker, no un vídeo");
-    let Failure::Request { message, .. } = refused(path, why) else { return None };
-    Some(Failure::Request { message, hint: Some(hint(path, project)) })
+    Some(refused_with(path, why, hint(path, project)))
 }
 
 fn hint(path: &Path, project: Option<Project>) -> Words {

@@ -22,7 +22,7 @@ impl Desk {
         self.film_changed(Kept { origin: true, offsets: false })
     }
 
-    fn calibration_of(&self, form: &CalibrationForm, plane: Option<&Plane>) -> Result<Calibration, Refusal> {
+    pub(super) fn calibration_of(&self, form: &CalibrationForm, plane: Option<&Plane>) -> Result<Calibration, Refusal> {
         let (open, work) = self.films.current().ok_or_else(|| self.no_film())?;
         let size = open.clip.size();
         let points = form.origin.iter().chain(&form.axis);

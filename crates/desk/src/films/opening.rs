@@ -67,6 +67,7 @@ impl Desk {
             reading: false,
             finished: false,
             truth: None,
+            notes: Vec::new(),
             pictures: Vec::new(),
             still: None,
         });

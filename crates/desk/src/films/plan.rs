@@ -1,10 +1,9 @@
 //! From what a person has clicked to what the tracker is to do, and from its answer to the upright picture.
 
 use crate::films::clip::Clip;
-use crate::films::space_time::SpaceTimePicture;
 use crate::films::subject::{FilmedBody, FilmedSurface, Subject};
 use crate::films::work::{Found, Work};
-use film::tracking::column::{self, Click};
+use film::tracking::column::{self, Click, SpaceTimePicture};
 use film::tracking::{Following, Known, Plan, Point, Surface, Track, body};
 use units::{Words, words};
 
@@ -77,7 +76,11 @@ pub(crate) fn found(following: &Following, clip: &Clip, factor: f64) -> Found {
 
 pub(crate) fn pictures(following: &Following, clip: &Clip) -> Vec<SpaceTimePicture> {
     let frames: Vec<usize> = following.frames().iter().map(|frame| frame.0).collect();
-    let picture = |surface| Some(SpaceTimePicture::new(&following.space_time(surface)?, frames.clone(), clip));
+    let picture = |surface| {
+        let picture = SpaceTimePicture::new(&following.space_time(surface)?, frames.clone());
+        let (origin, direction) = (clip.upright(picture.origin), clip.upright_direction(picture.direction));
+        Some(SpaceTimePicture { origin, direction, ..picture })
+    };
     (0..).map_while(picture).collect()
 }
 

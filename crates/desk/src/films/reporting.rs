@@ -1,28 +1,17 @@
-//! A film as a report shows it: what it is like, a frame with the marks of the calibration, and the space-time pictures with what was
-//! tracked and fitted.
+//! What a report of a fit says and shows of the film of a record.
 
+use crate::Desk;
 use crate::films::clip::Clip;
 use crate::films::lengths::LengthsForm;
 use crate::films::overlay::position;
 use crate::films::record::table;
-use crate::films::space_time::SpaceTimePicture;
 use crate::films::state::{Open, Still};
 use crate::films::view::work_notes;
 use crate::films::work::Work;
 use crate::fits::fit::Fitted;
-use crate::{Desk, number};
 use film::tracking::Track;
-use report::{Film, FilmPicture, FilmView};
-use units::{Words, words};
-
-/// The width of a drawing.
-const WIDTH: f64 = 720.0;
-/// The greatest height of a space-time picture.
-const HIGHEST: f64 = 320.0;
-/// And that of a frame.
-const HIGHEST_FRAME: f64 = 480.0;
-/// Pixels of a picture, at most: half a byte each, so that all pictures of a film together weigh less than 200 kB.
-const MOST_PIXELS: f64 = 80_000.0;
+use report::{Film, FilmFile, FilmPicture, Frame};
+use units::Words;
 
 impl Desk {
     /// The films from which the records of a fit come. Pictures are there of the film that is open, once it was tracked since it was
@@ -36,13 +25,12 @@ impl Desk {
     pub(crate) fn film_described(&self, record: u32) -> Option<Film> {
         let work = self.films.of_record(record)?;
         let clip = self.open_of(work).map(|open| &open.clip);
-        let say = |words: &Words| words.text(self.play.language()).to_owned();
-        let sentence = |words: &Words| play::words::sentence(&say(words));
-        let facts = facts(clip, work, &|value, digits| self.number(value, digits));
+        let language = self.play.language();
+        let sentence = |words: &Words| units::sentence(words.text(language));
         let times = clip.map(Clip::notes).unwrap_or_default();
         Some(Film {
             name: work.identity.name.clone(),
-            facts: facts.iter().map(|(term, value)| (say(term), value.clone())).collect(),
+            facts: file(clip, work).facts(language),
             notes: times.iter().chain(&work_notes(work)).map(sentence).collect(),
             pictures: Vec::new(),
         })
@@ -60,37 +48,39 @@ impl Desk {
         let tracks = work.tracks();
         let fitted: Vec<Vec<(usize, [f64; 2])>> =
             (0..tracks.len()).map(|track| fitted(fit, place, work, &tracks, track).unwrap_or_default()).collect();
-        film.pictures.extend(open.still.as_ref().map(|still| frame(still, open, work, &tracks, &fitted)));
+        let frame = |still: &Still| {
+            FilmPicture::frame(&Frame {
+                number: still.frame,
+                size: open.clip.size(),
+                grey: &|point| {
+                    let [x, y] = open.clip.stored(point);
+                    still.plane.linear(x, y)
+                },
+                tracks: &tracks,
+                fitted: &fitted,
+                marks: &marks(work),
+            })
+        };
+        film.pictures.extend(open.still.as_ref().map(frame));
         let strips = open.pictures.iter().zip(&tracks).zip(&fitted);
-        film.pictures.extend(strips.map(|((picture, track), fitted)| space_time(picture, track, fitted)));
+        film.pictures.extend(strips.map(|((picture, track), fitted)| FilmPicture::space_time(picture, track, fitted)));
         Some(film)
-    }
-
-    fn number(&self, value: f64, digits: usize) -> String {
-        number::plain(value, digits, self.play.style())
     }
 }
 
-/// Size, length, frames.
-fn facts(clip: Option<&Clip>, work: &Work, plain: &dyn Fn(f64, usize) -> String) -> Vec<(Words, String)> {
-    let mut facts = Vec::new();
-    if let Some(clip) = clip {
-        let [width, height] = clip.size();
-        facts.push((words("Picture", "Imagen"), format!("{width} × {height} px")));
-        if let (Some(first), Some(last), Some(rate)) = (clip.times().first(), clip.times().last(), clip.rate()) {
-            let frames = clip.times().len();
-            let length = plain(last - first, 4);
-            facts.push((words("Frames", "Fotogramas"), format!("{frames}, {} /s, {length} s", plain(rate, 5))));
-        }
+/// The file, and by what its lengths are known.
+fn file(clip: Option<&Clip>, work: &Work) -> FilmFile {
+    FilmFile {
+        size: clip.map(Clip::size),
+        times: clip.map(|clip| clip.times().to_vec()).unwrap_or_default(),
+        rate: clip.and_then(Clip::rate),
+        bytes: work.identity.size,
+        calibrated_by: match &work.form.lengths {
+            LengthsForm::Pixels => None,
+            LengthsForm::Ruler { length, .. } => Some(length.clone()),
+            LengthsForm::Rectangle { size: [width, height], .. } => Some(format!("{width} × {height}")),
+        },
     }
-    facts.push((words("File", "Archivo"), format!("{} MB", plain(work.identity.size as f64 / 1e6, 3))));
-    let length = match &work.form.lengths {
-        LengthsForm::Pixels => None,
-        LengthsForm::Ruler { length, .. } => Some(length.clone()),
-        LengthsForm::Rectangle { size: [width, height], .. } => Some(format!("{width} × {height}")),
-    };
-    facts.extend(length.map(|length| (words("Calibrated by", "Calibrado con"), length)));
-    facts
 }
 
 /// Where the fitted curve is in the frames of a track, in pixels of the upright picture.
@@ -118,77 +108,13 @@ fn fitted(fit: &Fitted, place: usize, work: &Work, tracks: &[Track], track: usiz
     Some(curve.collect())
 }
 
-/// The frame that was clicked, with the marks of the calibration and the paths.
-fn frame(still: &Still, open: &Open, work: &Work, tracks: &[Track], fitted: &[Vec<(usize, [f64; 2])>]) -> FilmPicture {
-    let [width, height] = open.clip.size();
-    let scale = (WIDTH / width).min(HIGHEST_FRAME / height);
-    let shrink = (width * height / MOST_PIXELS).sqrt().max(1.0);
-    let pixels = [width, height].map(|side| ((side / shrink) as usize).max(1));
-    let value = |x: f64, y: f64| {
-        let [x, y] = open.clip.stored([x, y]);
-        still.plane.linear(x, y)
-    };
-    let drawn = |point: &[f64; 2]| point.map(|part| part * scale);
-    let mut marks: Vec<Vec<[f64; 2]>> = match &work.form.lengths {
+/// The marks of the calibration: the ruler or the rectangle, and the point that becomes zero.
+fn marks(work: &Work) -> Vec<Vec<[f64; 2]>> {
+    let mut marks = match &work.form.lengths {
         LengthsForm::Pixels => Vec::new(),
-        LengthsForm::Ruler { marks, .. } => vec![marks.iter().map(drawn).collect()],
-        LengthsForm::Rectangle { corners, .. } => {
-            vec![corners.iter().chain(&corners[..1]).map(drawn).collect()]
-        }
+        LengthsForm::Ruler { marks, .. } => vec![marks.to_vec()],
+        LengthsForm::Rectangle { corners, .. } => vec![corners.iter().chain(&corners[..1]).copied().collect()],
     };
-    marks.extend(work.form.origin.iter().map(|origin| vec![drawn(origin)]));
-    let path = |track: &Track| track.points.iter().map(|point| drawn(&point.position)).collect();
-    FilmPicture {
-        view: FilmView::Frame(still.frame),
-        pixels,
-        grey: averaged(pixels, [width, height], &value),
-        size: [width * scale, height * scale],
-        tracked: tracks.iter().map(path).collect(),
-        fitted: fitted.iter().map(|curve| curve.iter().map(|(_, point)| drawn(point)).collect()).collect(),
-        marks,
-    }
-}
-
-/// A space-time picture with the path and the fitted curve.
-fn space_time(picture: &SpaceTimePicture, track: &Track, fitted: &[(usize, [f64; 2])]) -> FilmPicture {
-    let size = [picture.frames.len().max(1) as f64, picture.rows.max(1) as f64];
-    let drawing = [WIDTH, (WIDTH * size[1] / size[0]).clamp(160.0, HIGHEST)];
-    let shrink = (size[0] * size[1] / MOST_PIXELS).sqrt().max(1.0);
-    let pixels = size.map(|side| ((side / shrink) as usize).max(1));
-    let columns = picture.frames.len();
-    let value = |x: f64, y: f64| {
-        let at =
-            (y as usize).min(picture.rows.saturating_sub(1)) * columns + (x as usize).min(columns.saturating_sub(1));
-        f64::from(picture.grey.get(at).copied().unwrap_or(0))
-    };
-    let drawn = |(frame, point): (usize, [f64; 2])| {
-        let column = picture.column_of(frame)? as f64;
-        let row = picture.row_of(point);
-        Some([(column + 0.5) / size[0] * drawing[0], (row + 0.5) / size[1] * drawing[1]])
-    };
-    FilmPicture {
-        view: FilmView::SpaceTime,
-        pixels,
-        grey: averaged(pixels, size, &value),
-        size: drawing,
-        tracked: vec![track.points.iter().filter_map(|point| drawn((point.frame, point.position))).collect()],
-        fitted: vec![fitted.iter().copied().filter_map(drawn).collect()],
-        marks: Vec::new(),
-    }
-}
-
-/// A smaller picture of `pixels`: each is the mean of nine points of the picture of this size.
-fn averaged([columns, rows]: [usize; 2], [width, height]: [f64; 2], value: &dyn Fn(f64, f64) -> f64) -> Vec<u8> {
-    let [across, down] = [width / columns as f64, height / rows as f64];
-    let mut grey = Vec::with_capacity(columns * rows);
-    for row in 0..rows {
-        for column in 0..columns {
-            let points = (0..9).map(|k| {
-                let [u, v] = [k % 3, k / 3].map(|part| (f64::from(part) + 0.5) / 3.0);
-                value((column as f64 + u) * across, (row as f64 + v) * down)
-            });
-            grey.push((points.sum::<f64>() / 9.0).round() as u8);
-        }
-    }
-    grey
+    marks.extend(work.form.origin.iter().map(|origin| vec![*origin]));
+    marks
 }

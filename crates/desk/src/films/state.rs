@@ -1,17 +1,21 @@
 //! The films of a desk.
 
 use crate::films::clip::Clip;
-use crate::films::space_time::SpaceTimePicture;
+use crate::films::project::ProjectFilm;
 use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
 use film::Plane;
 use film::tracking::Following;
+use film::tracking::column::SpaceTimePicture;
+use units::Words;
 
 /// All films that a person has worked on, and the one that is open.
 #[derive(Debug, Default)]
 pub(crate) struct Films {
     pub works: Vec<Work>,
     pub open: Option<Open>,
+    /// The film in the archive of a project that has become a record, until it is taken.
+    pub project: Option<ProjectFilm>,
 }
 
 /// The film that is open.
@@ -30,6 +34,8 @@ pub(crate) struct Open {
     pub finished: bool,
     /// What is known of a filmed simulation.
     pub truth: Option<FilmTruth>,
+    /// What a person should know of the project of Tracker by which it was opened.
+    pub notes: Vec<Words>,
     /// The space-time picture of each surface.
     pub pictures: Vec<SpaceTimePicture>,
     /// The first frame that was tracked, for reports.

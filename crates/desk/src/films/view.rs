@@ -6,14 +6,14 @@ use crate::films::identity::FilmIdentity;
 use crate::films::lengths::CalibrationForm;
 use crate::films::recipe::FilmRecipe;
 use crate::films::record::table;
-use crate::films::space_time::SpaceTimePicture;
 use crate::films::state::Open;
 use crate::films::subject::Subject;
 use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
 use crate::{Desk, number};
-use film::calibration::{Calibration, Lengths};
-use film::tracking::{Exposure, Track};
+use film::calibration::Calibration;
+use film::tracking::Track;
+use film::tracking::column::SpaceTimePicture;
 use units::{Words, words};
 
 /// The film that is open, and the work on it.
@@ -32,7 +32,7 @@ impl Desk {
     /// What a person should know of the open film: file, times, camera, scale, in sentences of the chosen language.
     pub fn film_notes(&self) -> Vec<String> {
         let Some(film) = self.film() else { return Vec::new() };
-        let sentence = |words: Words| play::words::sentence(words.text(self.play.language()));
+        let sentence = |words: Words| units::sentence(words.text(self.play.language()));
         film.notes().into_iter().map(sentence).collect()
     }
 
@@ -138,7 +138,8 @@ impl<'a> OpenFilm<'a> {
     }
 
     fn notes(self) -> Vec<Words> {
-        let mut notes = self.open.clip.notes();
+        let mut notes = self.open.notes.clone();
+        notes.extend(self.open.clip.notes());
         notes.extend(match (self.work.factor, self.open.clip.slow_motion()) {
             (None, found) => found.map(|found| found.words()),
             (Some(factor), _) => Some(words!(
@@ -181,66 +182,13 @@ pub(super) fn work_notes(work: &Work) -> Vec<Words> {
         ));
     }
     // Both arms are seen by one camera: what they agree on is said once.
-    for note in work.tracks().iter().flat_map(of_camera) {
+    for note in work.tracks().iter().flat_map(Track::camera) {
         if !notes.contains(&note) {
             notes.push(note);
         }
     }
-    notes.extend(of_lengths(&work.calibration));
+    notes.extend(work.calibration.notes());
     notes
-}
-
-/// Exposure and readout of the camera, where a track shows them.
-fn of_camera(track: &Track) -> Vec<Words> {
-    let exposure = track.exposure.map(|exposure| match exposure {
-        Exposure::Seconds(seconds) => {
-            words!("exposure: {ms} ms", "exposición: {ms} ms", ms = milliseconds(seconds))
-        }
-        Exposure::Under(seconds) => words!(
-            "exposure: under {ms} ms, too short to smear the picture",
-            "exposición: menos de {ms} ms, demasiado corta para emborronar la imagen",
-            ms = milliseconds(seconds)
-        ),
-    });
-    let readout = track.readout.map(|readout| {
-        words!(
-            "rolling shutter: {ms} ± {sigma} ms from the first row to the last; times are corrected for it",
-            "obturador rodante: {ms} ± {sigma} ms de la primera fila a la última; los tiempos están corregidos",
-            ms = milliseconds(readout.seconds),
-            sigma = milliseconds(readout.sigma)
-        )
-    });
-    exposure.into_iter().chain(readout).collect()
-}
-
-/// The size of a pixel and the error that all lengths share.
-fn of_lengths(calibration: &Calibration) -> Vec<Words> {
-    let sigma = calibration.relative_sigma().map(|sigma| significant(100.0 * sigma, 2));
-    let scale = match (&calibration.lengths, sigma) {
-        (Lengths::Scale(scale), Some(sigma)) => words!(
-            "scale: a pixel is {pixel} mm, with a standard error of {sigma} % that all lengths share",
-            "escala: un píxel mide {pixel} mm, con un error estándar del {sigma} % común a todas las longitudes",
-            pixel = significant(1e3 * scale.pixel, 4),
-            sigma = sigma
-        ),
-        (Lengths::Rectangle(_), Some(sigma)) => words!(
-            "scale by a rectangle, with a standard error of {sigma} % that all lengths share",
-            "escala por un rectángulo, con un error estándar del {sigma} % común a todas las longitudes",
-            sigma = sigma
-        ),
-        _ => words(
-            "no scale: positions are in pixels. Mark a length to compare them with the model",
-            "sin escala: las posiciones están en píxeles. Marca una longitud para compararlas con el modelo",
-        ),
-    };
-    let parallax = calibration.parallax.filter(|_| calibration.relative_sigma().is_some()).map(|parallax| {
-        words!(
-            "lengths are multiplied by {factor}: the ruler is not where the motion is",
-            "las longitudes se multiplican por {factor}: la regla no está donde el movimiento",
-            factor = significant(parallax.factor(), 5)
-        )
-    });
-    std::iter::once(scale).chain(parallax).collect()
 }
 
 fn milliseconds(seconds: f64) -> Words {

@@ -1,15 +1,16 @@
 //! A file on its way to become a record: read and inspected in slices, so that the page never stands still.
 
+use crate::films::ProjectFilm;
 use crate::records::incoming::{Intake, Stage};
 use crate::records::record::{LONGEST_SAVED, LONGEST_TEXT, Record};
 use crate::records::runs;
-use crate::words::sentence;
 use crate::{Announcement, Desk, LONGEST_RECORD, MOST_RECORDS, Refusal};
 use analysis::finding::Finding;
 use analysis::inspection::{Inspection, Inspector, doubtful_times, inspect};
 use analysis::reading::{self, Contents, Reading, ReadingError};
 use std::collections::BTreeMap;
 use units::Language;
+use units::sentence;
 
 /// How far a file has been read.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,12 +111,15 @@ impl Desk {
     pub(crate) fn take_contents(
         &mut self,
         name: &str,
-        contents: Contents,
+        mut contents: Contents,
         inspection: Inspection,
     ) -> Result<u32, Refusal> {
         let runs = runs::texts(&contents.import.table);
         if runs.is_empty() {
-            return Ok(self.take_record(name, contents, inspection, None));
+            let project = contents.project.take();
+            let id = self.take_record(name, contents, inspection, None);
+            self.films.project = project.and_then(|project| ProjectFilm::new(id, project));
+            return Ok(id);
         }
         if self.data.records.len() + runs.len() > MOST_RECORDS {
             return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
@@ -132,7 +136,7 @@ impl Desk {
     pub(crate) fn take_record(
         &mut self,
         name: &str,
-        Contents { import, text }: Contents,
+        Contents { import, text, .. }: Contents,
         inspection: Inspection,
         truth: Option<Vec<(String, f64)>>,
     ) -> u32 {

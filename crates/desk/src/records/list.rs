@@ -3,8 +3,8 @@
 use crate::records::derived::differentiation;
 use crate::records::record::{Record, Use};
 use crate::removed::Removed;
-use crate::words::sentence;
 use crate::{Announcement, Desk, number};
+use units::sentence;
 
 /// A record in the list.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,5 +1,6 @@
 //! From pixels to metres.
 
+mod notes;
 mod rectangle;
 mod refusal;
 mod ruler;

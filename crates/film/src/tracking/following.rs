@@ -24,6 +24,23 @@ pub struct Plan {
     pub frames: Vec<(usize, f64)>,
 }
 
+impl Plan {
+    /// Moves clicks in frames that repeat the picture before, by their places among the frames, to the frame with that picture.
+    fn move_clicks(&mut self, repeated: &[usize]) {
+        let kept = |click: &mut Click| {
+            let Ok(mut place) = self.frames.binary_search_by_key(&click.frame, |frame| frame.0) else { return };
+            while place > 0 && repeated.binary_search(&place).is_ok() {
+                place -= 1;
+            }
+            click.frame = self.frames.get(place).map_or(click.frame, |frame| frame.0);
+        };
+        for surface in &mut self.surfaces {
+            std::iter::once(&mut surface.settings.click).chain(&mut surface.anchors).for_each(kept);
+        }
+        self.bodies.iter_mut().flat_map(|body| &mut body.keys).for_each(kept);
+    }
+}
+
 /// A surface with the frames in which a person has said where it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
@@ -131,6 +148,7 @@ impl Following {
         let places = repeats(&self.pass.differences);
         let repeated = places.iter().filter_map(|place| Some(self.plan.frames.get(*place)?.0)).collect();
         if !places.is_empty() {
+            self.plan.move_clicks(&places);
             let mut place = 0..;
             self.plan.frames.retain(|_| place.next().is_none_or(|place| places.binary_search(&place).is_err()));
             self.pass = Pass::new(&self.plan)?;

@@ -1,5 +1,8 @@
 //! What tracking finds.
 
+use units::number::fixed;
+use units::{Words, words};
+
 /// Where something is in one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
@@ -31,6 +34,36 @@ pub struct Track {
     pub direction: Option<[f64; 2]>,
     /// The first frame in which a body was lost; tracking ends before it.
     pub lost: Option<usize>,
+}
+
+impl Track {
+    /// What a person should know of the camera, as far as the track shows it.
+    pub fn camera(&self) -> Vec<Words> {
+        let exposure = self.exposure.map(|exposure| match exposure {
+            Exposure::Seconds(seconds) => {
+                words!("exposure: {ms} ms", "exposición: {ms} ms", ms = milliseconds(seconds))
+            }
+            Exposure::Under(seconds) => words!(
+                "exposure: under {ms} ms, too short to smear the picture",
+                "exposición: menos de {ms} ms, demasiado corta para emborronar la imagen",
+                ms = milliseconds(seconds)
+            ),
+        });
+        // One that was stated has no error, and whoever has stated it knows it.
+        let readout = self.readout.filter(|readout| readout.sigma > 0.0).map(|readout| {
+            words!(
+                "rolling shutter: {ms} ± {sigma} ms from the first row to the last; times are corrected for it",
+                "obturador rodante: {ms} ± {sigma} ms de la primera fila a la última; los tiempos están corregidos",
+                ms = milliseconds(readout.seconds),
+                sigma = milliseconds(readout.sigma)
+            )
+        });
+        exposure.into_iter().chain(readout).collect()
+    }
+}
+
+fn milliseconds(seconds: f64) -> Words {
+    Words::each(|language| fixed(1e3 * seconds, 1, language.style()))
 }
 
 /// The exposure time that was found.

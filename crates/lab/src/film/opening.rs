@@ -7,8 +7,9 @@ use super::refusals::said;
 use super::{frames, tracking, words};
 use crate::app::App;
 use crate::tabs;
-use desk::{FilmIdentity, FilmOpening, FilmRecipe, FilmTruth, LengthsForm};
+use desk::{Desk, FilmIdentity, FilmOpening, FilmRecipe, FilmTruth, LengthsForm, Refusal};
 use film::Plane;
+use film::containers::Film;
 use std::rc::Rc;
 use view::browser;
 use view::views::*;
@@ -44,7 +45,7 @@ pub fn open(app: App, file: File) {
     app.films.opening.set(Some(name.clone()));
     app.tab.set(tabs::MEASURE);
     wasm_bindgen_futures::spawn_local(async move {
-        let opened = take(app, file).await;
+        let opened = take(app, file, Desk::open_film).await;
         app.films.opening.set(None);
         let words = words::of(app);
         match opened {
@@ -56,14 +57,18 @@ pub fn open(app: App, file: File) {
     });
 }
 
-async fn take(app: App, file: File) -> Result<FilmOpening, String> {
+/// Opens a film by what the desk does with its identity and what its file says. Why that was not possible, in words.
+pub async fn take(
+    app: App,
+    file: File,
+    open: impl FnOnce(&mut Desk, FilmIdentity, Film) -> Result<FilmOpening, Refusal>,
+) -> Result<FilmOpening, String> {
     let source = Source::open(file).await.map_err(|trouble| said(app, &trouble))?;
     let start = source.beginning().await.map_err(|trouble| said(app, &trouble))?;
     let identity = FilmIdentity::new(&source.name(), source.bytes(), &start);
     let container = source.film.clone();
     let player = Player::new(Rc::new(source)).ok_or_else(|| said(app, &Trouble::Unreadable))?;
-    let opened =
-        app.act_on_desk(|desk| Some(desk.open_film(identity, container).map_err(|why| desk.refusal_text(&why))));
+    let opened = app.act_on_desk(|desk| Some(open(desk, identity, container).map_err(|why| desk.refusal_text(&why))));
     let opening = opened.unwrap_or_else(|| Err(said(app, &Trouble::Closed)))?;
     show(app, player, opening);
     Ok(opening)

@@ -13,6 +13,9 @@ table_of_words! {
     no_document: "A film needs a document that runs. Open one from the list of documents first", "Un vídeo necesita un documento que funcione. Abre primero uno de la lista de documentos";
     taken_up: "This film is known: the work on it goes on", "Este vídeo ya se conoce: se retoma el trabajo";
     same_name: "Another film has the same name; the work on that one is kept apart", "Otro vídeo tiene el mismo nombre; el trabajo con aquel se conserva aparte";
+    project_film_not_opened: "The positions of the project are a record; its film was not opened:", "Las posiciones del proyecto son un registro; no se abrió su vídeo:";
+    project_film_opened: "The film of the project is open, with its positions and its scale. Times are now those of the film's frames", "El vídeo del proyecto está abierto, con sus posiciones y su escala. Los tiempos son ahora los de los fotogramas del vídeo";
+    unpacked_too_large: "it is too large to be unpacked here; unpack the project and open the film itself", "es demasiado grande para descomprimirlo aquí; descomprime el proyecto y abre el vídeo mismo";
     opening: "Opening", "Abriendo";
     frames: "frames", "fotogramas";
     frame: "frame", "fotograma";

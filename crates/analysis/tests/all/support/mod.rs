@@ -4,23 +4,20 @@ pub mod fitting;
 pub mod packed;
 
 use std::path::Path;
+use units::split_mix::SplitMix64;
 
-/// Random numbers that are the same in every run: Steele's SplitMix64.
+/// Random numbers that are the same in every run.
 #[derive(Debug)]
-pub struct Noise(u64);
+pub struct Noise(SplitMix64);
 
 impl Noise {
     pub fn new(seed: u64) -> Self {
-        Self(seed)
+        Self(SplitMix64::new(seed))
     }
 
     /// Between 0 and 1, neither included.
     pub fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        (((bits ^ (bits >> 31)) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+        ((self.0.bits() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
     }
 
     /// Of mean 0 and standard deviation 1, by Box and Muller.

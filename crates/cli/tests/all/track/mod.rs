@@ -3,6 +3,8 @@
 // A shell script stands for `ffmpeg` there.
 #[cfg(unix)]
 mod decoders;
+mod keys;
+mod reports;
 mod scenes;
 
 use crate::common::{Done, meniscus, numbers};
@@ -111,7 +113,8 @@ fn a_body_is_followed_until_it_is_lost() {
     let done = track(&film, &["--body", "30,100"]);
     assert_eq!(done.code, 0, "{}", done.stderr);
     assert!(done.stdout.starts_with("t [s],x [px],y [px],sigma_x [px],sigma_y [px]\r\n"), "{}", done.stdout);
-    assert!(done.stderr.contains("lost from frame 60 on"), "{}", done.stderr);
+    assert!(done.stderr.contains("lost from frame 60 on (counted from 0; 2.000 s of the film)"), "{}", done.stderr);
+    assert!(done.stderr.contains("later frames have no row"), "{}", done.stderr);
     let rows = numbers(&done.stdout);
     assert_eq!(rows.len(), 60);
     for (value, truth) in [(1, (|t| 30.0 * t) as fn(f64) -> f64), (2, |t| 45.0 * t - 15.0 * t * t)] {
@@ -176,7 +179,7 @@ fn json_holds_settings_notes_and_scores() {
     let number = |value: &serde_json::Value| value.as_f64().expect("a number");
     assert_eq!((&json["unit"], &json["frames"]), (&"m".into(), &90.into()));
     assert!((number(&json["scale"]["metres_per_pixel"]) - 0.002).abs() < 1e-12);
-    assert_eq!(json["settings"]["surfaces"][0][1], 42.0);
+    assert_eq!(json["settings"]["surfaces"][0]["position"][1], 42.0);
     assert!(json["notes"].to_string().contains("30.00 frames/s"), "{json}");
     let points = json["tracks"][0]["points"].as_array().expect("points");
     assert_eq!((points.len(), &points[7]["frame"], &points[7]["doubtful"]), (90, &7.into(), &false.into()));

@@ -1,6 +1,8 @@
 //! Films in the laboratory: from pictures to a record, a fit, and the work at the next visit.
 
+mod bodies;
 mod filmed;
+mod projects;
 mod records;
 mod scene;
 mod work;

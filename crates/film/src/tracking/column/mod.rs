@@ -8,6 +8,7 @@ mod bore;
 mod exposure;
 mod path;
 mod pattern;
+mod picture;
 mod solving;
 mod strip;
 
@@ -18,6 +19,7 @@ use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{Known, Point, Readout, Track};
 use bore::Changes;
+pub use picture::SpaceTimePicture;
 use solving::{Solving, Task};
 use strip::{Grid, Line, Strip};
 

@@ -1,7 +1,6 @@
 //! The space-time picture of a surface: a strip along the tube from every frame, side by side.
 
-use crate::films::clip::Clip;
-use film::tracking::column::SpaceTime;
+use crate::tracking::column::SpaceTime;
 
 /// The space-time picture of a surface, to be painted: time to the right, the tube downwards.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +13,7 @@ pub struct SpaceTimePicture {
     pub rows: usize,
     /// Grey values, row by row: one for each frame.
     pub grey: Vec<u8>,
-    /// The point of the upright picture that the first row shows.
+    /// The point of the film's picture that the first row shows.
     pub origin: [f64; 2],
     /// Along the tube, of length 1: from one row to the next.
     pub direction: [f64; 2],
@@ -23,8 +22,8 @@ pub struct SpaceTimePicture {
 }
 
 impl SpaceTimePicture {
-    /// Of frames in this order.
-    pub(crate) fn new(picture: &SpaceTime, frames: Vec<usize>, clip: &Clip) -> Self {
+    /// Of frames in this order; in pixels of the stored picture.
+    pub fn new(picture: &SpaceTime, frames: Vec<usize>) -> Self {
         let rows = picture.columns.iter().map(Vec::len).min().unwrap_or(0);
         let count = frames.len();
         let grey =
@@ -35,8 +34,8 @@ impl SpaceTimePicture {
             read: picture.columns.len().min(count),
             rows,
             grey: (0..rows).flat_map(value).collect(),
-            origin: clip.upright(picture.origin),
-            direction: clip.upright_direction(picture.direction),
+            origin: picture.origin,
+            direction: picture.direction,
             bore: picture.bore,
         }
     }

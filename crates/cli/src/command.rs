@@ -1,0 +1,15 @@
+//! The command that a person has typed, for reports that say how to repeat them.
+
+/// The command as it was typed, as far as a shell needs quotes.
+pub fn typed() -> String {
+    let mut words = vec!["meniscus".to_owned()];
+    for word in std::env::args().skip(1) {
+        let plain = |c: char| c.is_alphanumeric() || "-_=.,/+:@%".contains(c);
+        words.push(if word.chars().all(plain) && !word.is_empty() {
+            word
+        } else {
+            format!("'{}'", word.replace('\'', "'\\''"))
+        });
+    }
+    words.join(" ")
+}

@@ -1,0 +1,42 @@
+//! The report of a film that was tracked: a page of its own, without a fit.
+
+use super::{Film, section};
+use crate::markup::{self, Page, escaped};
+use crate::page::footer;
+use units::Language;
+
+/// A tracked film and where it comes from.
+#[derive(Clone, Copy, Debug)]
+pub struct TrackReport<'a> {
+    /// The film with its pictures.
+    pub film: &'a Film,
+    /// The language of the report.
+    pub language: Language,
+    /// The command that repeats it; may be empty.
+    pub command: &'a str,
+    /// The version of the program.
+    pub version: &'a str,
+    /// When it was made, as it is to be read; may be empty.
+    pub date: &'a str,
+}
+
+/// The report as one self-contained HTML page.
+pub fn film_html(report: &TrackReport<'_>) -> String {
+    let (language, film) = (report.language, report.film);
+    let mut page = Page::default();
+    page.raw("<header>\n");
+    page.element("p class=\"kicker\"", language.pick("Positions tracked in a film", "Posiciones seguidas en un vídeo"));
+    page.element("h1", &film.name);
+    if !report.date.is_empty() {
+        page.element("p class=\"meta\"", report.date);
+    }
+    page.raw("</header>\n");
+    page.heading(language.pick("The film", "El vídeo"));
+    section::contents(&mut page, film, language);
+    if !report.command.is_empty() {
+        page.heading(language.pick("To repeat this", "Para repetirlo"));
+        page.wrapped("pre tabindex=\"0\"", &escaped(report.command));
+    }
+    footer(&mut page, language, report.version, report.date);
+    markup::document(&film.name, language.tag(), report.version, &page.out)
+}

@@ -1,0 +1,100 @@
+//! The pictures of a film: a frame with the marks of the calibration, and space-time pictures with what was tracked and fitted.
+
+use super::{FilmPicture, FilmView};
+use film::tracking::Track;
+use film::tracking::column::SpaceTimePicture;
+
+/// The width of a drawing.
+const WIDTH: f64 = 720.0;
+/// The greatest height of a space-time picture.
+const HIGHEST: f64 = 320.0;
+/// And that of a frame.
+const HIGHEST_FRAME: f64 = 480.0;
+/// Pixels of a picture, at most: half a byte each, so that all pictures of a film together weigh less than 200 kB.
+const MOST_PIXELS: f64 = 80_000.0;
+
+/// The points of a curve in the frames of a film, in pixels.
+type Curve = [(usize, [f64; 2])];
+
+/// A frame and what is drawn over it, in pixels of the upright picture.
+pub struct Frame<'a> {
+    /// Its number from 0.
+    pub number: usize,
+    /// Width and height of the picture.
+    pub size: [f64; 2],
+    /// The grey value at a point, from 0 to 255.
+    pub grey: &'a dyn Fn([f64; 2]) -> f64,
+    /// What was tracked.
+    pub tracks: &'a [Track],
+    /// The fitted curves.
+    pub fitted: &'a [Vec<(usize, [f64; 2])>],
+    /// The marks of the calibration: a line between two or more, or a single point.
+    pub marks: &'a [Vec<[f64; 2]>],
+}
+
+impl FilmPicture {
+    /// A frame with the marks of the calibration and the paths.
+    pub fn frame(frame: &Frame<'_>) -> Self {
+        let [width, height] = frame.size;
+        let scale = (WIDTH / width).min(HIGHEST_FRAME / height);
+        let shrink = (width * height / MOST_PIXELS).sqrt().max(1.0);
+        let pixels = [width, height].map(|side| ((side / shrink) as usize).max(1));
+        let drawn = |point: &[f64; 2]| point.map(|part| part * scale);
+        let path = |track: &Track| track.points.iter().map(|point| drawn(&point.position)).collect();
+        let curve = |curve: &Vec<(usize, [f64; 2])>| curve.iter().map(|(_, point)| drawn(point)).collect();
+        Self {
+            view: FilmView::Frame(frame.number),
+            pixels,
+            grey: averaged(pixels, frame.size, frame.grey),
+            size: [width * scale, height * scale],
+            tracked: frame.tracks.iter().map(path).collect(),
+            fitted: frame.fitted.iter().filter(|curve| !curve.is_empty()).map(curve).collect(),
+            marks: frame.marks.iter().map(|line| line.iter().map(drawn).collect()).collect(),
+        }
+    }
+
+    /// A space-time picture with the path, and the fitted curve if there is one, in the pixels of the picture.
+    pub fn space_time(picture: &SpaceTimePicture, track: &Track, fitted: &Curve) -> Self {
+        let size = [picture.frames.len().max(1) as f64, picture.rows.max(1) as f64];
+        let drawing = [WIDTH, (WIDTH * size[1] / size[0]).clamp(160.0, HIGHEST)];
+        let shrink = (size[0] * size[1] / MOST_PIXELS).sqrt().max(1.0);
+        let pixels = size.map(|side| ((side / shrink) as usize).max(1));
+        let columns = picture.frames.len();
+        let value = |[x, y]: [f64; 2]| {
+            let row = (y as usize).min(picture.rows.saturating_sub(1));
+            let at = row * columns + (x as usize).min(columns.saturating_sub(1));
+            f64::from(picture.grey.get(at).copied().unwrap_or(0))
+        };
+        let drawn = |(frame, point): (usize, [f64; 2])| {
+            let column = picture.column_of(frame)? as f64;
+            let row = picture.row_of(point);
+            Some([(column + 0.5) / size[0] * drawing[0], (row + 0.5) / size[1] * drawing[1]])
+        };
+        let fitted: Vec<[f64; 2]> = fitted.iter().copied().filter_map(drawn).collect();
+        Self {
+            view: FilmView::SpaceTime,
+            pixels,
+            grey: averaged(pixels, size, &value),
+            size: drawing,
+            tracked: vec![track.points.iter().filter_map(|point| drawn((point.frame, point.position))).collect()],
+            fitted: if fitted.is_empty() { Vec::new() } else { vec![fitted] },
+            marks: Vec::new(),
+        }
+    }
+}
+
+/// A smaller picture of `pixels`: each is the mean of nine points of the picture of this size.
+fn averaged([columns, rows]: [usize; 2], [width, height]: [f64; 2], value: &dyn Fn([f64; 2]) -> f64) -> Vec<u8> {
+    let [across, down] = [width / columns as f64, height / rows as f64];
+    let mut grey = Vec::with_capacity(columns * rows);
+    for row in 0..rows {
+        for column in 0..columns {
+            let points = (0..9).map(|k| {
+                let [u, v] = [k % 3, k / 3].map(|part| (f64::from(part) + 0.5) / 3.0);
+                value([(column as f64 + u) * across, (row as f64 + v) * down])
+            });
+            grey.push((points.sum::<f64>() / 9.0).round() as u8);
+        }
+    }
+    grey
+}

@@ -283,7 +283,7 @@ fn located(text: &str) -> Vec<Option<document::drawing::Located>> {
 
 #[test]
 fn grips_stand_where_the_picture_has_them() {
-    let near = |one: [f64; 2], other: [f64; 2]| (one[0] - other[0]).hypot(one[1] - other[1]) < 1e-9;
+    let near = |one: [f64; 2], other: [f64; 2]| libm::hypot(one[0] - other[0], one[1] - other[1]) < 1e-9;
     let cases = [
         ("<spring from=\"(0, 5 [cm])\" to=\"(a, y)\"/>", Grip::Beginning, [200.0, 100.0]),
         ("<spring from=\"(0, 5 [cm])\" to=\"(a, y)\"/>", Grip::End, [220.0, 130.0]),
@@ -341,7 +341,7 @@ fn grips_of_the_gallery_follow_the_hand() {
                 let place = after.locate(number, &values(&after)).unwrap();
                 let (_, now) = place.grips.iter().find(|(one, _)| one == grip).unwrap();
                 let up = if item.framed { -8.0 } else { 8.0 };
-                let away = (now[0] - at[0] - 8.0).hypot(now[1] - at[1] - up);
+                let away = libm::hypot(now[0] - at[0] - 8.0, now[1] - at[1] - up);
                 assert!(away < 1e-3, "{text}: {} {grip:?} {at:?} {now:?}", item.kind.name);
                 moved += 1;
             }

@@ -2,12 +2,15 @@
 
 use super::{Hand, acts, layers, words};
 use crate::write::{Panel, findings, panels, typing};
-use document::drawing::{Axis, Item, draggable, followed, follows, shows_text};
+use document::drawing::{Axis, Item, Part, draggable, followed, follows, shows_text};
 use view::views::*;
 use web_sys::HtmlInputElement;
 
 /// What every element may have besides.
 const COMMON: [&str; 4] = ["visible", "fill", "stroke", "stroke-width"];
+/// Coordinates and lengths as SVG has them, and what moves or repeats the whole.
+const PLAIN: [&str; 14] =
+    ["x", "y", "width", "height", "cx", "cy", "x1", "y1", "x2", "y2", "rx", "ry", "transform", "repeat"];
 /// The attributes that are points.
 const POINTS: [&str; 3] = ["at", "from", "to"];
 
@@ -28,24 +31,13 @@ pub fn view(hand: Hand) -> HtmlDiv {
         Err(0) => View::from(note(words.chosen_none)),
         Err(count) => note(format!("{count} {}", words.chosen_several)).into(),
         Ok((number, kind, names)) => {
-            let needed = kind.attributes.iter().take(kind.needed).copied();
-            let further = kind.attributes.iter().skip(kind.needed).copied();
-            let own: Vec<&'static str> = needed.chain(further).collect();
-            // Coordinates as SVG has them, where they are written.
-            let plain =
-                ["x", "y", "width", "height", "cx", "cy", "x1", "y1", "x2", "y2", "rx", "ry", "transform", "repeat"];
-            let plain = plain.into_iter().filter(|name| names.iter().any(|own| own == name) && !own.contains(name));
-            let written = |name: &&str| names.iter().any(|own| own == name);
-            // A place by coordinates makes that by a point superfluous.
-            let is_plain = ["x", "cx", "x1"].iter().any(written);
-            let own = own.iter().copied().filter(|name| written(name) || !(is_plain && is_place(name)));
-            let all: Vec<&'static str> = own.chain(plain).collect();
-            let common = COMMON.into_iter().filter(|_| kind.name != "frame" && kind.name != "g" || kind.name == "g");
+            let is_frame = kind.name == "frame";
+            let common = COMMON.into_iter().filter(|_| !is_frame);
             div()
                 .class("inspector-fields")
                 .child(title(hand, number))
-                .each(all, |name| row(hand, number, name))
-                .child(dragged(hand, number))
+                .each(attributes_of(kind, &names), |name| row(hand, number, name))
+                .maybe((!is_frame).then(|| dragged(hand, number)))
                 .each(common, |name| row(hand, number, name))
                 .into()
         }
@@ -53,8 +45,15 @@ pub fn view(hand: Hand) -> HtmlDiv {
     div().class("inspector").id("drawing-inspector").child(changing(content)).child(colours())
 }
 
-fn is_place(name: &str) -> bool {
-    POINTS.contains(&name) || name == "size"
+/// The attributes that an element is shown with: those of its kind, and coordinates as SVG has them where they are written.
+fn attributes_of(kind: Part, written: &[String]) -> Vec<&'static str> {
+    let is_written = |name: &str| written.iter().any(|own| own == name);
+    // A place by coordinates makes that by a point superfluous.
+    let is_plain = ["x", "cx", "x1"].into_iter().any(is_written) && kind.name != "frame";
+    let is_place = |name: &str| POINTS.contains(&name) || name == "size";
+    let own = kind.attributes.iter().copied().filter(|name| is_written(name) || !(is_plain && is_place(name)));
+    let plain = PLAIN.into_iter().filter(|name| is_written(name) && !kind.attributes.contains(name));
+    own.chain(plain).collect()
 }
 
 /// What reads of the element as it is written now.
@@ -92,7 +91,7 @@ fn title(hand: Hand, number: usize) -> View {
     let heading = h4().child(layers::name(hand, &Item { says: None, ..item.clone() }));
     let in_text = button().class("quiet").when(events::click, go).child(words.in_text);
     let field = (item.kind.name != "frame")
-        .then(|| line("drawing-name".to_owned(), name, field(hand, "drawing-name".to_owned(), shown, set).into()));
+        .then(|| line("drawing-name".to_owned(), name, field("drawing-name".to_owned(), shown, set).into()));
     View::from((div().class("inspector-head").child(heading).child(in_text), field.map_or_else(View::new, View::from)))
 }
 
@@ -101,7 +100,7 @@ fn line(id: String, name: &'static str, field: View) -> HtmlDiv {
 }
 
 /// A field with a text of the element. The text is changed when it is complete.
-fn field(hand: Hand, id: String, shown: ReadSignal<String>, set: impl Fn(&str) + 'static) -> HtmlInput {
+fn field(id: String, shown: ReadSignal<String>, set: impl Fn(&str) + 'static) -> HtmlInput {
     let mut field = input().r#type("text").class("cell").id(id).autocomplete("off").attr("spellcheck", "false");
     let node: HtmlInputElement = field.node();
     effect(move || {
@@ -111,7 +110,6 @@ fn field(hand: Hand, id: String, shown: ReadSignal<String>, set: impl Fn(&str) +
             }
         });
     });
-    let _ = hand;
     field.attr("autocapitalize", "off").when(events::change, move |event| set(&value_of(&event)))
 }
 
@@ -120,7 +118,7 @@ fn row(hand: Hand, number: usize, name: &'static str) -> HtmlDiv {
     let shown =
         reading(hand, number, move |item, text| item.value(text, name).unwrap_or_default().to_owned(), String::new());
     let id = format!("attribute-{name}");
-    let field = field(hand, id.clone(), shown, move |text| acts::set(hand, number, name, text));
+    let field = field(id.clone(), shown, move |text| acts::set(hand, number, name, text));
     let field = if matches!(name, "fill" | "stroke") { field.attr("list", "drawing-colours") } else { field };
     let row = line(id, words::attribute(hand.app, name), field.into());
     if !POINTS.contains(&name) {

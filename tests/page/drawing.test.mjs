@@ -61,9 +61,9 @@ async function drag(lab, [x, y], [right, down]) {
 }
 
 /** How long a centimetre of the frame is on the canvas, in CSS pixels. */
-async function centimetre(lab) {
+async function centimetre(lab, centimetres = 60) {
   const height = await lab.page.locator("#drawing-canvas svg").first().evaluate((node) => node.getBoundingClientRect().height);
-  return height / 60;
+  return height / centimetres;
 }
 
 visit("parts are placed, sized and turned by pointing, come to lie on the grid, and are taken back", async (lab) => {
@@ -172,6 +172,51 @@ visit("layers, copies and aligned elements", async (lab) => {
   await lab.page.keyboard.press("Delete");
   await eventually(async () => assert.equal((await names()).length, 5));
   await runs(lab);
+});
+
+visit("the drawing of the tutorial by hand: a ceiling, a spring, and a mass on it that follows the hand", async (lab) => {
+  let actions = 0;
+  const counted = async (act) => {
+    actions += 1;
+    await act;
+    await runs(lab);
+  };
+  await drawing(lab);
+  // Its drawing is removed from the template, and begun again.
+  const model = (await text(lab)).replace(/```scene[^]*?```\n\n/, "");
+  await lab.page.locator("#writing-tab-text").click();
+  await editor(lab).click();
+  await lab.page.keyboard.press("Control+a");
+  await lab.page.keyboard.insertText(model);
+  await runs(lab);
+  await lab.page.locator("#writing-tab-view").click();
+  await counted(lab.page.locator("#drawing-begin").click());
+  const put = async (part) => {
+    actions += 1;
+    await counted(add(lab, part));
+  };
+  const move = async (name, [right, up]) => {
+    const unit = await centimetre(lab, 30);
+    await counted(drag(lab, await grip(lab, name), [right * unit, -up * unit]));
+  };
+  await put("ground");
+  await becomes(lab, "ground", '<ground from="(-5 [cm], 0)" to="(5 [cm], 0)"/>');
+  // The hatching stands to the right of its direction: from right to left it is above.
+  await move("beginning", [10, 13]);
+  await move("end", [-10, 13]);
+  await becomes(lab, "ground", '<ground from="(5 [cm], 13 [cm])" to="(-5 [cm], 13 [cm])"/>');
+  await put("spring");
+  await move("beginning", [5, 13]);
+  await move("end", [-5, 3]);
+  await counted(lab.page.locator("#follow-to-along").selectOption("y"));
+  await becomes(lab, "spring", '<spring from="(0, 13 [cm])" to="(0, y + 3 [cm])"/>');
+  await put("block");
+  await counted(lab.page.locator("#follow-at-along").selectOption("y"));
+  await counted(lab.page.locator("#attribute-drag").selectOption("y"));
+  await becomes(lab, "block", '<block at="(0, y)" size="(5 [cm], 3 [cm])" drag="y"/>');
+  await lab.page.getByRole("slider", { name: "Block" }).waitFor();
+  console.log(`drawing by hand: ${actions} actions`);
+  assert.ok(actions < 20, `${actions} actions`);
 });
 
 visit("a document without a drawing gets one, by keys alone", async (lab) => {

@@ -1,6 +1,7 @@
 //! A document while it is written: its texts as they stand in the editor, what is wrong with them, and whether they are what runs.
 
 mod completion;
+mod locating;
 mod mark;
 mod rewriting;
 mod sketching;

@@ -1,6 +1,5 @@
-//! Where the elements of the drawing stand in the picture that is shown.
+//! What is known of the drawing of a document while it is changed by hand.
 
-use crate::Desk;
 use document::drawing::{Ground, Located, Sketch};
 use engine::Readings;
 
@@ -17,34 +16,18 @@ pub struct DrawingPlaces {
 #[derive(Debug)]
 pub(crate) struct Sketching {
     /// The text that was read.
-    source: String,
+    pub source: String,
     /// Nothing if it has no drawing.
-    sketch: Option<(Sketch, Readings)>,
+    pub sketch: Option<(Sketch, Readings)>,
 }
 
 impl Sketching {
-    fn read(source: &str) -> Self {
+    /// Reads the drawing of a text.
+    pub fn read(source: &str) -> Self {
         let sketch = Sketch::read(source).map(|sketch| {
             let readings = Readings::new(&sketch.model, &sketch.nodes);
             (sketch, readings)
         });
         Self { source: source.to_owned(), sketch }
-    }
-}
-
-impl Desk {
-    /// Where the drawing and its elements stand at the time shown. `None` while the text in the editor is not the one that runs, or has
-    /// no drawing.
-    pub fn drawing_places(&mut self) -> Option<DrawingPlaces> {
-        if self.writing.has_begun() && !self.writing.runs() {
-            return None;
-        }
-        let known = self.sketching.take().filter(|known| known.source == self.document.source);
-        let sketching = self.sketching.insert(known.unwrap_or_else(|| Sketching::read(&self.document.source)));
-        let (sketch, readings) = sketching.sketch.as_mut()?;
-        let course = self.play.course();
-        let values = readings.at(course.parameters(), course.initial(), course.time(), course.state());
-        let elements = (0..sketch.drawing.items.len()).map(|number| sketch.locate(number, values)).collect();
-        Some(DrawingPlaces { ground: sketch.ground(values), elements })
     }
 }

@@ -1,11 +1,8 @@
 //! Where the elements of a scene come to stand while it is built, for those who draw by hand.
 
-use super::builder::Builder;
-use super::shapes::is_geometry;
 use super::space::{Space, Spot};
 use program::NodeId;
 use std::collections::BTreeMap;
-use std::ops::Range;
 use units::Dimension;
 
 /// What is noted of a scene. Places in the text are where an element or the value of an attribute begins.
@@ -20,7 +17,7 @@ pub struct Marks {
     /// What stands in the first frame.
     pub ground: Option<Space>,
     /// The places among their neighbours of the elements that are being built, outermost first.
-    path: Vec<usize>,
+    pub path: Vec<usize>,
 }
 
 /// An element.
@@ -33,62 +30,4 @@ pub struct Marked {
     pub scale: NodeId,
     /// What lengths are there.
     pub dimension: Dimension,
-}
-
-impl Builder<'_, '_> {
-    /// Says that the child with this number is built next.
-    pub fn enter(&mut self, number: usize) {
-        if let Some(marks) = &mut self.marks {
-            marks.path.push(number);
-        }
-    }
-
-    /// Notes the child that was built last, if it is one.
-    pub fn leave(&mut self, place: usize, is_built: bool) {
-        let (scale, dimension) = (self.space.scale, self.space.dimension);
-        if let Some(marks) = &mut self.marks {
-            if is_built {
-                marks.elements.push(Marked { place, path: marks.path.clone(), scale, dimension });
-            }
-            marks.path.pop();
-        }
-    }
-
-    /// Notes the space in a frame.
-    pub fn note_frame(&mut self, space: &Space) {
-        if let Some(marks) = &mut self.marks {
-            marks.ground.get_or_insert_with(|| space.clone());
-        }
-    }
-
-    /// Notes a point or a size; of a repeated element that of the first copy.
-    pub fn note_spot(&mut self, place: usize, spot: Spot) {
-        if let Some(marks) = &mut self.marks {
-            marks.spots.entry(place).or_insert(spot);
-        }
-    }
-
-    /// Notes a coordinate, a length or an angle.
-    pub fn note_number(&mut self, place: usize, node: NodeId) {
-        if let Some(marks) = &mut self.marks {
-            marks.numbers.entry(place).or_insert(node);
-        }
-    }
-
-    /// Notes the coordinates and lengths of an element outside of frames, whose attributes are texts with values in them.
-    pub fn note_plain(&mut self, element: &str, attributes: &[(Range<usize>, Range<usize>)]) {
-        if self.marks.is_none() || self.space.framed {
-            return;
-        }
-        for (name, value) in attributes {
-            let name = self.source(name);
-            let is_number = !matches!(name, "points" | "d" | "at" | "from" | "to" | "size" | "turn");
-            if is_number
-                && is_geometry(element, name)
-                && let Some(node) = self.coordinate(value.clone())
-            {
-                self.note_number(value.start, node);
-            }
-        }
-    }
 }

@@ -25,6 +25,7 @@ mod reference;
 mod repeats;
 mod scene;
 mod simulations;
+mod sketch;
 mod spanish;
 mod theories;
 mod translating;

@@ -1,6 +1,6 @@
 //! What is done to the drawing: each act is a change of the text, and what is chosen stays so.
 
-use super::Hand;
+use super::hand::Hand;
 use super::seen::{Seen, SeenItem};
 use crate::write::typing;
 use document::Outline;

@@ -1,53 +1,14 @@
 //! The canvas: the picture as it runs, with the grid and what can be gripped over it.
 
+use super::hand::Hand;
+use super::picture::Canvas;
 use super::pointing::Pointing;
-use super::seen::Seen;
-use super::{Hand, keys, overlay, words};
-use std::cell::RefCell;
-use std::rc::Rc;
+use super::{keys, overlay, words};
 use sycamore_reactive::on_cleanup;
-use view::picture::Picture;
 use view::views::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
-use web_sys::{AddEventListenerOptions, Element, ResizeObserver, SvgElement, TouchEvent};
-
-/// The picture of the canvas; it is built again for each program.
-#[derive(Clone, Default)]
-pub struct Canvas(Rc<RefCell<Option<Picture>>>);
-
-impl Canvas {
-    /// The `svg` of the picture.
-    pub fn root(&self) -> Option<SvgElement> {
-        self.0.borrow().as_ref().map(|picture| picture.root().clone())
-    }
-
-    /// Builds the picture of the present program into an element.
-    fn build(&self, hand: Hand, place: &Element) {
-        place.set_inner_html("");
-        let Ok(inner) = document().create_element("div") else { return };
-        let _ = place.append_child(&inner);
-        let language = hand.app.language.get_untracked();
-        let picture = hand.app.read(|play| {
-            let scene = play.program().scene(language.tag())?;
-            Picture::build(scene, &inner)
-        });
-        *self.0.borrow_mut() = picture;
-    }
-
-    /// Shows the present, and finds out where everything is seen.
-    fn draw(&self, hand: Hand) {
-        let Ok(mut picture) = self.0.try_borrow_mut() else { return };
-        let seen = picture.as_mut().and_then(|picture| {
-            hand.app.read(|play| picture.draw(play));
-            let places = hand.app.read_desk(|desk| desk.drawing_places())?;
-            Seen::measure(picture.root(), places)
-        });
-        if hand.seen.with_untracked(|known| *known != seen) {
-            hand.seen.set(seen);
-        }
-    }
-}
+use web_sys::{AddEventListenerOptions, Element, ResizeObserver, TouchEvent};
 
 /// The canvas.
 pub fn view(hand: Hand) -> View {

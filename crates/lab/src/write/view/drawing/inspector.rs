@@ -1,6 +1,7 @@
 //! What is chosen, attribute by attribute: each is a field with the text that stands there, and what places it can follow a quantity.
 
-use super::{Hand, acts, layers, words};
+use super::hand::Hand;
+use super::{acts, layers, words};
 use crate::write::{Panel, findings, panels, typing};
 use document::drawing::{Axis, Item, Part, draggable, followed, follows, shows_text};
 use view::views::*;

@@ -1,6 +1,7 @@
 //! The keyboard on the canvas.
 
-use super::{Hand, acts};
+use super::acts;
+use super::hand::Hand;
 use crate::write::typing;
 use web_sys::KeyboardEvent;
 

@@ -1,6 +1,7 @@
 //! The elements in the order in which they lie over each other, the uppermost first.
 
-use super::{Hand, words};
+use super::hand::Hand;
+use super::words;
 use crate::write::typing;
 use document::drawing::{Drawing, Item};
 use view::views::*;

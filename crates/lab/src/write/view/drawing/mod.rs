@@ -3,12 +3,15 @@
 
 mod acts;
 mod canvas;
+mod hand;
+mod held;
 mod inspector;
 mod keys;
 mod layers;
 mod matrix;
 mod overlay;
 mod palette;
+mod picture;
 mod pointing;
 mod seen;
 mod tools;
@@ -16,28 +19,9 @@ mod words;
 
 use super::super::typing;
 use crate::app::App;
-use document::drawing::{Drawing, read};
-use pointing::Held;
-use seen::Seen;
+use document::drawing::read;
+use hand::Hand;
 use view::views::*;
-
-/// What the views of the drawing share.
-#[derive(Clone, Copy)]
-pub struct Hand {
-    app: App,
-    /// The drawing as it is written.
-    drawing: ReadSignal<Option<Drawing>>,
-    /// The numbers of the elements that are chosen.
-    chosen: Signal<Vec<usize>>,
-    /// Whether what is moved comes to lie on the grid.
-    grid: Signal<bool>,
-    /// Where everything stands in the picture.
-    seen: Signal<Option<Seen>>,
-    /// What the pointer holds.
-    held: Signal<Option<Held>>,
-    /// Why the last change was refused.
-    refusal: Signal<Option<String>>,
-}
 
 /// The drawing, as its author changes it.
 pub fn view(app: App) -> HtmlDiv {

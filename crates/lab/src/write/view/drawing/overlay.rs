@@ -1,7 +1,7 @@
 //! What lies over the picture: the grid, edges of what is chosen, grips, and the way of the hand.
 
-use super::Hand;
-use super::pointing::Held;
+use super::hand::Hand;
+use super::held::Held;
 use super::seen::Seen;
 use document::drawing::Grip;
 use sycamore_web::SvgGlobalAttributes;

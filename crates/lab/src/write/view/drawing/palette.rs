@@ -1,6 +1,7 @@
 //! The palette: all that can be drawn, by its name.
 
-use super::{Hand, acts, words};
+use super::hand::Hand;
+use super::{acts, words};
 use document::drawing::{Part, drawable};
 use view::icons;
 use view::views::*;

@@ -1,43 +1,17 @@
 //! Mouse, pen and finger on the canvas: what is pressed is chosen, and moved where it is dragged to.
 
-use super::canvas::Canvas;
+use super::acts;
+use super::hand::Hand;
+use super::held::Held;
+use super::picture::Canvas;
 use super::seen::{from_window, path_of};
-use super::{Hand, acts};
 use document::drawing::Grip;
 use view::browser;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event, Node, PointerEvent, TouchEvent};
 
-/// A drag by fewer CSS pixels moves nothing.
-const STILL: f64 = 3.0;
 /// So far from an element, in CSS pixels, a finger or a mouse still means it.
 const MARGIN: [f64; 2] = [14.0, 5.0];
-
-/// What the pointer holds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Held {
-    pointer: i32,
-    /// Which grip of which element.
-    pub grip: (usize, Grip),
-    /// Where in the picture it took hold, and where it is now.
-    pub from: [f64; 2],
-    /// Where it is now.
-    pub at: [f64; 2],
-    /// How large a CSS pixel is there.
-    pixel: f64,
-}
-
-impl Held {
-    /// Whether it has been moved and not only pressed.
-    pub fn is_moved(&self) -> bool {
-        let [right, down] = self.way();
-        libm::hypot(right, down) > STILL * self.pixel
-    }
-
-    fn way(&self) -> [f64; 2] {
-        [self.at[0] - self.from[0], self.at[1] - self.from[1]]
-    }
-}
 
 /// What listens to the pointer.
 #[derive(Clone)]

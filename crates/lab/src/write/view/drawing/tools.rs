@@ -1,7 +1,8 @@
 //! The buttons over the canvas.
 
 use super::acts::{self, Edge};
-use super::{Hand, palette, words};
+use super::hand::Hand;
+use super::{palette, words};
 use document::edit::Order;
 use view::icons;
 use view::views::*;

@@ -11,7 +11,8 @@ pub fn view(app: App, index: usize) -> View {
         return open(app, index);
     }
     let awaited = memo(move || {
-        app.changes.values.track();
+        // An answer shows what it has opened in the same frame as the values that it shows.
+        app.changes.frame.track();
         app.read(|play| play.awaited_questions(index))
     });
     changing(move || {

@@ -75,13 +75,13 @@ fn line(app: App, key: &'static str, name: &'static str, example: &'static str) 
         refusal,
         write: Box::new(move |typed| if typed.trim().is_empty() { Ok(()) } else { write(typed) }),
     };
-    let leave = move |event| {
+    let leave = move |event: web_sys::FocusEvent| {
         let typed = value_of(&event);
         if typed.trim().is_empty() {
             refuse(refusal, remove(&typed).err());
         }
     };
-    let field = piece.line(app).attr("placeholder", example).when(events::change, leave);
+    let field = piece.line(app).attr("placeholder", example).when(events::blur, leave);
     div()
         .class("front-line")
         .child(label().r#for(format!("front-{key}")).child(name))

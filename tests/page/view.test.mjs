@@ -126,7 +126,7 @@ visit("a question appears when the one before is answered, and the author sees a
   await runs(lab);
   await lab.tab("Activities");
   const second = lab.page.locator(".question").nth(1);
-  await eventually(async () => assert.match(await second.innerText(), /^question 2\s+This question appears when these are answered: 1$/i));
+  await eventually(async () => assert.match(await second.innerText(), /^question 2\s+Answer this first: Question 1$/i));
   await lab.page.locator("#answer-0").fill("7 s");
   await lab.page.locator(".question").first().getByRole("button", { name: "Check", exact: true }).click();
   await eventually(async () => assert.match(await lab.page.locator("#verdict-0").innerText(), /./));

@@ -225,6 +225,7 @@ table_of_words! {
     document_language: "Language", "Idioma";
     summary_example: "One sentence for lists of documents", "Una frase para las listas de documentos";
     topics_example: "oscillations, energy", "oscilaciones, energía";
+    front_unset: "not stated", "sin indicar";
     run_settings: "Method and duration", "Método y duración";
     run_method: "Method", "Método";
     run_until: "Ends at", "Termina en";

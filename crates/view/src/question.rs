@@ -16,14 +16,15 @@ pub fn view(app: App, index: usize) -> View {
         app.read(|play| play.awaited_questions(index))
     });
     changing(move || {
-        awaited.with(|awaited| if awaited.is_empty() { open(app, index) } else { locked(app, index, awaited) })
+        let awaited = awaited.get_clone();
+        if awaited.is_empty() { open(app, index) } else { locked(app, index, &awaited) }
     })
 }
 
 /// In the place of a question that waits for others.
 fn locked(app: App, index: usize, awaited: &[usize]) -> View {
     let words = app.words();
-    let numbers: Vec<String> = awaited.iter().map(|other| (other + 1).to_string()).collect();
+    let numbers: Vec<String> = awaited.iter().map(|other| format!("{} {}", words.question, other + 1)).collect();
     let (id, number) = (format!("question-{index}"), index + 1);
     section()
         .class("question locked-question")

@@ -44,7 +44,7 @@ table_of_words! {
     all_simulations: "All simulations", "Todas las simulaciones";
     open_in_laboratory: "Open in the laboratory", "Abrir en el laboratorio";
     laboratory_title: "Open this simulation as it is now in the laboratory, to measure and to fit", "Abrir esta simulación tal como está en el laboratorio, para medir y ajustar";
-    question_awaits: "This question appears when these are answered", "Esta pregunta aparece cuando se respondan estas";
+    question_awaits: "Answer this first", "Responde antes";
     answers_not_saved: "The browser does not let this page store anything: your answers will be lost when it is closed", "El navegador no deja que esta página guarde nada: tus respuestas se perderán al cerrarla";
     damaged: "This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.";
     locked: "The values are fixed in this page.", "Los valores están fijados en esta página.";

@@ -33,6 +33,24 @@ visit("a visitor plays, changes, drags and goes back", { file: exported }, async
   await eventually(async () => assert.ok((await page.number("Displacement")) < 0.5));
 });
 
+/** Exports the document with buttons of its author. */
+function kicked() {
+  const file = temporary("kicked.player.html");
+  meniscus("export", beside("kicked.md"), "--output", file);
+  return file;
+}
+
+visit("locked values are fixed, and the buttons of the author act", { file: kicked }, async (page) => {
+  await page.go(`${page.address}?lock`);
+  assert.equal(await page.field("Angular frequency").isDisabled(), true);
+  assert.equal(await page.button("Restore defaults").or(page.page.locator("#restore-defaults")).isDisabled(), true);
+  assert.equal(await page.button("Kick").isDisabled(), false);
+  await page.press("Play");
+  await page.watchUntil(0.2);
+  await page.press("Kick");
+  await eventually(async () => assert.equal(await page.page.locator(".readouts dl > div", { hasText: "Kicks" }).locator("dd").innerText(), "1"));
+});
+
 visit("what is typed may be arithmetic in the names of the model", { file: exported }, async (page) => {
   await page.enter("Damping", "b_c/2");
   const half = await page.number("Damping");

@@ -95,6 +95,63 @@ visit("controls change their order and labels, values are hidden, with keys alon
   });
 });
 
+visit("the description of the document is a form, and keys that it does not know stay", async (lab) => {
+  await view(lab);
+  await lab.page.getByRole("tab", { name: "Model", exact: true }).click();
+  await field(lab, "Title").fill("A bob on a spring");
+  await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "A bob on a spring"));
+  await field(lab, "Summary").fill("A mass swings: up and down.");
+  await now(lab, /\nsummary: A mass swings: up and down\.\n---\n/);
+  await lab.page.getByText("Method and duration").click();
+  await lab.page.locator("#front-method").selectOption("dormand-prince");
+  await field(lab, "Ends at").fill("5 [s]");
+  await now(lab, /\nmethod: dormand-prince\nuntil: 5 \[s\]\n---\n/);
+  await runs(lab);
+  await field(lab, "Ends at").fill("");
+  await field(lab, "Ends at").press("Tab");
+  await eventually(async () => assert.doesNotMatch(await text(lab), /until:/));
+  await lab.page.locator("#front-language").selectOption("es");
+  await now(lab, /^---\ntitle: A bob on a spring\nlanguage: es\n/);
+});
+
+visit("a question appears when the one before is answered, and the author sees all of them", async (lab) => {
+  await view(lab);
+  await lab.page.getByRole("tab", { name: "Questions", exact: true }).click();
+  await lab.press("Question");
+  await lab.page.getByLabel("What is asked").fill("How long is one swing?");
+  await lab.page.locator("#new-follows").check();
+  await lab.press("Add question");
+  await now(lab, /```question\nHow long is one swing\?\n\nafter: previous\nhide: T\n/);
+  await eventually(async () => assert.match(await lab.page.locator(".asked-one").nth(1).innerText(), /Appears after question\s+previous/));
+  await runs(lab);
+  await lab.tab("Activities");
+  const second = lab.page.locator(".question").nth(1);
+  await eventually(async () => assert.match(await second.innerText(), /^question 2\s+Answer this first: Question 1$/i));
+  await lab.page.locator("#answer-0").fill("7 s");
+  await lab.page.locator(".question").first().getByRole("button", { name: "Check", exact: true }).click();
+  await eventually(async () => assert.match(await lab.page.locator("#verdict-0").innerText(), /./));
+  assert.equal(await lab.page.locator("#answer-1").count(), 0);
+  await lab.page.locator("#answer-0").fill("0.9935 s");
+  await lab.page.locator(".question").first().getByRole("button", { name: "Check", exact: true }).click();
+  await lab.page.locator("#answer-1").waitFor();
+  assert.match(await second.innerText(), /How long is one swing\?/);
+});
+
+visit("how far the present run is off what is conserved is shown beside the claim", async (lab) => {
+  await lab.page.goto("about:blank");
+  await lab.go(`${lab.address}#1&d=kepler.md`);
+  await lab.tab("Theory");
+  await lab.page.locator("#checks > summary").click();
+  const show = lab.page.getByRole("button", { name: "Show in the present run" }).first();
+  await show.click();
+  await lab.page.locator(".deviation .note").waitFor();
+  await lab.button("Play").click();
+  await lab.page.locator(".deviation-plot svg").waitFor();
+  assert.match(await lab.page.locator(".deviation-plot svg").innerHTML(), /relative deviation|deviation/);
+  await lab.press("Hide the plot");
+  await eventually(async () => assert.equal(await lab.page.locator(".deviation-plot").count(), 0));
+});
+
 for (const [language, theme, width] of [["en-GB", "light", 1440], ["es-ES", "dark", 390], ["es-ES", "light", 1024]]) {
   visit(`the panel fits and is accessible: ${language}, ${theme}, ${width} px`, { ...STILL, language, theme, width, height: 900, touch: width < 500 }, async (lab) => {
     const spanish = { write: "Escribir", begin: "Nuevo", template: "Una masa en un resorte", panel: "Vista" };

@@ -11,6 +11,8 @@ pub struct Asked {
     pub place: Span,
     /// What is asked.
     pub prompt: String,
+    /// The questions that must be answered before it appears.
+    pub after: String,
     /// The values that it supposes.
     pub set: String,
     /// The quantities whose values are hidden until it is answered.
@@ -34,6 +36,7 @@ pub fn asked(outline: &Outline) -> Vec<Asked> {
         Asked {
             place: block.content,
             prompt: text(None),
+            after: text(Some("after")),
             set: text(Some("set")),
             hide: text(Some("hide")),
             answer: text(Some("answer")),

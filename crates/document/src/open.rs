@@ -147,10 +147,12 @@ impl<'a> File<'a> {
             ))
         }));
         let mut compiled: Vec<Question> = Vec::new();
+        let mut earlier: Vec<Option<usize>> = Vec::new();
         let (sections, texts, questions) = self.prose(&mut further, |raw| {
-            let question = questions::compile(&mut expressions, raw)?;
-            compiled.push(question);
-            Some(compiled.len() - 1)
+            let question = questions::compile(&mut expressions, raw, &earlier);
+            earlier.push(question.is_some().then_some(compiled.len()));
+            compiled.extend(question);
+            *earlier.last()?
         });
         further.append(&mut expressions.diagnostics);
         self.diagnostics.extend(further);

@@ -13,7 +13,7 @@ use units::words;
 pub const QUESTIONS: usize = 200;
 
 /// The keys of a question; what stands before the first is the question itself.
-const KEYS: [&str; 5] = ["set", "hide", "answer", "hint", "explanation"];
+const KEYS: [&str; 6] = ["after", "set", "hide", "answer", "hint", "explanation"];
 
 /// A question as written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -89,7 +89,7 @@ pub fn texts(prose: &mut Prose, raw: &RawQuestion) -> QuestionText {
 /// A question of a translation has words only.
 pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
     for (key, range) in &raw.fields {
-        if matches!(*key, "answer" | "set" | "hide") {
+        if matches!(*key, "after" | "answer" | "set" | "hide") {
             let span = Span::new(range.start - key.len() - 1, range.end);
             diagnostics.push(
                 Diagnostic::warning(
@@ -106,8 +106,8 @@ pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Compiles what a question computes.
-pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Question> {
+/// Compiles what a question computes. `earlier` says which question of the document each one before it is, if it is any.
+pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Option<usize>]) -> Option<Question> {
     let source = expressions.source;
     let span = Span::new(raw.place.start, raw.place.end);
     let Some(answer) = raw.field("answer") else {
@@ -126,6 +126,7 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Quest
     };
     let setup = raw.field("set").map_or(Vec::new(), |range| expressions.assignments(range));
     let hides = raw.field("hide").map_or(Vec::new(), |range| hidden(expressions, range));
+    let after = raw.field("after").map_or(Vec::new(), |range| questions_before(expressions, range, earlier));
     let answer = trim(source, answer);
     let Some(within) = find_word(source, answer.clone(), "within") else {
         expressions.diagnostics.push(
@@ -145,7 +146,46 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Quest
     let answer_value = expressions.constant(answer.start..within.start, &words("an answer", "una respuesta"))?;
     let tolerance = tolerance(expressions, trim(source, within.end..answer.end), &answer_value)?;
     let answer = answer_value.value;
-    Some(Question { setup, hides, unit: answer.unit.clone(), answer, tolerance })
+    Some(Question { setup, hides, after, unit: answer.unit.clone(), answer, tolerance })
+}
+
+/// `previous`, or numbers of questions, counted from 1: those that must be answered first.
+fn questions_before(expressions: &mut Expressions, range: Range<usize>, earlier: &[Option<usize>]) -> Vec<usize> {
+    let source = expressions.source;
+    let mut questions = Vec::new();
+    let mut start = range.start;
+    for piece in source[range].split(',') {
+        // Of blanks alone, their beginning.
+        let range = if piece.trim().is_empty() { start..start } else { trim(source, start..start + piece.len()) };
+        start += piece.len() + 1;
+        let text = &source[range.clone()];
+        let number = if text == "previous" { Some(earlier.len()) } else { text.parse().ok() };
+        match number.and_then(|number: usize| earlier.get(number.checked_sub(1)?)) {
+            // One that has errors is not asked and cannot be waited for.
+            Some(question) => questions.extend(question.filter(|question| !questions.contains(question))),
+            None => {
+                let span = Span::new(range.start, range.end);
+                let message = words!(
+                    "there is no question `{text}` before this one",
+                    "no hay ninguna pregunta `{text}` antes de esta"
+                );
+                let diagnostic = Diagnostic::error("question-syntax", message, span);
+                expressions.diagnostics.push(match earlier.len() {
+                    0 => diagnostic.with_hint(words(
+                        "this is the first question: leave the line out",
+                        "esta es la primera pregunta: quita la línea",
+                    )),
+                    _ => diagnostic
+                        .with_hint(words(
+                            "write `previous`, or numbers of questions before this one, such as `after: 1, 2`",
+                            "escribe `previous`, o números de preguntas anteriores a esta, como `after: 1, 2`",
+                        ))
+                        .with_fix(span, "previous"),
+                });
+            }
+        }
+    }
+    questions
 }
 
 /// `T_d, omega_d`: the quantities whose values are hidden until the question is answered.

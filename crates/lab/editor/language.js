@@ -60,9 +60,9 @@ function prose(stream) {
 
 /** The words of a question are prose; what is computed stands behind `set`, `hide` and `answer`. */
 function question(stream, state) {
-  const key = stream.sol() && stream.match(/^\s*(set|hide|answer|hint|explanation)(?=\s*:)/);
+  const key = stream.sol() && stream.match(/^\s*(after|set|hide|answer|hint|explanation)(?=\s*:)/);
   if (!key) return state.computed ? equation(stream) : prose(stream);
-  state.computed = !["hint", "explanation"].includes(key[1]);
+  state.computed = !["after", "hint", "explanation"].includes(key[1]);
   return "keyword";
 }
 

@@ -192,6 +192,8 @@ table_of_words! {
     questions_none: "This document asks no question yet.", "Este documento aún no hace ninguna pregunta.";
     question_answer: "Answer", "Respuesta";
     question_supposes: "Supposes", "Supone";
+    question_follows: "Appears after question", "Aparece tras la pregunta";
+    question_follows_previous: "Show it when the question before is answered", "Mostrarla cuando se responda la pregunta anterior";
     question_unlocks: "Hidden until answered", "Oculto hasta responder";
     question_explanation_title: "Explanation", "Explicación";
     question_in_text: "Go to the text", "Ir al texto";
@@ -223,6 +225,7 @@ table_of_words! {
     document_language: "Language", "Idioma";
     summary_example: "One sentence for lists of documents", "Una frase para las listas de documentos";
     topics_example: "oscillations, energy", "oscilaciones, energía";
+    front_unset: "not stated", "sin indicar";
     run_settings: "Method and duration", "Método y duración";
     run_method: "Method", "Método";
     run_until: "Ends at", "Termina en";

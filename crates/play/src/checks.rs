@@ -2,6 +2,7 @@
 //! document, on demand and a slice in each frame; the run of the visitor has no part in it.
 
 use crate::Play;
+use crate::deviation::compared;
 use engine::checks::{Checking, claim_outcome, supposed};
 
 /// About how many floating-point operations are made for claims in a frame.
@@ -16,6 +17,8 @@ pub struct ClaimView {
     pub written: String,
     /// Whether it holds; none while that is not known.
     pub holds: Option<bool>,
+    /// Whether [`Play::deviation`] can draw how far the present run is off.
+    pub is_drawn: bool,
     /// The worst value and when it was, once that is known.
     pub outcome: String,
 }
@@ -46,6 +49,7 @@ impl Play {
                 ClaimView {
                     name: self.program.text(&self.tag, &claim.name).to_owned(),
                     written: claim.written.clone(),
+                    is_drawn: compared(claim).is_some(),
                     holds: outcome.map(engine::checks::Outcome::held),
                     outcome: text.map_or_else(String::new, |text| text.text(self.language).to_owned()),
                 }

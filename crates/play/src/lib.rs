@@ -18,6 +18,7 @@
 mod announcement;
 mod checks;
 mod controls;
+mod deviation;
 mod name;
 mod play;
 mod plots;
@@ -42,6 +43,7 @@ pub use controls::{
     ButtonView, ChoiceView, DIGITS, DrawingView, MethodView, ParameterView, PresetGroup, PresetView, SizeView, Slider,
     StateView,
 };
+pub use deviation::Deviation;
 pub use name::name_of;
 pub use play::{Play, Revision};
 pub use plots::{AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, POINTS, PlotId, PlotView, Points};

@@ -63,6 +63,14 @@ pub fn runs_complete(language: Language, done: usize, all: usize) -> String {
     language.pick(format!("{done} of {all} runs"), format!("{done} de {all} series"))
 }
 
+/// What is drawn of a claim about the whole run.
+pub fn deviation(language: Language, relative: bool) -> &'static str {
+    match relative {
+        true => language.pick("relative deviation", "desviación relativa"),
+        false => language.pick("deviation", "desviación"),
+    }
+}
+
 /// What the run before the present one is called.
 pub fn previous_run(language: Language) -> &'static str {
     language.pick("previous run", "serie anterior")

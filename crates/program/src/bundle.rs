@@ -11,7 +11,7 @@ use crate::{
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
 /// The version of the format; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 5;
+const VERSION: u8 = 6;
 /// The longest bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
@@ -88,9 +88,12 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && program.plots.iter().all(|plot| plot.expressions().all(|curve| compiled(&curve.value)))
         && program.plots.iter().all(|plot| drawing_exists(&plot.drawing, plot.curves.len(), model))
         && program.presets.iter().all(|preset| assignments(&preset.values))
-        && program.questions.iter().all(|question| {
+        && program.questions.iter().enumerate().all(|(number, question)| {
             let hidden = |index: &usize| *index < model.quantities.len();
-            assignments(&question.setup) && compiled(&question.answer) && question.hides.iter().all(hidden)
+            assignments(&question.setup)
+                && compiled(&question.answer)
+                && question.hides.iter().all(hidden)
+                && question.after.iter().all(|earlier| *earlier < number)
         })
         && program.checks.iter().all(|check| {
             let claim = |claim: &crate::Claim| {

@@ -12,6 +12,8 @@ pub struct Question {
     pub setup: Vec<Assignment>,
     /// Which of [`crate::Model::quantities`] would give the answer away: their values are hidden until it is given.
     pub hides: Vec<usize>,
+    /// The earlier questions that must be answered before this one appears.
+    pub after: Vec<usize>,
     /// The answer, in terms of parameters only; always a number.
     pub answer: Compiled,
     /// The unit in which the answer is asked for.

@@ -2,7 +2,9 @@
 
 use crate::app::App;
 use crate::question::supposed;
+use crate::theme;
 use crate::views::*;
+use figure::Settings;
 use play::{ClaimView, ClaimsView};
 
 /// The list; nothing where the author claims nothing.
@@ -11,9 +13,13 @@ pub fn view(app: App) -> View {
         return View::new();
     }
     let words = app.words();
+    // The claim whose plot is shown.
+    let drawn = create_signal(None::<(usize, usize)>);
     let listed = move || {
         app.changes.checks.track();
-        each(app.read(|play| play.checks()), move |claims| group(app, claims))
+        each(app.read(|play| play.checks()).into_iter().enumerate(), move |(check, claims)| {
+            group(app, check, claims, drawn)
+        })
     };
     let state = move || {
         app.changes.checks.track();
@@ -50,14 +56,21 @@ fn summary_of(app: App) -> String {
     }
 }
 
-fn group(app: App, claims: ClaimsView) -> View {
+fn group(app: App, check: usize, claims: ClaimsView, drawn: Signal<Option<(usize, usize)>>) -> View {
     let words = app.words();
     let head = (!claims.setup.is_empty())
         .then(|| p().class("setup").child(words.checks_with).child(" ").child(supposed(claims.setup)));
-    div().maybe(head).child(ul().each(claims.claims, |claim| item(app, claim))).into()
+    div()
+        .maybe(head)
+        .child(
+            ul().each(claims.claims.into_iter().enumerate(), |(number, claim)| {
+                item(app, (check, number), claim, drawn)
+            }),
+        )
+        .into()
 }
 
-fn item(app: App, claim: ClaimView) -> HtmlLi {
+fn item(app: App, place: (usize, usize), claim: ClaimView, drawn: Signal<Option<(usize, usize)>>) -> HtmlLi {
     let words = app.words();
     // The mark is read as a word.
     let (mark, spoken) = match claim.holds {
@@ -75,4 +88,37 @@ fn item(app: App, claim: ClaimView) -> HtmlLi {
         .child(span().class("visually-hidden").child(spoken).child(": "))
         .child(span().class("claim").child(claim.name).child(" ").child(code().child(claim.written)))
         .maybe((!claim.outcome.is_empty()).then(|| span().class("outcome").child(claim.outcome)))
+        .maybe(claim.is_drawn.then(|| deviation(app, place, drawn)))
+}
+
+/// A button that shows how far the present run is off, and its plot.
+fn deviation(app: App, place: (usize, usize), drawn: Signal<Option<(usize, usize)>>) -> HtmlDiv {
+    let words = app.words();
+    let id = format!("deviation-{}-{}", place.0, place.1);
+    let is_shown = move || drawn.get() == Some(place);
+    let plot = move || {
+        if !is_shown() {
+            return View::new();
+        }
+        app.changes.values.track();
+        let settings = Settings { width: 320.0, height: 170.0, font_size: 11.0, ..Settings::default() };
+        match app.read(|play| play.deviation_svg(place, &settings, theme::palette())) {
+            Some(svg) => div().class("deviation-plot").inner_html(svg).into(),
+            None => note(words.check_plot_waits).into(),
+        }
+    };
+    let toggle = move |_| drawn.set(if drawn.get_untracked() == Some(place) { None } else { Some(place) });
+    let title = move || if is_shown() { words.check_plot_hide } else { words.check_plot_show }.to_owned();
+    div()
+        .class("deviation")
+        .child(
+            button()
+                .class("quiet")
+                .id(id.clone())
+                .attr("aria-expanded", move || is_shown().to_string())
+                .attr("aria-controls", format!("{id}-plot"))
+                .when(events::click, toggle)
+                .child(text(title)),
+        )
+        .child(div().id(format!("{id}-plot")).child(changing(plot)))
 }

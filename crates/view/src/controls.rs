@@ -25,11 +25,18 @@ pub fn view(app: App) -> HtmlSection {
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
         .each(app.read(|play| play.sizes()), |size| sizes::control(app, size))
         .each(app.read(|play| play.parameters()), |first| parameters::control(app, first));
-    part("controls", "controls card", words.controls)
-        .child(buttons::view(app))
-        .child(parameters)
-        .child(drawings::view(app))
-        .child(presets(app))
+    let controls = part("controls", "controls card", words.controls).child(buttons::view(app));
+    let values = View::from((parameters, drawings::view(app), presets(app)));
+    controls.child(lockable(app, values))
+}
+
+/// Controls that a page with locked values shows and does not obey. The buttons of the document are none: what they change is the run.
+pub fn lockable(app: App, controls: View) -> View {
+    if app.host().embedding().locked {
+        fieldset().class("locked").attr("disabled", "").child(controls).into()
+    } else {
+        controls
+    }
 }
 
 /// Gives everything the values of the document. Sizes come first: the defaults of the rest belong to the model that they build.

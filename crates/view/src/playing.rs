@@ -10,19 +10,12 @@ use web_sys::HtmlDetailsElement;
 pub fn view(app: App) -> HtmlDiv {
     let embedding = app.host().embedding();
     let [adjusts, reads] = [PagePart::Parameters, PagePart::Values].map(|part| !embedding.hides(part));
-    let lockable = |view: HtmlSection| {
-        if embedding.locked {
-            View::from(fieldset().class("locked").attr("disabled", "").child(view))
-        } else {
-            view.into()
-        }
-    };
     div()
         .class("playing")
         .maybe((embedding.locked && adjusts).then(|| note(app.words().locked)))
-        .maybe(adjusts.then(|| lockable(controls::view(app))))
+        .maybe(adjusts.then(|| controls::view(app)))
         .maybe(reads.then(|| readouts::view(app)))
-        .maybe(adjusts.then(|| lockable(controls::state_and_method(app))))
+        .maybe(adjusts.then(|| controls::lockable(app, controls::state_and_method(app).into())))
         .maybe(reads.then(|| recorded(app)))
 }
 

@@ -5,8 +5,36 @@ use crate::views::*;
 use play::Grade;
 use web_sys::{HtmlInputElement, SubmitEvent};
 
-/// The question of this number.
+/// The question of this number, once those are answered that it waits for.
 pub fn view(app: App, index: usize) -> View {
+    if app.read(|play| play.program().questions.get(index).is_none_or(|asked| asked.after.is_empty())) {
+        return open(app, index);
+    }
+    let awaited = memo(move || {
+        // An answer shows what it has opened in the same frame as the values that it shows.
+        app.changes.frame.track();
+        app.read(|play| play.awaited_questions(index))
+    });
+    changing(move || {
+        let awaited = awaited.get_clone();
+        if awaited.is_empty() { open(app, index) } else { locked(app, index, &awaited) }
+    })
+}
+
+/// In the place of a question that waits for others.
+fn locked(app: App, index: usize, awaited: &[usize]) -> View {
+    let words = app.words();
+    let numbers: Vec<String> = awaited.iter().map(|other| format!("{} {}", words.question, other + 1)).collect();
+    let (id, number) = (format!("question-{index}"), index + 1);
+    section()
+        .class("question locked-question")
+        .attr("aria-labelledby", id.clone())
+        .child(h4().id(id).child(format!("{} {number}", words.question)))
+        .child(note(format!("{}: {}", words.question_awaits, numbers.join(", "))))
+        .into()
+}
+
+fn open(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
     let asked = app.read(|play| Some(play.program().question_text(language, index).clone())).unwrap_or_default();

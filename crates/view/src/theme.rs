@@ -19,6 +19,12 @@ pub enum Theme {
     Dark,
 }
 
+/// The colours of figures in the theme that is shown.
+pub fn palette() -> &'static Palette {
+    let shown = document().document_element().and_then(|root| root.get_attribute("data-theme"));
+    if shown.as_deref() == Some(Theme::Dark.name()) { &Palette::DARK } else { &Palette::LIGHT }
+}
+
 impl Theme {
     /// What was chosen at the last visit.
     pub fn remembered() -> Self {

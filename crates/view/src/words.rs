@@ -44,6 +44,7 @@ table_of_words! {
     all_simulations: "All simulations", "Todas las simulaciones";
     open_in_laboratory: "Open in the laboratory", "Abrir en el laboratorio";
     laboratory_title: "Open this simulation as it is now in the laboratory, to measure and to fit", "Abrir esta simulación tal como está en el laboratorio, para medir y ajustar";
+    question_awaits: "Answer this first", "Responde antes";
     answers_not_saved: "The browser does not let this page store anything: your answers will be lost when it is closed", "El navegador no deja que esta página guarde nada: tus respuestas se perderán al cerrarla";
     damaged: "This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.";
     locked: "The values are fixed in this page.", "Los valores están fijados en esta página.";
@@ -191,6 +192,9 @@ table_of_words! {
     checks_hold: "All claims hold", "Todas las afirmaciones se cumplen";
     checks_fail: "Claims that do not hold:", "Afirmaciones que no se cumplen:";
     checks_with: "With", "Con";
+    check_plot_show: "Show in the present run", "Ver en esta simulación";
+    check_plot_hide: "Hide the plot", "Ocultar la gráfica";
+    check_plot_waits: "Play the simulation first.", "Pon primero en marcha la simulación.";
     check_open: "not checked", "sin comprobar";
     check_holds: "holds", "se cumple";
     check_fails: "does not hold", "no se cumple";

@@ -17,6 +17,8 @@ pub struct NewQuestion {
     pub percent: String,
     /// Whether the value of the quantity is hidden until then.
     pub hides: bool,
+    /// Whether it appears when the question before it is answered.
+    pub follows: bool,
     /// The hint; none if it is empty.
     pub hint: String,
 }
@@ -30,6 +32,7 @@ pub fn add_question(outline: &Outline, question: &NewQuestion) -> Result<Edit, E
     let parts = [&question.prompt, &question.answer, &question.percent, &question.hint].map(|text| text.trim());
     let [prompt, answer, percent, hint] = parts;
     let mut lines = vec![prompt.to_owned(), String::new()];
+    lines.extend(question.follows.then(|| "after: previous".to_owned()));
     lines.extend(question.hides.then(|| format!("hide: {answer}")));
     lines.push(format!("answer: {answer} within {percent} %"));
     lines.extend((!hint.is_empty()).then(|| format!("hint: {hint}")));

@@ -7,7 +7,14 @@ const DOCUMENT: &str = "---\ntitle: A\nlanguage: en\n---\n```model\nparameter k 
 
 fn new(prompt: &str, answer: &str, hint: &str) -> NewQuestion {
     let text = str::to_owned;
-    NewQuestion { prompt: text(prompt), answer: text(answer), percent: text("3"), hides: true, hint: text(hint) }
+    NewQuestion {
+        prompt: text(prompt),
+        answer: text(answer),
+        percent: text("3"),
+        hides: true,
+        follows: false,
+        hint: text(hint),
+    }
 }
 
 #[test]
@@ -27,6 +34,36 @@ fn what_the_model_computes_from_parameters_can_be_an_answer() {
     let program = open(DOCUMENT, &[]).document.unwrap().program;
     let found = possible_answers(&read(DOCUMENT), &program);
     assert_eq!(found, [("T".to_owned(), Some("Period".to_owned()))]);
+}
+
+/// The remedy of a wrong reference works.
+#[test]
+fn a_question_waits_for_earlier_ones() {
+    let model = "```model\nparameter a = 1\ny' = a*1 [1/s]\ny(0) = 0\n```\n";
+    let question = |after: &str| format!("```question\nQ\n{after}answer: a within 1 %\n```\n");
+    let text = |third: &str| [model, &question(""), &question("after: previous\n"), &question(third)].concat();
+    let after = |third: &str| {
+        let opened = document::open(&text(third), &[]);
+        let errors: Vec<_> = opened.diagnostics.iter().map(|(_, found)| found.message.english.clone()).collect();
+        (opened.document.unwrap().program.questions.pop().unwrap().after, errors)
+    };
+    assert_eq!(after("after: previous\n"), (vec![1], vec![]));
+    assert_eq!(after("after: 1, 2, 1\n"), (vec![0, 1], vec![]));
+    for (wrong, named) in [("3", "3"), ("0", "0"), ("later", "later"), ("-1", "-1"), ("1 2", "1 2"), ("", "")] {
+        let (_, errors) = after(&format!("after: {wrong}\n"));
+        assert_eq!(errors, [format!("there is no question `{named}` before this one")], "{wrong}");
+        let wrong = text(&format!("after: {wrong}\n"));
+        let opened = document::open(&wrong, &[]);
+        let mended = document::edit::apply(&wrong, &opened.diagnostics[0].1.fixes[0].edits).unwrap();
+        assert_eq!(document::open(&mended, &[]).diagnostics, [], "{mended}");
+    }
+    let first = document::open(&[model, &question("after: previous\n")].concat(), &[]);
+    assert!(first.diagnostics[0].1.fixes.is_empty() && first.diagnostics.len() == 1);
+    // A question that has errors is not waited for.
+    let faulty = text("after: 2\n").replacen("after: previous\nanswer: a", "after: previous\nanswer: b", 1);
+    let opened = document::open(&faulty, &[]).document.unwrap();
+    let questions: Vec<_> = opened.program.questions.iter().map(|question| question.after.clone()).collect();
+    assert_eq!(questions, [Vec::<usize>::new(), Vec::new()]);
 }
 
 #[test]

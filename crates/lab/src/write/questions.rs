@@ -72,6 +72,7 @@ fn card(app: App, number: usize, one: Asked, shown: Option<(QuestionText, String
         .child(div().class("asked-prompt").inner_html(texts.prompt))
         .child(
             dl().child(row(words.question_answer, answer))
+                .maybe(written(words.question_follows, &one.after))
                 .maybe(written(words.question_supposes, &one.set))
                 .maybe(written(words.question_unlocks, &one.hide))
                 .maybe(said(words.hint, texts.hint))
@@ -98,17 +99,24 @@ fn form(app: App) -> View {
     let mut percent = input().r#type("text").class("cell").id("new-percent").attr("inputmode", "decimal").value("3");
     let mut hint = input().r#type("text").class("cell").id("new-hint").autocomplete("off");
     let mut hides = input().r#type("checkbox").id("new-hides").prop("checked", true);
-    let nodes: (HtmlTextAreaElement, HtmlSelectElement, HtmlInputElement, HtmlInputElement, HtmlInputElement) =
-        (prompt.node(), answer.node(), percent.node(), hint.node(), hides.node());
+    let mut follows = input().r#type("checkbox").id("new-follows");
+    let nodes: (HtmlTextAreaElement, HtmlSelectElement, [HtmlInputElement; 4]) =
+        (prompt.node(), answer.node(), [percent.node(), hint.node(), hides.node(), follows.node()]);
+    let is_first = memo(move || {
+        app.typed.track();
+        app.written.track();
+        asked(&document::read(&typing::text(app, 0))).is_empty()
+    });
     let add = move |event: SubmitEvent| {
         event.prevent_default();
-        let (prompt, answer, percent, hint, hides) = &nodes;
+        let (prompt, answer, [percent, hint, hides, follows]) = &nodes;
         let question = NewQuestion {
             prompt: prompt.value(),
             answer: answer.value(),
             percent: percent.value(),
             hint: hint.value(),
             hides: hides.checked(),
+            follows: follows.checked() && !is_first.get_untracked(),
         };
         let text = typing::text(app, 0);
         let added = typing::act(app, 0, &text, |outline| add_question(outline, &question).map(|edit| vec![edit]));
@@ -138,6 +146,7 @@ fn form(app: App) -> View {
         .child(line("new-percent", words.question_tolerance, percent.into()))
         .child(line("new-hint", words.hint, hint.into()))
         .child(switch(hides, words.question_hides))
+        .child(switch(follows, words.question_follows_previous).hidden(move || is_first.get()))
         .child(note(words.question_answers_note))
         .child(refusal_of(refusal))
         .child(button().r#type("submit").class("primary").child(words.question_add));

@@ -98,6 +98,13 @@ impl Play {
         !self.shows_hidden && open.map(|(question, _)| question).any(|question| question.hides.contains(&quantity))
     }
 
+    /// The earlier questions that must be answered before this one appears.
+    pub fn awaited_questions(&self, question: usize) -> Vec<usize> {
+        let after = self.program.questions.get(question).map_or(&[][..], |asked| &asked.after);
+        let is_open = |other: &usize| self.solved.get(*other) == Some(&false);
+        after.iter().copied().filter(is_open).collect()
+    }
+
     /// The answer to a question is known: what it hides is shown.
     pub(crate) fn solve(&mut self, question: usize) {
         if let Some(solved) = self.solved.get_mut(question).filter(|solved| !**solved) {

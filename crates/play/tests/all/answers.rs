@@ -234,6 +234,32 @@ fn what_cannot_be_hidden_is_reported() {
 }
 
 #[test]
+fn questions_appear_when_those_before_are_answered() {
+    let text = "```model\nparameter a = 2\ny' = a*1 [1/s]\ny(0) = 0\n```\n\n```question\nOne\nanswer: a within 1 %\n```\n\n\
+                ```question\nTwo\nafter: previous\nanswer: 2*a within 1 %\n```\n\n\
+                ```question\nThree\nafter: 1, 2\nanswer: 3*a within 1 %\n```\n";
+    let open = || crate::support::open(text, &[]);
+    let awaited = |play: &Play| [0, 1, 2, 3].map(|question| play.awaited_questions(question));
+    let mut play = open();
+    assert_eq!(awaited(&play), [vec![], vec![0], vec![0, 1], vec![]]);
+    play.check_answer(0, "3");
+    assert_eq!(awaited(&play)[1], [0], "a wrong answer opens nothing");
+    play.check_answer(0, "2");
+    assert_eq!(awaited(&play), [vec![], vec![], vec![1], vec![]]);
+    // What was opened is open at the next visit, and a wrong attempt later closes nothing.
+    play.check_answer(0, "3");
+    assert!(awaited(&play)[1].is_empty());
+    play.check_answer(0, "2");
+    let mut later = open();
+    for (name, answer) in play.saved_answers() {
+        assert!(later.restore_answer(&name, &answer));
+    }
+    assert_eq!(awaited(&later), awaited(&play));
+    later.reveal_answer(1);
+    assert!(awaited(&later)[2].is_empty());
+}
+
+#[test]
 fn answers_stay_with_their_questions() {
     let mut play = utube();
     play.check_answer(0, "123456");

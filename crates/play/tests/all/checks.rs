@@ -45,3 +45,34 @@ fn claims_are_in_the_language_of_the_page_with_what_they_suppose() {
     assert_eq!(names(&play)[0], "Cota");
     assert!(claims(&play)[1].outcome.contains("se espera"), "{:?}", claims(&play));
 }
+
+/// Where a claim is wrong in a known way the plot shows that: y grows as t, and is claimed to grow as 2t and as 3t.
+#[test]
+fn the_present_run_is_compared_with_what_is_claimed_of_all_of_it() {
+    let text = "---\nstep: 0.01 [s]\n---\n```model\nparameter a = 1 [m/s]\ny' = a\ny(0) = 0 [m]\n```\n\n```check\n\
+                \"Way\": y within 1 % of 2*a*t always\n\"Thrice\": y within 1 [cm] of 3*a*t always\n\
+                \"End\": y within 1 % of 1 [m] at end\n\"Bound\": y < 1000 [m] always\n```\n";
+    let mut play = open(text, &[]);
+    assert_eq!(play.deviation((0, 0)), None, "nothing has run");
+    go_on(&mut play, [0.1; 30]);
+    let way = play.deviation((0, 0)).unwrap();
+    let end = *way.times.last().unwrap();
+    assert!(way.is_relative && way.times.len() == way.off.len() && end > 1.0);
+    for (time, off) in way.times.iter().zip(&way.off) {
+        assert!((off + time / (2.0 * end)).abs() < 1e-12, "{off} at {time}");
+    }
+    let thrice = play.deviation((0, 1)).unwrap();
+    assert!(!thrice.is_relative);
+    assert!(thrice.times.iter().zip(&thrice.off).all(|(time, off)| (off + 2.0 * time).abs() < 1e-12));
+    for other in [(0, 2), (0, 3), (0, 9), (9, 0)] {
+        assert_eq!(play.deviation(other), None, "{other:?}");
+    }
+    let drawn: Vec<bool> = claims(&play).iter().map(|claim| claim.is_drawn).collect();
+    assert_eq!(drawn, [true, true, false, false]);
+    let svg = play.deviation_svg((0, 1), &figure::Settings::default(), &figure::Palette::LIGHT).unwrap();
+    assert!(svg.starts_with("<svg") && svg.contains("deviation [m]"), "{svg}");
+    // The number of points is bounded.
+    set(&mut play, "a", 2.0);
+    go_on(&mut play, [1.0; 60]);
+    assert!((700..=1500).contains(&play.deviation((0, 0)).unwrap().times.len()));
+}

@@ -75,13 +75,13 @@ fn line(app: App, key: &'static str, name: &'static str, example: &'static str) 
         refusal,
         write: Box::new(move |typed| if typed.trim().is_empty() { Ok(()) } else { write(typed) }),
     };
-    let leave = move |event| {
+    let leave = move |event: web_sys::FocusEvent| {
         let typed = value_of(&event);
         if typed.trim().is_empty() {
             refuse(refusal, remove(&typed).err());
         }
     };
-    let field = piece.line(app).attr("placeholder", example).when(events::change, leave);
+    let field = piece.line(app).attr("placeholder", example).when(events::blur, leave);
     div()
         .class("front-line")
         .child(label().r#for(format!("front-{key}")).child(name))
@@ -93,9 +93,11 @@ fn line(app: App, key: &'static str, name: &'static str, example: &'static str) 
 fn chosen(app: App, key: &'static str, name: &'static str, values: Vec<(&'static str, &'static str)>) -> HtmlDiv {
     let refusal = create_signal(None::<String>);
     let (text, write) = (value_in(app, key), setting(app, key));
+    let unset = app.words().front_unset;
     let options = move || {
         let now = text.get_clone();
         let other = (!values.iter().any(|(value, _)| *value == now)).then(|| (now.clone(), now.clone()));
+        let other = other.map(|(value, name)| if value.is_empty() { (value, unset.to_owned()) } else { (value, name) });
         let known = values.iter().map(|(value, name)| ((*value).to_owned(), (*name).to_owned()));
         each(other.into_iter().chain(known), |(value, name)| {
             let is_chosen = value == now;

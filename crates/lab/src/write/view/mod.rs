@@ -1,6 +1,7 @@
 //! What readers see of the document: its drawing, its plots, and the order of controls and values.
 
 mod drawing;
+mod forms;
 mod new_plot;
 mod plot;
 mod plots;

@@ -1,6 +1,6 @@
 //! One plot: its title, what it draws against what and how, its place among the others.
 
-use super::plots::Plots;
+use super::forms::Plots;
 use crate::diagnostics::{self, CarryOut};
 use crate::write::fields::{Piece, refuse};
 use crate::write::typing;

@@ -1,24 +1,12 @@
 //! The plots of the document, one card for each.
 
+use super::forms::Plots;
 use super::{new_plot, plot};
 use crate::app::App;
 use crate::write::typing;
 use document::form::{PlotCell, PlotPart, plots};
 use model::Diagnostic;
 use view::views::*;
-
-/// What the views of the plots share.
-#[derive(Clone, Copy)]
-pub struct Plots {
-    /// The laboratory.
-    pub app: App,
-    /// The plots as they stand in the editor.
-    pub all: ReadSignal<Vec<PlotPart>>,
-    /// What was found in them when the document was checked last, each with the number of its plot.
-    pub faults: ReadSignal<Vec<(usize, Diagnostic)>>,
-    /// Whether the text of a whole plot is being typed.
-    pub typing: Signal<bool>,
-}
 
 /// The plots of the document.
 pub fn view(app: App) -> HtmlDiv {

@@ -1,0 +1,72 @@
+//! How far the present run is off what the author claims about all of it: what is conserved, or a closed form.
+
+use crate::{Play, words};
+use engine::Readings;
+use figure::{Axis, Palette, Plot, Series, Settings};
+use program::{Claim, Compiled, Moment, Test, Tolerance};
+
+/// About how many rows are drawn; more could not be told apart.
+const ROWS: usize = 1500;
+
+/// How far a run is off what is claimed about all of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deviation {
+    /// Values of the independent variable, in its unit.
+    pub times: Vec<f64>,
+    /// The value minus the expected one: in the value's unit, or as a fraction of the greatest magnitude that the expected one has in the run.
+    pub off: Vec<f64>,
+    /// Whether it is that fraction.
+    pub is_relative: bool,
+}
+
+impl Play {
+    /// How far the present run is off the claim of the number `claim` in the list `check` of [`Play::checks`]. None for a claim that is
+    /// not about the whole run, and before the first step.
+    pub fn deviation(&self, (check, claim): (usize, usize)) -> Option<Deviation> {
+        let (value, expected, tolerance) = compared(self.claim((check, claim))?)?;
+        let history = self.course.history().filter(|history| history.len() > 1)?;
+        let mut readings = Readings::new(self.model(), &[value.node, expected.node]);
+        let unit = &self.model().independent.unit;
+        let (mut times, mut off) = (Vec::new(), Vec::new());
+        let mut greatest = 0.0f64;
+        for row in (0..history.len()).step_by(history.len().div_ceil(ROWS)) {
+            let &[is, should] = readings.at_row(history, row) else { return None };
+            times.push(unit.from_si(history.time(row)));
+            off.push(is - should);
+            greatest = greatest.max(should.abs());
+        }
+        let is_relative = matches!(tolerance, Tolerance::Relative(_)) && greatest > 0.0;
+        let scale = |off: &f64| if is_relative { off / greatest } else { value.unit.from_si(*off) };
+        Some(Deviation { times, off: off.iter().map(scale).collect(), is_relative })
+    }
+
+    /// The same as an SVG file.
+    pub fn deviation_svg(&self, place: (usize, usize), settings: &Settings, palette: &Palette) -> Option<String> {
+        let claim = self.claim(place)?;
+        let Deviation { times, off, is_relative } = self.deviation(place)?;
+        let unit = compared(claim).filter(|_| !is_relative).map_or("", |(value, ..)| &value.unit.text);
+        let independent = &self.model().independent;
+        let settings = Settings { decimal_comma: self.style.decimal_comma, ..*settings };
+        let plot = Plot {
+            title: self.program.text(&self.tag, &claim.name),
+            x: Axis { label: &independent.name, unit: &independent.unit.text, include: None },
+            y: vec![Axis { label: words::deviation(self.language, is_relative), unit, include: None }],
+            series: vec![Series { x: &times, y: &off, ..Series::default() }],
+            ordered: true,
+            ..Plot::default()
+        };
+        Some(figure::layout(&plot, &settings).svg(palette))
+    }
+
+    fn claim(&self, (check, claim): (usize, usize)) -> Option<&Claim> {
+        self.program.checks.get(check)?.claims.get(claim)
+    }
+}
+
+/// What a claim about the whole run compares; none of other claims.
+pub(crate) fn compared(claim: &Claim) -> Option<(&Compiled, &Compiled, Tolerance)> {
+    match (&claim.test, &claim.moment) {
+        (Test::Near { value, expected, tolerance }, Moment::Always) => Some((value, expected, *tolerance)),
+        _ => None,
+    }
+}

@@ -7,24 +7,25 @@ import { eventually, number, visit } from "./lab.mjs";
 import { freeSwing, goTo, swing, truth } from "./films.mjs";
 import { fit, openTheory, records } from "./measured.mjs";
 
-/** A ZIP archive (APPNOTE.TXT 6.3.3) of files, each with its content and whether it is deflated. */
+/** A ZIP archive (APPNOTE.TXT 6.3.3) of files, each with its content and whether it is deflated, in parts: the bytes, or a number of zeros. */
 function archive(files) {
   const [parts, directory] = [[], []];
   let at = 0;
   for (const [name, content, deflated] of files) {
     const [packed, title] = [deflated ? deflateRawSync(content) : content, Buffer.from(name)];
+    const length = (bytes) => bytes.length ?? bytes;
     const common = Buffer.alloc(26);
     common.writeUInt16LE(20, 0);
     common.writeUInt16LE(deflated ? 8 : 0, 4);
-    common.writeUInt32LE(crc32(content), 10);
-    common.writeUInt32LE(packed.length, 14);
-    common.writeUInt32LE(content.length, 18);
+    common.writeUInt32LE(content.length === undefined ? 0 : crc32(content), 10);
+    common.writeUInt32LE(length(packed), 14);
+    common.writeUInt32LE(length(content), 18);
     common.writeUInt16LE(title.length, 22);
     const place = Buffer.alloc(14);
     place.writeUInt32LE(at, 10);
     parts.push(Buffer.from("PK\x03\x04"), common, title, packed);
     directory.push(Buffer.from("PK\x01\x02\x14\x00"), common, place, title);
-    at += 30 + title.length + packed.length;
+    at += 30 + title.length + length(packed);
   }
   const end = Buffer.alloc(22);
   end.write("PK\x05\x06");
@@ -32,7 +33,7 @@ function archive(files) {
   end.writeUInt16LE(files.length, 10);
   end.writeUInt32LE(directory.reduce((sum, part) => sum + part.length, 0), 12);
   end.writeUInt32LE(at, 16);
-  return Buffer.concat([...parts, ...directory, end]);
+  return [...parts, ...directory, end].map((part) => (typeof part === "number" ? part : part.toString("latin1")));
 }
 
 /** The text of a project in which every frame of the swing is marked by hand, with frames of 33 ms: the film has 33.3. */
@@ -56,16 +57,17 @@ function project(film) {
   ].join("")));
 }
 
-const packed = (film, bytes, deflated = false) =>
-  archive([["swing.trk", project(film), true], [`videos/${film}`, bytes, deflated]]).toString("latin1");
+const packed = (film, bytes, deflated = false, before = []) =>
+  archive([...before, ["swing.trk", project(film), true], [`videos/${film}`, bytes, deflated]]);
 
 /** Lets a project fall on the page. */
-async function dropProject(lab, text) {
-  await lab.page.evaluate((text) => {
+async function dropProject(lab, parts) {
+  await lab.page.evaluate((parts) => {
+    const bytes = (part) => (typeof part === "number" ? new Uint8Array(part) : Uint8Array.from(part, (character) => character.charCodeAt(0)));
     const transfer = new DataTransfer();
-    transfer.items.add(new File([Uint8Array.from(text, (character) => character.charCodeAt(0))], "swing.trz"));
+    transfer.items.add(new File(parts.map(bytes), "swing.trz"));
     document.querySelector("#apparatus").dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
-  }, text);
+  }, parts);
 }
 
 const messages = (lab) => lab.page.locator("#messages").innerText();
@@ -90,6 +92,22 @@ for (const deflated of [false, true]) {
     assert.ok(Math.abs(found.get("Amplitude").value / truth.amplitude - 1) < 0.01);
   });
 }
+
+visit("an archive that is larger than any record is not read whole", async (lab) => {
+  await lab.page.evaluate(() => {
+    const whole = Blob.prototype.arrayBuffer;
+    window.read = 0;
+    Blob.prototype.arrayBuffer = function () {
+      window.read += this.size;
+      return whole.call(this);
+    };
+  });
+  await dropProject(lab, packed("swing.webm", readFileSync(freeSwing), false, [["videos/other.mov", 80_000_000, false]]));
+  await eventually(async () => assert.equal(await lab.page.locator("#film-name").innerText(), "swing.webm"), 30);
+  assert.equal(await records(lab).count(), 1);
+  const read = await lab.page.evaluate(() => window.read);
+  assert.ok(read < 1_000_000, `${read} bytes were read`);
+});
 
 visit("where the film cannot be decoded the record alone comes, and that is said", async (lab) => {
   // The same file with the name of a coding that the browser does not have.

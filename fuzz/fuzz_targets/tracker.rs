@@ -3,6 +3,7 @@
 
 #![no_main]
 
+use analysis::reading::Reading;
 use analysis::spreadsheet::Archive;
 use analysis::tracker;
 use libfuzzer_sys::fuzz_target;
@@ -17,8 +18,22 @@ fuzz_target!(|bytes: &[u8]| {
     let mut archive = Archive::default();
     archive.add("a.trk", bytes);
     archive.add("videos/film.mp4", b"");
-    read(archive.finish());
+    let archive = archive.finish();
+    gather(&archive);
+    read(archive);
+    gather(bytes);
 });
+
+/// No more is asked for than there is, and what is gathered is read or refused.
+fn gather(bytes: &[u8]) {
+    let mut gathering = tracker::gathering(bytes.len() as u64);
+    while let Some(range) = gathering.wanted() {
+        gathering.supply(bytes[range.start as usize..range.end as usize].to_vec());
+    }
+    if let Some(mut reading) = Reading::of_gathered(gathering, MOST) {
+        while matches!(reading.advance(1 << 16), Ok(false)) {}
+    }
+}
 
 fn read(bytes: Vec<u8>) {
     match tracker::read(bytes.clone()) {

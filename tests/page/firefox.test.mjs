@@ -2,13 +2,14 @@
 // plot, fit a record, share a link. Parts are found by role and name, wherever the layout has them.
 
 import assert from "node:assert/strict";
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { launch } from "puppeteer-core";
 import { eventually, labPage, number, temporary } from "./lab.mjs";
 import { SOME, SURFACE, freeSwing, isRight } from "./films.mjs";
 import { DAMPING, LENGTH, film } from "./measured.mjs";
+import { dropProject, packed } from "./tracker.mjs";
 
 // English, and no network: the proxy script sends every request to a port on which nothing listens.
 const PREFERENCES = {
@@ -226,6 +227,18 @@ visit("a link opens the same state for somebody else", "", async (visitor) => {
 visit("the frames of a film are the right ones", "", async (visitor) => {
   await visitor.find("slider", "Time line");
   await isRight(visitor.page, visitor.page, SOME, freeSwing);
+});
+
+visit("the film of a project of Tracker opens from the archive", "", async (visitor) => {
+  await visitor.find("slider", "Time line");
+  const { page } = visitor;
+  await dropProject(page, packed("swing.webm", readFileSync(freeSwing)));
+  await page.waitForSelector("#film-frame[data-frame]", { timeout: 60_000 });
+  await eventually(async () => {
+    const [name, record] = await page.evaluate(() => ["#film-name", "article.record"].map((part) => document.querySelector(part)?.textContent));
+    assert.equal(name, "swing.webm");
+    assert.match(record, /Times are those of the frames of its film/);
+  });
 });
 
 visit("the simulation is filmed, tracked and compared with the truth", "", async (visitor) => {

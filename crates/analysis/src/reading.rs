@@ -4,7 +4,7 @@
 use crate::finding::Finding;
 use crate::import::{self, Import, ImportError, Importer};
 use crate::packed::{self, Archive};
-use crate::tracker::{self, Opening, Project, TrackerError};
+use crate::tracker::{self, Gathering, Opening, Project, TrackerError};
 use crate::workbook::{Progress, Workbook, WorkbookError};
 use std::borrow::Cow;
 use units::Language::{self, Spanish};
@@ -122,6 +122,12 @@ impl Reading {
             Stage::Bytes(bytes)
         };
         Ok(Self { stage, most, passed: None })
+    }
+
+    /// Begins to read the project in an archive of which only some bytes were read, as [`Reading::new`]; `None` where there is none.
+    pub fn of_gathered(gathering: Gathering, most: usize) -> Option<Self> {
+        let project = Opening::of_archive(gathering.finish()?).ok()?;
+        Some(Self { stage: Stage::Project(Box::new(project)), most, passed: None })
     }
 
     /// Reads on for about `budget` bytes. Whether it has come to the end.

@@ -31,6 +31,7 @@ mod workbook;
 mod writing;
 
 pub use analysis::derivative::Differentiation;
+pub use analysis::tracker::{Gathering, gathering};
 pub use document;
 pub use film;
 pub use play;

@@ -3,7 +3,7 @@
 
 use crate::app::App;
 use crate::{film, tabs};
-use desk::{Desk, LONGEST_RECORD, RecordProgress, Refusal};
+use desk::{Desk, Gathering, LONGEST_RECORD, RecordProgress, Refusal};
 use view::browser;
 use view::views::*;
 use web_sys::File;
@@ -64,23 +64,38 @@ pub fn read(app: App, files: Vec<File>) {
 /// Reads one file. Why that was not possible, in words.
 async fn read_file(app: App, file: &File) -> Option<String> {
     let name = file.name();
-    // What is too large is refused unread.
-    if file.size() > LONGEST_RECORD as f64 {
-        return app.attempt_on_desk(|_| Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 }));
-    }
     refuse(app, None);
     app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
     app.tab.set(tabs::MEASURE);
     app.say(format!("{} {name}", app.words().reading_record));
-    let Ok(buffer) = browser::wait(file.array_buffer()).await else {
-        return Some(format!("{} {name}", app.words().file_not_read));
-    };
-    // Given up while the browser was reading it.
-    if app.record_progress.with_untracked(Option::is_none) {
+    let gathered = gathered(file).await;
+    let given_up = || app.record_progress.with_untracked(Option::is_none);
+    // While the browser was reading the file.
+    if given_up() {
         return None;
     }
-    let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
-    let mut refusal = app.attempt_on_desk(|desk| desk.begin_record(&name, bytes));
+    let begun = match gathered {
+        Some(gathering) => app.read_desk(|desk| Some(desk.begin_project(&name, gathering))),
+        None => Some(Ok(false)),
+    };
+    let mut refusal = match begun {
+        Some(Ok(true)) => None,
+        Some(Err(why)) => app.attempt_on_desk(|_| Err(why)),
+        // What is too large is refused unread.
+        _ if file.size() > LONGEST_RECORD as f64 => {
+            app.attempt_on_desk(|_| Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 }))
+        }
+        _ => {
+            let Ok(buffer) = browser::wait(file.array_buffer()).await else {
+                return Some(format!("{} {name}", app.words().file_not_read));
+            };
+            if given_up() {
+                return None;
+            }
+            let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
+            app.attempt_on_desk(|desk| desk.begin_record(&name, bytes))
+        }
+    };
     while refusal.is_none() && app.read_desk(|desk| desk.record_progress().is_some()) {
         browser::breathe().await;
         let end = js_sys::Date::now() + SLICE;
@@ -104,6 +119,21 @@ async fn read_file(app: App, file: &File) -> Option<String> {
         film::open_of_project(app, file).await;
     }
     refusal
+}
+
+/// What a project of Tracker needs of an archive, which may hold a large film and is not read whole; `None` for other files.
+async fn gathered(file: &File) -> Option<Gathering> {
+    let name = file.name().to_lowercase();
+    if ![".trz", ".zip"].iter().any(|ending| name.ends_with(ending)) {
+        return None;
+    }
+    let mut gathering = desk::gathering(file.size() as u64);
+    while let Some(range) = gathering.wanted() {
+        let part = file.slice_with_f64_and_f64(range.start as f64, range.end as f64).ok()?;
+        let buffer = browser::wait(part.array_buffer()).await.ok()?;
+        gathering.supply(js_sys::Uint8Array::new(&buffer).to_vec());
+    }
+    Some(gathering)
 }
 
 /// Shows why a record was not taken: in the line of messages, and where records come in.

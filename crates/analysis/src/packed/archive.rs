@@ -5,6 +5,10 @@ use super::part::Part;
 use std::ops::Range;
 use std::rc::Rc;
 
+/// The record of the end is followed by a comment of at most so many bytes.
+pub(super) const LONGEST_COMMENT: usize = 65_535;
+/// The fixed part of the header before the content of a file.
+pub(super) const HEADER: u64 = 30;
 /// More files than any workbook or project has.
 const MOST_FILES: usize = 10_000;
 /// No part may expand to more bytes. A sheet of a million rows and five columns has half of it.
@@ -14,18 +18,28 @@ const MOST_EXPANDED: u64 = 512 << 20;
 const MOST_EXPANSION: u64 = 200;
 const ALWAYS_ALLOWED: u64 = 1 << 20;
 
-/// An archive in memory.
+/// An archive in memory, or the pieces of it that are needed.
 #[derive(Clone, Debug)]
 pub(crate) struct Archive {
-    bytes: Rc<Vec<u8>>,
+    pieces: Vec<Piece>,
+    /// Its length in bytes.
+    size: u64,
     files: Vec<File>,
+}
+
+/// Some bytes of an archive.
+#[derive(Clone, Debug)]
+struct Piece {
+    /// Where they begin in the archive.
+    start: u64,
+    bytes: Rc<Vec<u8>>,
 }
 
 /// Where the content of a file is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Stored {
     /// The bytes of the archive that hold it.
-    pub range: Range<usize>,
+    pub range: Range<u64>,
     /// Whether they are compressed (Deflate); otherwise they are the content.
     pub deflated: bool,
     /// The size of the content in bytes, as the directory states it.
@@ -34,14 +48,23 @@ pub(crate) struct Stored {
 
 /// A file as the directory lists it.
 #[derive(Clone, Debug)]
-struct File {
-    name: String,
+pub(super) struct File {
+    pub name: String,
     encrypted: bool,
     deflated: bool,
     checksum: u32,
-    packed: u64,
+    pub packed: u64,
     expanded: u64,
-    header: u64,
+    /// Where the header of its content is.
+    pub header: u64,
+}
+
+/// What the end of an archive says of its directory.
+#[derive(Clone, Debug)]
+pub(super) struct End {
+    files: usize,
+    /// Where the directory is.
+    pub directory: Range<u64>,
 }
 
 /// Reads little-endian numbers; `None` beyond the end.
@@ -63,8 +86,16 @@ impl Archive {
     /// # Errors
     /// When there is none, or it points outside the file.
     pub fn open(bytes: Vec<u8>) -> Result<Self, Defect> {
-        let files = directory(&bytes).ok_or(Defect::Damaged)?;
-        Ok(Self { bytes: Rc::new(bytes), files })
+        let end = end(&bytes).ok_or(Defect::Damaged)?;
+        let directory = usize::try_from(end.directory.start).ok().and_then(|start| bytes.get(start..));
+        let files = directory.and_then(|directory| files(directory, &end)).ok_or(Defect::Damaged)?;
+        Ok(Self::of_pieces(bytes.len() as u64, vec![(0, bytes)], files))
+    }
+
+    /// That of this length of which these bytes are known, each with where they begin.
+    pub(super) fn of_pieces(size: u64, pieces: Vec<(u64, Vec<u8>)>, files: Vec<File>) -> Self {
+        let piece = |(start, bytes)| Piece { start, bytes: Rc::new(bytes) };
+        Self { pieces: pieces.into_iter().map(piece).collect(), size, files }
     }
 
     /// Whether there is a file of this name.
@@ -102,33 +133,47 @@ impl Archive {
             return Err(Defect::Expands { packed: file.packed, expanded: file.expanded });
         }
         let range = self.content(file).ok_or(Defect::Damaged)?;
-        Ok(Part::new(Rc::clone(&self.bytes), range, file.deflated, file.expanded, file.checksum))
+        let (piece, range) = self.piece(range).ok_or(Defect::Damaged)?;
+        Ok(Part::new(Rc::clone(&piece.bytes), range, file.deflated, file.expanded, file.checksum))
+    }
+
+    /// The piece that holds some bytes, and where they are in it.
+    fn piece(&self, range: Range<u64>) -> Option<(&Piece, Range<usize>)> {
+        self.pieces.iter().find_map(|piece| {
+            let [start, end] = [range.start, range.end].map(|at| usize::try_from(at.checked_sub(piece.start)?).ok());
+            let range = start?..end?;
+            (range.end <= piece.bytes.len()).then_some((piece, range))
+        })
     }
 
     /// Where the content of a file is: behind a header of its own.
-    fn content(&self, file: &File) -> Option<Range<usize>> {
-        let header = usize::try_from(file.header).ok()?;
-        let bytes = self.bytes.get(header..)?;
+    fn content(&self, file: &File) -> Option<Range<u64>> {
+        let (piece, range) = self.piece(file.header..file.header.checked_add(HEADER)?)?;
+        let bytes = piece.bytes.get(range)?;
         if !bytes.starts_with(b"PK\x03\x04") {
             return None;
         }
-        let before = 30 + usize::from(word(bytes, 26)?) + usize::from(word(bytes, 28)?);
-        let start = header.checked_add(before)?;
-        let end = start.checked_add(usize::try_from(file.packed).ok()?)?;
-        (end <= self.bytes.len()).then_some(start..end)
+        let before = HEADER + u64::from(word(bytes, 26)?) + u64::from(word(bytes, 28)?);
+        let start = file.header.checked_add(before)?;
+        let end = start.checked_add(file.packed)?;
+        (end <= self.size).then_some(start..end)
     }
 }
 
-/// The files that the directory at the end of the archive lists.
-fn directory(bytes: &[u8]) -> Option<Vec<File>> {
-    // The record of the end is followed by a comment of at most 65535 bytes.
+/// The record at the end of an archive, in its last bytes.
+pub(super) fn end(bytes: &[u8]) -> Option<End> {
     let last = bytes.len().checked_sub(22)?;
-    let end = (last.saturating_sub(65_535)..=last).rev().find(|at| bytes.get(*at..).is_some_and(is_end))?;
-    let files = usize::from(word(bytes, end + 10)?).min(MOST_FILES);
-    let mut at = usize::try_from(double(bytes, end + 16)?).ok()?;
+    let end = (last.saturating_sub(LONGEST_COMMENT)..=last).rev().find(|at| bytes.get(*at..).is_some_and(is_end))?;
+    let (length, start) = (u64::from(double(bytes, end + 12)?), u64::from(double(bytes, end + 16)?));
+    Some(End { files: usize::from(word(bytes, end + 10)?).min(MOST_FILES), directory: start..start + length })
+}
+
+/// The files that the directory of an archive lists.
+pub(super) fn files(directory: &[u8], end: &End) -> Option<Vec<File>> {
+    let mut at = 0_usize;
     let mut found = Vec::new();
-    for _ in 0..files {
-        let entry = bytes.get(at..)?;
+    for _ in 0..end.files {
+        let entry = directory.get(at..)?;
         if !entry.starts_with(b"PK\x01\x02") {
             return None;
         }

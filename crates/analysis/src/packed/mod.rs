@@ -1,10 +1,12 @@
 //! Files in ZIP archives and their XML as streams, with bounds on what a hostile file can make a reader hold.
 
 mod archive;
+mod gathering;
 mod part;
 mod xml;
 
 pub(crate) use archive::Archive;
+pub use gathering::Gathering;
 pub(crate) use part::Part;
 pub(crate) use xml::{Tag, Token, Xml};
 

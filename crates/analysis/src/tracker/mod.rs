@@ -17,9 +17,10 @@ mod remark;
 mod table;
 mod xml_reader;
 
+pub use crate::packed::Gathering;
 pub use clip::Clip;
 pub use coordinates::{Coordinates, Placement};
-pub use opening::{Opening, read};
+pub use opening::{Opening, gathering, read};
 pub use project::{Film, Mark, Mass, Opened, PackedFilm, Project};
 pub use refusal::TrackerError;
 pub use remark::{LeftOut, Remark};

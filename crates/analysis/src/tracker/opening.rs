@@ -4,7 +4,7 @@ use super::project::{Opened, PackedFilm, Project};
 use super::refusal::TrackerError;
 use super::xml_reader::XmlReader;
 use crate::import;
-use crate::packed::{self, Archive, Part};
+use crate::packed::{self, Archive, Gathering, Part};
 
 /// The XML of a project may expand to so many bytes. An hour of film at 100 frames/s with five masses has half of it.
 const MOST_EXPANDED: u64 = 256 << 20;
@@ -154,6 +154,11 @@ pub fn read(bytes: Vec<u8>) -> Result<Opened, TrackerError> {
     let mut opening = Opening::new(bytes)?;
     while !opening.advance(usize::MAX)? {}
     opening.finish().ok_or(TrackerError::Damaged)
+}
+
+/// The bytes of an archive of this length that are needed to read its projects and to find their film, without reading it whole.
+pub fn gathering(size: u64) -> Gathering {
+    Gathering::new(size, ".trk")
 }
 
 /// Whether a file of an archive is a project. macOS adds files with the attributes of others.

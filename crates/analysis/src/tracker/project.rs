@@ -51,7 +51,7 @@ pub struct PackedFilm {
     /// Its name in the archive, with folders.
     pub name: String,
     /// The bytes of the archive that hold it.
-    pub range: Range<usize>,
+    pub range: Range<u64>,
     /// Whether these bytes are compressed (Deflate); otherwise they are the film.
     pub deflated: bool,
     /// The film's size in bytes, as the archive states it.

@@ -139,7 +139,8 @@ fn an_archive_is_read_with_its_film() {
     let opened = tracker::read(bytes.clone()).expect("a project");
     let packed = opened.project.film.and_then(|film| film.packed).expect("a film");
     assert_eq!((packed.name.as_str(), packed.deflated, packed.size), (files[3].0, true, film.len() as u64));
-    let content = miniz_oxide::inflate::decompress_to_vec(&bytes[packed.range]).expect("the film");
+    let range = packed.range.start as usize..packed.range.end as usize;
+    let content = miniz_oxide::inflate::decompress_to_vec(&bytes[range]).expect("the film");
     assert_eq!(content, film.as_bytes());
     let contents = read(bytes);
     assert!(shown(&contents, Spanish).contains("; el vídeo del archivo, «videos/fall & rise.mp4», tiene"));
@@ -150,6 +151,43 @@ fn an_archive_is_read_with_its_film() {
     assert!(shown(&several, English).contains("the first with a marked mass was read: `b.TRK`"));
     let none = reading::read(zip(&[("a.trk", &unmarked), ("b.trk", &unmarked)]), MOST);
     assert_eq!(none, Err(ReadingError::Project(TrackerError::NoMass)));
+}
+
+/// What is gathered of an archive, and how many bytes that took.
+fn gathered(bytes: &[u8]) -> (Option<Contents>, usize) {
+    let mut gathering = tracker::gathering(bytes.len() as u64);
+    let mut taken = 0;
+    while let Some(range) = gathering.wanted() {
+        assert!(range.start <= range.end && range.end <= bytes.len() as u64, "{range:?}");
+        let part = &bytes[range.start as usize..range.end as usize];
+        taken += part.len();
+        gathering.supply(part.to_vec());
+    }
+    let contents = Reading::of_gathered(gathering, MOST).and_then(|mut reading| {
+        while !reading.advance(1000).ok()? {}
+        reading.finish()
+    });
+    (contents, taken)
+}
+
+#[test]
+fn a_large_archive_is_not_read_whole() {
+    // Bytes that no compression makes smaller.
+    let mut noise = crate::support::Noise::new(5);
+    let film: String = (0..1_000_000).map(|_| char::from(32 + (95.0 * noise.uniform()) as u8)).collect();
+    for names in [["talk/a.trk", "talk/videos/Fall & rise.mp4"], ["talk/videos/Fall & rise.mp4", "talk/a.trk"]] {
+        let content = |name: &str| if name.ends_with("trk") { FIXED } else { film.as_str() };
+        let bytes = zip(&names.map(|name| (name, content(name))));
+        let (contents, taken) = gathered(&bytes);
+        let whole = read(bytes.clone());
+        assert_eq!(contents.as_ref().map(|contents| format!("{contents:?}")), Some(format!("{whole:?}")));
+        let packed = whole.project.and_then(|project| project.film).and_then(|film| film.packed).expect("a film");
+        assert!(packed.range.end - packed.range.start > 500_000 && taken < 90_000, "{taken} of {}", bytes.len());
+    }
+    // What is no archive, or holds no project.
+    for bytes in [Vec::new(), b"PK".to_vec(), FIXED.into(), zip(&[("a.txt", "t\ty\n0\t1\n1\t2\n")])] {
+        assert_eq!(gathered(&bytes).0, None);
+    }
 }
 
 #[test]
@@ -251,9 +289,10 @@ proptest! {
 
     #[test]
     fn any_change_is_read_or_refused(at in any::<prop::sample::Index>(), byte in any::<u8>()) {
-        for mut bytes in [FIXED.as_bytes().to_vec(), MOVING.as_bytes().to_vec(), zip(&[("a.trk", FIXED)])] {
+        for mut bytes in [FIXED.as_bytes().to_vec(), MOVING.as_bytes().to_vec(), zip(&[("a.trk", FIXED), ("b.mp4", "")])] {
             let at = at.index(bytes.len());
             bytes[at] = byte;
+            gathered(&bytes);
             if let Err(error) = reading::read(bytes, MOST) {
                 prop_assert!(!error.message(Spanish).is_empty() && !error.hint(Spanish).is_empty());
             }

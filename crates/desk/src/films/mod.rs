@@ -13,6 +13,7 @@ mod opening;
 mod overlay;
 mod plan;
 mod project;
+mod project_opening;
 mod recipe;
 mod record;
 mod reporting;

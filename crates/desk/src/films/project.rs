@@ -1,16 +1,9 @@
-//! The film in a project of Tracker: it opens with the positions, the scale and the part that the project states, and its times replace
-//! those of the project's record.
+//! The film in a project of Tracker, and what the project says of it as a person would here: clicks, axes and scale, factor and part.
 
 use crate::films::clip::Clip;
-use crate::films::identity::FilmIdentity;
 use crate::films::lengths::{CalibrationForm, LengthsForm};
-use crate::films::opening::FilmOpening;
-use crate::films::plan::by_hand;
-use crate::films::subject::{FilmedBody, MOST_BODIES, POINT_SIGMA, Subject};
-use crate::films::work::Found;
-use crate::{Desk, Refusal, number};
-use analysis::finding::Finding;
-use analysis::tracker::{Mass, PackedFilm, Placement, Project, Remark};
+use crate::number;
+use analysis::tracker::{Mass, PackedFilm, Placement, Project};
 use film::tracking::column::Click;
 use std::ops::Range;
 use units::{Words, words};
@@ -25,9 +18,9 @@ const RULER: f64 = 0.8;
 /// The film in the archive of a project of Tracker that has become a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProjectFilm {
-    record: u32,
+    pub(super) record: u32,
     packed: PackedFilm,
-    project: Box<Project>,
+    pub(super) project: Box<Project>,
 }
 
 impl ProjectFilm {
@@ -42,7 +35,7 @@ impl ProjectFilm {
     }
 
     /// The bytes of the archive that hold it.
-    pub fn range(&self) -> Range<usize> {
+    pub fn range(&self) -> Range<u64> {
         self.packed.range.clone()
     }
 
@@ -57,7 +50,7 @@ impl ProjectFilm {
     }
 
     /// The positions of each mass in frames of a film of this length.
-    fn clicks(&self, clip: &Clip) -> Vec<(&Mass, Vec<Click>)> {
+    pub(super) fn clicks(&self, clip: &Clip) -> Vec<(&Mass, Vec<Click>)> {
         let frames = clip.times().len();
         let of_mass = |mass: &Mass| -> Vec<Click> {
             let inside = mass.marks.iter().filter(|mark| self.project.clip.includes(mark.frame));
@@ -72,7 +65,7 @@ impl ProjectFilm {
     }
 
     /// The frames in which the project says where a mass is by hand; the first one where it does not distinguish them.
-    fn keys(&self, mass: &Mass, clicks: &[Click]) -> Vec<Click> {
+    pub(super) fn keys(&self, mass: &Mass, clicks: &[Click]) -> Vec<Click> {
         let is_key = |click: &&Click| {
             let mark = mass.marks.iter().find(|mark| self.project.clip.film_frame(mark.frame) == Some(click.frame));
             mark.is_some_and(|mark| mark.key)
@@ -82,14 +75,14 @@ impl ProjectFilm {
     }
 
     /// How many times slower the film plays than things happened, if the project says so: by the mean duration of a frame.
-    fn factor(&self, clip: &Clip, stated: f64) -> Option<f64> {
+    pub(super) fn factor(&self, clip: &Clip, stated: f64) -> Option<f64> {
         let factor = 1.0 / (clip.rate()? * self.project.clip.interval);
         let says_so = factor.is_finite() && factor > 0.0 && (factor / stated - 1.0).abs() > SAME_RATE;
         says_so.then_some(factor)
     }
 
     /// The part of the film that the project uses, in seconds of the file; `None` where it is an end of the film.
-    fn part(&self, clip: &Clip) -> [Option<f64>; 2] {
+    pub(super) fn part(&self, clip: &Clip) -> [Option<f64>; 2] {
         let own = &self.project.clip;
         let last = own.count.saturating_sub(1).saturating_mul(own.step.max(1)).saturating_add(own.first);
         let first = own.film_frame(own.first).filter(|frame| *frame > 0);
@@ -99,7 +92,7 @@ impl ProjectFilm {
 
     /// Axes and scale of the project as a person would set them. A project keeps the scale, and not what it was read from: a ruler of a
     /// round length stands for it.
-    fn form(&self, clip: &Clip, style: number::Style) -> Result<CalibrationForm, Words> {
+    pub(super) fn form(&self, clip: &Clip, style: number::Style) -> Result<CalibrationForm, Words> {
         let coordinates = &self.project.coordinates;
         if coordinates.changes() {
             return Err(words(
@@ -145,102 +138,5 @@ impl ProjectFilm {
             return Err(words("its origin lies outside the picture", "su origen está fuera de la imagen"));
         }
         Ok(CalibrationForm { lengths, origin: Some(origin), axis: axis.flatten(), parallax: None })
-    }
-}
-
-impl Desk {
-    /// The film in the archive of the project that became a record last, once: it is to be opened by [`Desk::open_project_film`].
-    pub fn take_project_film(&mut self) -> Option<ProjectFilm> {
-        self.films.project.take()
-    }
-
-    /// Opens the film of a project in place of the one that is open, with positions, scale and part of the project; the record of the
-    /// project gets the times of the film. A film that is known is opened with the work on it instead.
-    ///
-    /// # Errors
-    /// What of the project a film here cannot have, and what [`Desk::open_film`] refuses. No film is open then, and the record of
-    /// the project is as it was.
-    pub fn open_project_film(
-        &mut self,
-        own: &ProjectFilm,
-        identity: FilmIdentity,
-        container: film::containers::Film,
-    ) -> Result<FilmOpening, Refusal> {
-        let opening = self.open_film(identity, container)?;
-        if opening == FilmOpening::TakenUp {
-            return Ok(opening);
-        }
-        let taken = self.take_project(own);
-        if taken.is_err() {
-            self.close_film();
-        }
-        taken.map(|()| opening)
-    }
-
-    fn take_project(&mut self, own: &ProjectFilm) -> Result<(), Refusal> {
-        let style = self.play.style();
-        let Some((open, work)) = self.films.current() else { return Err(self.no_film()) };
-        let clip = &open.clip;
-        let masses = own.clicks(clip);
-        let form = own.form(clip, style).map_err(|why| self.film_refusal(&why))?;
-        let calibration = self.calibration_of(&form, None)?;
-        let (part, factor) = (own.part(clip), own.factor(clip, work.stated_factor));
-        let subject = match masses.as_slice() {
-            [(_, clicks)] => Subject::Points { clicks: clicks.clone(), sigma: POINT_SIGMA },
-            several => Subject::Bodies(
-                several
-                    .iter()
-                    .map(|(mass, clicks)| FilmedBody { keys: own.keys(mass, clicks), radius: None })
-                    .collect(),
-            ),
-        }
-        .settled();
-        if masses.len() > MOST_BODIES {
-            return Err(self.film_refusal(&words!(
-                "it has {count} masses, and at most {MOST_BODIES} are followed in a film",
-                "tiene {count} masas, y en un vídeo se siguen {MOST_BODIES} como máximo",
-                count = Words::same(masses.len().to_string())
-            )));
-        }
-        subject.check(clip.size(), clip.times().len()).map_err(|refusal| self.film_refusal(&refusal.words()))?;
-        let mut found = Found { factor: factor.unwrap_or(work.stated_factor), ..Found::default() };
-        for (_, clicks) in &masses {
-            let one = by_hand(clicks, POINT_SIGMA, clip, found.factor);
-            found.tracks.extend(one.tracks);
-            found.frames.extend(one.frames);
-        }
-        found.frames.sort_by_key(|frame| frame.0);
-        found.frames.dedup_by_key(|frame| frame.0);
-        let ends = clip.ends(part);
-        let step = own.project.clip.stretch().is_none().then_some(1000.0 * own.project.clip.interval);
-        let times = step.map(|milliseconds| Remark::FilmTimes { milliseconds });
-        let note = Words::each(|language| times.as_ref().map(|times| times.text(language)).unwrap_or_default());
-        let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
-        open.notes.extend(times.is_some().then_some(note));
-        (work.form, work.calibration, work.subject, work.found) = (form, calibration, subject, Some(found));
-        (work.part, work.ends, work.factor, work.record) = (part, ends, factor, Some(own.record));
-        self.keep_remarks(own.record, times)
-    }
-
-    /// Writes the film's record in place of that of the project; what was said of the project and still holds stays.
-    fn keep_remarks(&mut self, id: u32, times: Option<Remark>) -> Result<(), Refusal> {
-        let of_project = |finding: &Finding| match finding {
-            Finding::Project(remark) => {
-                !matches!(remark, Remark::ConstantStep { .. } | Remark::ListedTimes { .. } | Remark::Calibration { .. })
-            }
-            _ => false,
-        };
-        let before: Vec<Finding> = times.map(Finding::Project).into_iter().collect();
-        let before = before.into_iter().chain(
-            self.record(id)
-                .into_iter()
-                .flat_map(|record| record.findings.iter().filter(|one| of_project(one)).cloned()),
-        );
-        let before: Vec<Finding> = before.collect();
-        self.film_changed(crate::films::record::Kept { origin: false, offsets: false })?;
-        if let Some(record) = self.data.records.iter_mut().find(|record| record.id == id) {
-            record.findings.splice(0..0, before);
-        }
-        Ok(())
     }
 }

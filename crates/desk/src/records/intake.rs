@@ -8,6 +8,7 @@ use crate::{Announcement, Desk, LONGEST_RECORD, MOST_RECORDS, Refusal};
 use analysis::finding::Finding;
 use analysis::inspection::{Inspection, Inspector, doubtful_times, inspect};
 use analysis::reading::{self, Contents, Reading, ReadingError};
+use analysis::tracker::Gathering;
 use std::collections::BTreeMap;
 use units::Language;
 use units::sentence;
@@ -39,6 +40,21 @@ impl Desk {
             Reading::new(bytes, LONGEST_TEXT).map_err(|error| unreadable(name, &error, self.play.language()))?;
         self.intake = Some(Intake { name: name.to_owned(), stage: Stage::Reading(Box::new(reading)) });
         Ok(())
+    }
+
+    /// Begins to read the project of Tracker in an archive of which only some bytes were read, as [`Desk::begin_record`]. False where
+    /// it holds none: it may be something else.
+    ///
+    /// # Errors
+    /// A record too many.
+    pub fn begin_project(&mut self, name: &str, gathering: Gathering) -> Result<bool, Refusal> {
+        self.intake = None;
+        if self.data.records.len() >= MOST_RECORDS {
+            return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
+        }
+        let reading = Reading::of_gathered(gathering, LONGEST_TEXT);
+        self.intake = reading.map(|reading| Intake { name: name.to_owned(), stage: Stage::Reading(Box::new(reading)) });
+        Ok(self.intake.is_some())
     }
 
     /// Reads on for about `budget` bytes. The id of the record, once it is there; `None` also where nothing is being read.

@@ -94,7 +94,8 @@ fn opened(masses: usize, edit: impl Fn(String) -> String) -> (Desk, Result<FilmO
     let film = desk.take_project_film().expect("its film is in the archive");
     assert_eq!(desk.take_project_film(), None, "it is given once");
     assert_eq!((film.name(), film.is_deflated(), film.size()), ("swing.mp4", false, 19));
-    assert_eq!(&bytes[film.range()], b"the bytes of a film");
+    let range = film.range().start as usize..film.range().end as usize;
+    assert_eq!(&bytes[range], b"the bytes of a film");
     let opening = desk.open_project_film(&film, identity("swing.mp4"), container(40));
     (desk, opening)
 }

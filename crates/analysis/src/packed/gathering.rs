@@ -1,0 +1,99 @@
+//! An archive that is not read whole: which of its bytes are needed to read its projects and to find its films.
+
+use super::archive::{self, Archive, End, File, HEADER, LONGEST_COMMENT};
+use std::cmp::Reverse;
+use std::ops::Range;
+
+/// A longer directory is not read.
+const LONGEST_DIRECTORY: u64 = 4 << 20;
+/// Files whose content is read may have so many bytes together, as they are in the archive.
+const MOST_BYTES: u64 = 64 << 20;
+/// So many of the other files are found, the largest ones.
+const MOST_FOUND: usize = 20;
+/// Before its content the header of a file has its name and an extra field, each of at most 65535 bytes; hardly ever more than this.
+const BEFORE: u64 = 4096;
+
+/// The bytes of an archive that are needed, asked for one after the other.
+#[derive(Debug)]
+pub struct Gathering {
+    size: u64,
+    /// The file names whose content is needed end so, in small letters.
+    ending: &'static str,
+    stage: Stage,
+    pieces: Vec<(u64, Vec<u8>)>,
+}
+
+#[derive(Debug)]
+enum Stage {
+    Tail,
+    Directory(End),
+    /// The ranges that are still to be read, the next one last, and all files.
+    Pieces(Vec<Range<u64>>, Vec<File>),
+    /// It is no archive, or one with nothing that is needed.
+    Nothing,
+}
+
+impl Gathering {
+    /// Of an archive of this length in bytes, with the content of the files whose names end so.
+    pub(crate) fn new(size: u64, ending: &'static str) -> Self {
+        Self { size, ending, stage: Stage::Tail, pieces: Vec::new() }
+    }
+
+    /// The bytes that are needed next; `None` once all are there.
+    pub fn wanted(&self) -> Option<Range<u64>> {
+        match &self.stage {
+            Stage::Tail => Some(self.size.saturating_sub(LONGEST_COMMENT as u64 + 22)..self.size),
+            Stage::Directory(end) => Some(end.directory.clone()),
+            Stage::Pieces(ranges, _) => ranges.last().cloned(),
+            Stage::Nothing => None,
+        }
+    }
+
+    /// Takes the bytes that are wanted.
+    pub fn supply(&mut self, bytes: Vec<u8>) {
+        self.stage = match std::mem::replace(&mut self.stage, Stage::Nothing) {
+            Stage::Tail => {
+                let inside = |end: &End| {
+                    let Range { start, end } = end.directory;
+                    start <= end && end <= self.size && end - start <= LONGEST_DIRECTORY
+                };
+                archive::end(&bytes).filter(inside).map_or(Stage::Nothing, Stage::Directory)
+            }
+            Stage::Directory(end) => match archive::files(&bytes, &end).map(|files| (self.ranges(&files, &end), files))
+            {
+                Some((Some(ranges), files)) => Stage::Pieces(ranges, files),
+                _ => Stage::Nothing,
+            },
+            Stage::Pieces(mut ranges, files) => {
+                if let Some(range) = ranges.pop() {
+                    self.pieces.push((range.start, bytes));
+                }
+                Stage::Pieces(ranges, files)
+            }
+            Stage::Nothing => Stage::Nothing,
+        };
+    }
+
+    /// The bytes of the files that are needed, and the headers of the largest others; `None` where nothing is needed, or too much.
+    fn ranges(&self, files: &[File], end: &End) -> Option<Vec<Range<u64>>> {
+        let is_needed = |file: &&File| file.name.to_ascii_lowercase().ends_with(self.ending);
+        let needed: Vec<&File> = files.iter().filter(is_needed).collect();
+        let sum = needed.iter().fold(0_u64, |sum, file| sum.saturating_add(file.packed));
+        if needed.is_empty() || sum > MOST_BYTES || needed.len() > MOST_FOUND {
+            return None;
+        }
+        let mut others: Vec<&File> = files.iter().filter(|file| !is_needed(file)).collect();
+        others.sort_by_key(|file| Reverse(file.packed));
+        let range = |file: &File, length: u64| file.header..file.header.saturating_add(length).min(end.directory.start);
+        let needed = needed.into_iter().map(|file| range(file, file.packed.saturating_add(HEADER + BEFORE)));
+        let found = others.into_iter().take(MOST_FOUND).map(|file| range(file, HEADER));
+        let ranges: Vec<Range<u64>> = needed.chain(found).filter(|range| range.start < range.end).collect();
+        Some(ranges)
+    }
+
+    /// The archive, as far as it was needed; `None` where it holds nothing that is.
+    pub(crate) fn finish(self) -> Option<Archive> {
+        let Stage::Pieces(_, files) = self.stage else { return None };
+        Some(Archive::of_pieces(self.size, self.pieces, files))
+    }
+}

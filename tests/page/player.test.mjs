@@ -48,7 +48,7 @@ visit("locked values are fixed, and the buttons of the author act", { file: kick
   await page.press("Play");
   await page.watchUntil(0.2);
   await page.press("Kick");
-  await eventually(async () => assert.equal(await page.page.locator(".readouts dl > div", { hasText: "Kicks" }).locator("dd").innerText(), "1"));
+  await eventually(async () => assert.equal(await page.page.locator(".readouts dl > div", { hasText: /Kicks/ }).locator("dd").innerText(), "1"));
 });
 
 visit("what is typed may be arithmetic in the names of the model", { file: exported }, async (page) => {

@@ -101,10 +101,14 @@ visit("parts are placed, sized and turned by pointing, come to lie on the grid, 
     assert.equal(await written(lab, "block"), '<block at="(0, 0)" size="(10 [cm], 8 [cm])" turn="-90 [deg]"/>');
   });
   await runs(lab);
+  // Its sides are now upright: a corner that goes down makes it longer, one that goes to the left makes it higher.
+  await drag(lab, await grip(lab, "corner"), [-cm, 2 * cm]);
+  await becomes(lab, "block", '<block at="(0, 0)" size="(14 [cm], 10 [cm])" turn="-90 [deg]"/>');
+  await runs(lab);
   // The picture itself is pressed: what lies there is chosen and moved.
   const box = await lab.page.locator(".drawing-overlay .edges").boundingBox();
   await drag(lab, [box.x + box.width / 2, box.y + box.height / 2], [4 * cm, 0]);
-  await becomes(lab, "block", '<block at="(4 [cm], 0)" size="(10 [cm], 8 [cm])" turn="-90 [deg]"/>');
+  await becomes(lab, "block", '<block at="(4 [cm], 0)" size="(14 [cm], 10 [cm])" turn="-90 [deg]"/>');
   // Without the grid, a millimetre is enough.
   await lab.page.locator("#drawing-grid").click();
   await canvas(lab).focus();

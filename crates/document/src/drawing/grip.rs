@@ -20,6 +20,11 @@ pub enum Grip {
 }
 
 impl Item {
+    /// The radius with which it is drawn where none is written, in units of the drawing.
+    pub(crate) fn usual_radius(&self) -> f64 {
+        if self.kind.name == "angle" { 30.0 } else { 12.0 }
+    }
+
     /// What can be gripped of it, all of it first. A frame and axes stay where they are.
     pub fn grips(&self) -> Vec<Grip> {
         let has = |name: &str| self.attribute(name).is_some();

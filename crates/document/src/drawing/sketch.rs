@@ -13,8 +13,6 @@ use units::{Dimension, Language, Unit};
 
 /// How far a grip that turns stands from the edge, in units of the drawing.
 const LEVER: f64 = 22.0;
-/// How far from its middle the edge of something is whose size is not known, in units of the drawing.
-const REACH: f64 = 12.0;
 
 /// A drawing with what is needed to find its places in the picture.
 #[derive(Clone, Debug)]
@@ -76,6 +74,8 @@ pub struct Located {
     pub grips: Vec<(Grip, [f64; 2])>,
     /// The place that `at` says, about which it turns.
     pub middle: Option<[f64; 2]>,
+    /// By what angle it is turned where it is drawn, clockwise, in radians.
+    pub turn: f64,
 }
 
 impl Sketch {
@@ -147,6 +147,7 @@ impl Sketch {
             unit: place.unit.clone(),
             grips: grips.filter(is_drawn).collect(),
             middle: known.middle(),
+            turn: known.turn(),
         })
     }
 }
@@ -209,10 +210,19 @@ where
         size.map(|[width, height]| [width / 2.0, height / 2.0])
     }
 
+    fn radius(&self) -> f64 {
+        (self.number)("r").unwrap_or(self.item.usual_radius())
+    }
+
+    /// By what angle it is turned in the drawing, clockwise.
+    fn turn(&self) -> f64 {
+        let turn = (self.number)("turn").unwrap_or(0.0);
+        if self.item.framed { -turn } else { turn }
+    }
+
     /// What lies so far from the middle, where the element is turned.
     fn beside(&self, middle: [f64; 2], [right, down]: [f64; 2]) -> [f64; 2] {
-        let turn = (self.number)("turn").unwrap_or(0.0);
-        let angle = if self.item.framed { -turn } else { turn };
+        let angle = self.turn();
         let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
         [middle[0] + cosine * right - sine * down, middle[1] + sine * right + cosine * down]
     }
@@ -232,9 +242,9 @@ where
                 let height = if self.item.framed { -2.0 * half[1] } else { 2.0 * half[1] };
                 Some([x + 2.0 * half[0], y + height])
             }
-            Grip::Edge => Some(self.beside(self.middle()?, [(self.number)("r").unwrap_or(REACH), 0.0])),
+            Grip::Edge => Some(self.beside(self.middle()?, [self.radius(), 0.0])),
             Grip::Turn => {
-                let reach = self.half().map(|[_, height]| height).or((self.number)("r")).unwrap_or(REACH);
+                let reach = self.half().map(|[_, height]| height).unwrap_or_else(|| self.radius());
                 Some(self.beside(self.middle()?, [0.0, -reach - LEVER]))
             }
         }

@@ -128,6 +128,8 @@ fn elements_are_moved_sized_and_turned_where_they_stand_in_a_frame() {
     for (before, grip, by, after) in cases {
         assert_eq!(shifted(&framed(before), grip, by, &centimetres()), after, "{before}");
     }
+    let arc = shifted(&framed("<angle at=\"(0, 0)\" from=\"0\" to=\"phi\"/>"), Grip::Edge, [0.01, 0.0], &centimetres());
+    assert_eq!(arc, "<angle at=\"(0, 0)\" from=\"0\" to=\"phi\" r=\"40px\"/>");
     let turn = |before: &str, by: f64| shifted(&framed(before), Grip::Turn, [by, 0.0], &Measure::degrees(15.0));
     assert_eq!(
         turn("<block at=\"(0, 0)\" size=\"(a, a)\"/>", 0.5),

@@ -10,11 +10,8 @@ use crate::scene::{Step, steps};
 use model::Span;
 use std::f64::consts::PI;
 
-/// A radius of parts that are drawn without one, in units of the drawing.
-const RADIUS: f64 = 12.0;
-
 /// Moves what is gripped of an element: to the right and upwards in a frame, to the right and downwards outside, in lengths of that
-/// place (SI, or units of the drawing). What follows a quantity goes on following it, with a distance added. A grip that turns is
+/// place (SI, or units of the drawing); a corner or edge of something turned along its own sides. What follows a quantity goes on following it, with a distance added. A grip that turns is
 /// moved by an angle in radians, counterclockwise in a frame, clockwise outside; `measure.step` is then an angle.
 ///
 /// # Errors
@@ -119,8 +116,11 @@ impl Changes<'_> {
     }
 
     fn edge(&self, by: [f64; 2]) -> Result<Changed, EditError> {
-        let radius =
-            if self.has("r") { self.grown("r", by[0])? } else { self.measure.grown(&format!("{RADIUS}px"), by[0]) };
+        let radius = if self.has("r") {
+            self.grown("r", by[0])?
+        } else {
+            self.measure.grown(&format!("{}px", self.item.usual_radius()), by[0])
+        };
         Ok(vec![("r", radius)])
     }
 

@@ -107,7 +107,7 @@ fn move_each(hand: Hand, grip: Grip, ways: &[(usize, [f64; 2])], on_grid: bool) 
                 let turn = if framed { -way[0] } else { way[0] };
                 ([turn, 0.0], Measure::degrees(TURNS[usize::from(!on_grid)]))
             } else {
-                (item.way(*way, framed), item.measure(seen.pixel, on_grid))
+                (item.way(*way, grip, framed), item.measure(seen.pixel, on_grid))
             };
             edits.extend(shift(outline, *number, grip, by, &measure)?);
         }

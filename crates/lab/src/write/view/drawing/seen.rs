@@ -35,15 +35,20 @@ pub struct SeenItem {
     pub middle: Option<[f64; 2]>,
     /// From the picture to where its lengths are counted.
     inwards: Matrix,
+    /// By what angle it is turned there, clockwise, in radians.
+    turn: f64,
     /// Units of the drawing for an SI unit of length.
     scale: f64,
     unit: String,
 }
 
 impl SeenItem {
-    /// A way in the picture in the element's lengths: to the right and, in a frame, upwards.
-    pub fn way(&self, way: [f64; 2], framed: bool) -> [f64; 2] {
-        let [right, down] = self.inwards.way(way);
+    /// A way in the picture in the element's lengths: to the right and, in a frame, upwards; of a corner or edge, along its sides.
+    pub fn way(&self, way: [f64; 2], grip: Grip, framed: bool) -> [f64; 2] {
+        let [x, y] = self.inwards.way(way);
+        let turn = if matches!(grip, Grip::Corner | Grip::Edge) { self.turn } else { 0.0 };
+        let (sine, cosine) = (libm::sin(turn), libm::cos(turn));
+        let [right, down] = [cosine * x + sine * y, cosine * y - sine * x];
         let up = if framed { -down } else { down };
         [right / self.scale, up / self.scale]
     }
@@ -114,6 +119,7 @@ fn seen_item(root: &SvgElement, from_window: &Matrix, place: &Located) -> Option
         grips: place.grips.iter().map(|(grip, spot)| (*grip, to_picture(*spot))).collect(),
         middle: place.middle.map(to_picture),
         inwards,
+        turn: place.turn,
         scale: place.scale,
         unit: place.unit.clone(),
     })

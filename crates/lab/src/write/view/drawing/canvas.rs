@@ -16,18 +16,23 @@ pub fn view(hand: Hand) -> View {
     let canvas = Canvas::default();
     let mut place = div().class("drawing-picture");
     let node: Element = place.node();
-    let (built, drawn) = (canvas.clone(), canvas.clone());
+    let (built, drawn, measured) = (canvas.clone(), canvas.clone(), canvas.clone());
     // A text that runs has another picture.
     effect(move || {
         hand.app.written.track();
         hand.app.changes.program.track();
         built.build(hand, &node);
-        built.draw(hand);
+        built.measure(hand);
     });
     effect(move || {
         hand.app.changes.frame.track();
-        hand.app.changes.parameters.track();
         drawn.draw(hand);
+    });
+    // Measuring a large drawing takes the browser longer than drawing it: while the run plays, ten times a second are enough.
+    effect(move || {
+        hand.app.changes.values.track();
+        hand.app.changes.parameters.track();
+        measured.measure(hand);
     });
     let node: Element = place.node();
     follow_size(hand, canvas.clone(), &node);
@@ -68,7 +73,7 @@ fn scrolls_beside(pointing: &Pointing, surface: &Element) {
 
 /// Measures again when the canvas has another size.
 fn follow_size(hand: Hand, canvas: Canvas, node: &Element) {
-    let draw = Closure::<dyn FnMut()>::new(move || canvas.draw(hand));
+    let draw = Closure::<dyn FnMut()>::new(move || canvas.measure(hand));
     let Ok(observer) = ResizeObserver::new(draw.as_ref().unchecked_ref()) else { return };
     observer.observe(node);
     on_cleanup(move || {

@@ -31,11 +31,19 @@ impl Canvas {
         *self.0.borrow_mut() = picture;
     }
 
-    /// Shows the present, and finds out where everything is seen.
+    /// Shows the present.
     pub fn draw(&self, hand: Hand) {
         let Ok(mut picture) = self.0.try_borrow_mut() else { return };
-        let seen = picture.as_mut().and_then(|picture| {
+        if let Some(picture) = picture.as_mut() {
             hand.app.read(|play| picture.draw(play));
+        }
+    }
+
+    /// Shows the present, and finds out where everything is seen.
+    pub fn measure(&self, hand: Hand) {
+        self.draw(hand);
+        let Ok(picture) = self.0.try_borrow() else { return };
+        let seen = picture.as_ref().and_then(|picture| {
             let places = hand.app.read_desk(|desk| desk.drawing_places())?;
             Seen::measure(picture.root(), places)
         });

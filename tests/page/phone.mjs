@@ -68,7 +68,7 @@ async function opening(browser, address, { slowed, network }) {
 async function frames(browser, address, say) {
   const { context, page, devtools } = await phone(browser, 4);
   await page.goto(address);
-  await page.locator("#play").click();
+  await page.locator("#play").tap();
   await page.waitForTimeout(2000);
   const events = [];
   devtools.on("Tracing.dataCollected", ({ value }) => events.push(...value));

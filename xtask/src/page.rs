@@ -72,7 +72,7 @@ pub fn build() -> Result<PathBuf> {
     for (kind, module) in KINDS.iter().zip(wasm::build(KINDS.map(|kind| kind.package).as_slice())?) {
         let directory = steps::target().join("page").join("parts");
         wasm::bind(&module, Host::Page("wasm_bindgen"), &directory)?;
-        let glue = read(&directory.join(format!("{}.js", kind.package)))?;
+        let glue = editor::minified(&directory.join(format!("{}.js", kind.package)))?;
         let module = directory.join(format!("{}_bg.wasm", kind.package));
         let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
         let packed = pack(zopfli::Format::Gzip, &module)?;
@@ -80,7 +80,20 @@ pub fn build() -> Result<PathBuf> {
         if kind.is_laboratory {
             (editor, player) = (editor::bundle()?, read(&steps::player())?);
         }
-        let page = assemble(kind, &glue, &packed, [(page::EDITOR, &editor), (page::PLAYER, &player)])?;
+        let styles = kind
+            .styles
+            .iter()
+            .map(|name| read(&steps::root().join("crates").join(name)))
+            .collect::<Result<String>>()?;
+        let style = directory.join(format!("{}.css", kind.package));
+        std::fs::write(&style, styles).with_context(|| format!("cannot write {}", style.display()))?;
+        let page = assemble(
+            kind,
+            &editor::minified(&style)?,
+            &glue,
+            &packed,
+            [(page::EDITOR, &editor), (page::PLAYER, &player)],
+        )?;
         let path = (kind.path)();
         write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
         println!("{}", kind.package);
@@ -108,15 +121,13 @@ fn pack(format: zopfli::Format, part: &[u8]) -> Result<Vec<u8>> {
 /// Puts the parts into the template's places.
 ///
 /// `lazy` are parts of the laboratory that are inflated when they are first needed, each with the tag that opens its element.
-fn assemble(kind: &Kind, glue: &str, packed: &[u8], lazy: [(&str, &String); 2]) -> Result<String> {
-    let crates = steps::root().join("crates");
-    let source = crates.join("view").join("page");
+fn assemble(kind: &Kind, style: &str, glue: &str, packed: &[u8], lazy: [(&str, &String); 2]) -> Result<String> {
+    let source = steps::root().join("crates").join("view").join("page");
     let base64 = |bytes: &[u8]| base64::engine::general_purpose::STANDARD.encode(bytes);
     let font = source.join("math.woff2");
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
-    let styles = kind.styles.iter().map(|name| read(&crates.join(name))).collect::<Result<String>>()?;
-    let style = styles.replace("/*math-font*/", &base64(&font));
-    let boot = read(&source.join("boot.js"))?;
+    let style = style.replace("/*math-font*/", &base64(&font));
+    let boot = editor::minified(&source.join("boot.js"))?;
     let module = format!("<script type=\"application/octet-stream\" id=\"module\">{}</script>", base64(packed));
     let (mut carried, mut deflated) = (String::new(), String::new());
     if kind.is_laboratory {

@@ -21,7 +21,7 @@ pub fn wasm_target() -> Result<()> {
 
 /// Node, at least version 20.
 pub fn node() -> Result<PathBuf> {
-    const HOW: &str = "the page's editor and the tests in the browser need Node 20 or later: https://nodejs.org";
+    const HOW: &str = "the page's scripts and the tests in the browser need Node 20 or later: https://nodejs.org";
     let node = find("node").context(HOW)?;
     let version = steps::output(Command::new(&node).arg("--version"))?;
     let major = version.trim().trim_start_matches('v').split('.').next().and_then(|text| text.parse::<u32>().ok());

@@ -47,13 +47,12 @@ fn narrow_order(size: usize, pattern: &[(usize, usize)]) -> Vec<usize> {
         list.dedup();
     }
     let degrees: Vec<usize> = neighbours.iter().map(Vec::len).collect();
-    for list in &mut neighbours {
-        list.sort_by_key(|&neighbour| degrees[neighbour]);
-    }
+    let sort = |nodes: &mut [usize]| nodes.sort_by_key(|&node| degrees[node]);
+    neighbours.iter_mut().for_each(|list| sort(list));
     let mut order = Vec::with_capacity(size);
     let mut reached = vec![false; size];
     let mut by_degree: Vec<usize> = (0..size).collect();
-    by_degree.sort_by_key(|&node| degrees[node]);
+    sort(&mut by_degree);
     for node in by_degree {
         if !reached[node] {
             let first = end_of(&neighbours, node);

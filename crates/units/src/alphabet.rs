@@ -45,6 +45,17 @@ pub fn greek_letter(name: &str) -> Option<char> {
     at(&SMALL, 'α').or_else(|| at(&CAPITAL, 'Α'))
 }
 
+/// The capital of a small letter of Latin-1, as in English and Spanish, or of Greek; every other character as it is. The tables
+/// of Unicode, behind [`char::to_uppercase`], would be a fortieth of each exported page.
+pub fn capital(letter: char) -> char {
+    match letter {
+        'a'..='z' | 'à'..='ö' | 'ø'..='þ' | 'α'..='ρ' | 'σ'..='ω' => {
+            char::from_u32(letter as u32 - 0x20).unwrap_or(letter)
+        }
+        _ => letter,
+    }
+}
+
 /// How many primes a character stands for.
 pub fn primes(character: char) -> Option<u32> {
     match character {
@@ -109,5 +120,13 @@ mod tests {
         assert_eq!(greek_name('a'), None);
         assert_eq!(greek_letter(""), None);
         assert_eq!(greek_letter("b"), None);
+    }
+
+    #[test]
+    fn capitals_are_those_of_unicode() {
+        for letter in ('\0'..'\u{ff}').chain('α'..='ω').filter(|letter| !matches!(letter, 'ß' | 'µ' | 'ς')) {
+            assert_eq!(capital(letter).to_string(), letter.to_uppercase().to_string());
+        }
+        assert_eq!(['ß', 'ς', '÷', '²'].map(capital), ['ß', 'ς', '÷', '²']);
     }
 }

@@ -128,10 +128,12 @@ macro_rules! words {
 /// With a capital at its beginning and a stop at its end.
 pub fn sentence(text: &str) -> String {
     let mut letters = text.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    let first = letters.next().map(crate::alphabet::capital);
     // What begins with the name of a column keeps it.
-    let begins_with_word = letters.as_str().starts_with(char::is_alphabetic);
-    if begins_with_word { format!("{first}{}.", letters.as_str()) } else { format!("{text}.") }
+    match first.filter(|_| letters.as_str().starts_with(char::is_alphabetic)) {
+        Some(first) => format!("{first}{}.", letters.as_str()),
+        None => format!("{text}."),
+    }
 }
 
 #[cfg(test)]

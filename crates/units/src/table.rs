@@ -185,7 +185,7 @@ pub(crate) fn find(text: &str) -> Option<(&'static Symbol, i32)> {
 
 /// The unit that was probably meant by an unknown `text`.
 pub(crate) fn near(text: &str) -> Option<String> {
-    let lower = text.to_lowercase();
+    let lower = text.to_ascii_lowercase();
     let singular = lower.strip_suffix('s').unwrap_or(&lower);
     let named = OTHER_NAMES.iter().find(|(name, _)| *name == lower || *name == singular);
     if let Some((_, symbol)) = named {
@@ -196,7 +196,7 @@ pub(crate) fn near(text: &str) -> Option<String> {
         let prefixed = |prefix: &&str| {
             let symbols = SYMBOLS.iter().filter(|symbol| symbol.prefixes || prefix.is_empty());
             let mut texts = symbols.map(|symbol| format!("{prefix}{}", symbol.text));
-            texts.find(|candidate| candidate.to_lowercase() == lower)
+            texts.find(|candidate| candidate.eq_ignore_ascii_case(text))
         };
         prefixes.iter().find_map(prefixed)
     };

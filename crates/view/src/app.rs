@@ -294,7 +294,9 @@ impl App {
         let Some(revision) = self.read(|play| Some(play.revision())) else { return };
         // The clock is right as soon as something was done, not a frame later.
         self.nodes(|nodes| {
-            if let Some(transport) = &mut nodes.transport {
+            if let Some(transport) = &mut nodes.transport
+                && values
+            {
                 self.read(|play| transport.draw(play));
             }
         });

@@ -14,7 +14,8 @@ use play::{Play, PlotId};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
-/// Changing values are shown so many times a second: digits that change faster cannot be read.
+/// Changing values, clock and time line are shown so many times a second: digits that change faster cannot be read, and each of
+/// them costs the browser a layout.
 const VALUES_PER_SECOND: f64 = 10.0;
 
 /// Everything that is redrawn in a frame, and the clock of the frames.
@@ -99,11 +100,13 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> 
             unfinished |= plot.draw(PlotId::at(place), play, part, &nodes.colours, nodes.font_size);
         }
     }
-    if let Some(transport) = &mut nodes.transport {
+    if let Some(transport) = &mut nodes.transport
+        && values
+    {
         transport.draw(play);
     }
     if let Some(scene) = &mut nodes.scene {
-        scene.draw(play);
+        scene.draw(play, values);
     }
     nodes.sound.follow(play);
     (playing || unfinished || working, values)

@@ -41,14 +41,14 @@ fn languages(app: App) -> HtmlDiv {
             .id(format!("language-{}", language.tag()))
             .lang(language.tag())
             .title(language.name())
-            .attr("aria-label", format!("{} – {}", language.tag().to_uppercase(), language.name()))
+            .attr("aria-label", format!("{} – {}", language.tag().to_ascii_uppercase(), language.name()))
             .attr("aria-pressed", move || (app.language.get() == language).to_string())
             .when(events::click, move |_| {
                 app.set_language(language);
                 // The page has been rebuilt, the button with it.
                 browser::focus_later(format!("language-{}", language.tag()));
             })
-            .child(language.tag().to_uppercase())
+            .child(language.tag().to_ascii_uppercase())
     };
     div().class("segments").role("group").attr("aria-label", words.language).each(Language::ALL, choose)
 }

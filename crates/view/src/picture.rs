@@ -12,12 +12,19 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 /// The nodes of a scene, and what they show.
 pub struct Picture {
     root: SvgElement,
-    bindings: Vec<Binding>,
+    bindings: Bindings,
     parts: Vec<Part>,
     /// The values drawn last.
     drawn: Vec<f64>,
     values: Vec<f64>,
     text: String,
+}
+
+/// What follows the model.
+#[derive(Default)]
+struct Bindings {
+    attributes: Vec<Binding>,
+    texts: Vec<Label>,
 }
 
 /// A part that can be dragged.
@@ -30,23 +37,27 @@ pub struct Part {
     pub name: Option<String>,
 }
 
-/// A node's attribute or text that follows the model.
+/// A node's attribute that follows the model.
 pub(crate) struct Binding {
-    target: Target,
+    node: SvgElement,
+    name: String,
     template: Template,
     /// What it shows.
     shown: String,
 }
 
-enum Target {
-    Attribute(SvgElement, String),
-    Text(Text),
+/// A text that follows the model.
+struct Label {
+    node: Text,
+    template: Template,
+    /// What it shows.
+    shown: String,
 }
 
 impl Picture {
     /// Builds the scene into `place`, an element without content.
     pub fn build(scene: &Scene, place: &web_sys::Element) -> Option<Self> {
-        let (mut bindings, mut parts) = (Vec::new(), Vec::new());
+        let (mut bindings, mut parts) = (Bindings::default(), Vec::new());
         let root = build(&scene.root, &mut bindings, &mut parts)?;
         let _ = root.set_attribute("part", "drawing");
         // A tree of its own: the document's styles stay in it, and the page's class names mean nothing there.
@@ -67,54 +78,49 @@ impl Picture {
 
     /// Shows the present.
     pub fn draw(&mut self, play: &mut Play) {
+        self.draw_shapes(play);
+        self.draw_texts(play);
+    }
+
+    /// Shows the present in everything but the texts.
+    pub fn draw_shapes(&mut self, play: &mut Play) {
         self.values.clear();
         self.values.extend_from_slice(play.scene_values());
         let (values, drawn) = (&self.values, &self.drawn);
         let changed = |index: usize| {
             values.get(index).map(|value| value.to_bits()) != drawn.get(index).map(|value| value.to_bits())
         };
-        for binding in &mut self.bindings {
-            let trail = match binding.template.as_slice() {
-                [Piece::Trail(number)] => Some(*number),
-                _ => None,
-            };
-            if trail.is_none() && !binding.template.iter().filter_map(Piece::value).any(changed) {
-                continue;
+        for binding in &mut self.bindings.attributes {
+            if let [Piece::Trail(number)] = binding.template.as_slice() {
+                play.scene_trail(*number, &mut self.text);
+                binding.show(&self.text);
+            } else if binding.template.iter().filter_map(Piece::value).any(changed) {
+                binding.write(values, &mut self.text);
             }
-            match &binding.target {
-                Target::Attribute(..) if trail.is_some() => {
-                    trail.into_iter().for_each(|number| play.scene_trail(number, &mut self.text));
-                }
-                Target::Attribute(..) => {
-                    if !write_attribute(&binding.template, values, &mut self.text) {
-                        continue;
-                    }
-                }
-                Target::Text(_) => {
-                    self.text.clear();
-                    for piece in &binding.template {
-                        match piece {
-                            Piece::Literal(literal) => self.text.push_str(literal),
-                            Piece::Value { index, decimals } => {
-                                self.text.push_str(&play.scene_text(*index, *decimals));
-                            }
-                            Piece::Choice { .. } | Piece::Trail(_) => {}
-                        }
-                    }
-                }
-            }
-            binding.show(&self.text);
         }
         std::mem::swap(&mut self.values, &mut self.drawn);
+    }
+
+    /// Shows the present in the texts. Each that differs costs the browser a layout.
+    pub fn draw_texts(&mut self, play: &mut Play) {
+        for label in &mut self.bindings.texts {
+            self.text.clear();
+            for piece in &label.template {
+                match piece {
+                    Piece::Literal(literal) => self.text.push_str(literal),
+                    Piece::Value { index, decimals } => self.text.push_str(&play.scene_text(*index, *decimals)),
+                    Piece::Choice { .. } | Piece::Trail(_) => {}
+                }
+            }
+            if self.text != label.shown {
+                label.node.set_data(&self.text);
+                label.shown.clone_from(&self.text);
+            }
+        }
     }
 }
 
 impl Binding {
-    fn attribute(node: &SvgElement, name: &str, template: &Template) -> Self {
-        let target = Target::Attribute(node.clone(), name.to_owned());
-        Self { target, template: template.clone(), shown: String::new() }
-    }
-
     /// Writes an attribute for these values; nothing where one of them is no number.
     pub fn write(&mut self, values: &[f64], text: &mut String) {
         if write_attribute(&self.template, values, text) {
@@ -123,14 +129,10 @@ impl Binding {
     }
 
     fn show(&mut self, text: &str) {
-        if text == self.shown {
-            return;
+        if text != self.shown {
+            let _ = self.node.set_attribute(&self.name, text);
+            text.clone_into(&mut self.shown);
         }
-        match &self.target {
-            Target::Attribute(node, name) => drop(node.set_attribute(name, text)),
-            Target::Text(node) => node.set_data(text),
-        }
-        text.clone_into(&mut self.shown);
     }
 }
 
@@ -143,14 +145,19 @@ pub(crate) fn node(name: &str) -> Option<SvgElement> {
 pub(crate) fn set_attribute(node: &SvgElement, attribute: &program::Attribute, bindings: &mut Vec<Binding>) {
     match fixed(&attribute.value) {
         Some(text) => drop(node.set_attribute(&attribute.name, &text)),
-        None => bindings.push(Binding::attribute(node, &attribute.name, &attribute.value)),
+        None => bindings.push(Binding {
+            node: node.clone(),
+            name: attribute.name.clone(),
+            template: attribute.value.clone(),
+            shown: String::new(),
+        }),
     }
 }
 
-fn build(element: &Element, bindings: &mut Vec<Binding>, parts: &mut Vec<Part>) -> Option<SvgElement> {
+fn build(element: &Element, bindings: &mut Bindings, parts: &mut Vec<Part>) -> Option<SvgElement> {
     let node = node(&element.name)?;
     for attribute in &element.attributes {
-        set_attribute(&node, attribute, bindings);
+        set_attribute(&node, attribute, &mut bindings.attributes);
     }
     for child in &element.children {
         match child {
@@ -164,8 +171,7 @@ fn build(element: &Element, bindings: &mut Vec<Binding>, parts: &mut Vec<Part>) 
                 let text = page().create_text_node(words.as_deref().unwrap_or_default());
                 let _ = node.append_child(&text);
                 if words.is_none() {
-                    let target = Target::Text(text);
-                    bindings.push(Binding { target, template: template.clone(), shown: String::new() });
+                    bindings.texts.push(Label { node: text, template: template.clone(), shown: String::new() });
                 }
             }
         }

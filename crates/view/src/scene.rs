@@ -49,9 +49,12 @@ impl SceneNodes {
         self.root.clone()
     }
 
-    /// Shows the present.
-    pub fn draw(&mut self, play: &mut Play) {
-        self.picture.draw(play);
+    /// Shows the present; in its texts only with `values`.
+    pub fn draw(&mut self, play: &mut Play, values: bool) {
+        self.picture.draw_shapes(play);
+        if values {
+            self.picture.draw_texts(play);
+        }
         for handle in &mut self.handles {
             handle.describe(play);
         }

@@ -57,11 +57,10 @@ impl Play {
                 found.push(sample);
             }
         }
-        if !plot.ordered {
-            let distance = |sample: &Sample| (sample.at.x - at.x).powi(2) + (sample.at.y - at.y).powi(2);
-            found.sort_by(|one, other| distance(one).total_cmp(&distance(other)));
-            found.truncate(1);
+        if plot.ordered {
+            return found;
         }
-        found
+        let distance = |sample: &Sample| (sample.at.x - at.x).powi(2) + (sample.at.y - at.y).powi(2);
+        found.into_iter().min_by(|one, other| distance(one).total_cmp(&distance(other))).into_iter().collect()
     }
 }

@@ -69,6 +69,6 @@ fn sentence(text: &str, named: bool) -> String {
     match characters.next() {
         None => String::new(),
         Some(_) if named => format!("{text}."),
-        Some(first) => format!("{}{}.", first.to_uppercase(), characters.as_str()),
+        Some(first) => format!("{}{}.", units::alphabet::capital(first), characters.as_str()),
     }
 }

@@ -95,8 +95,8 @@ fn saved(app: App) -> Settings {
 /// `Phase portrait` as `phase-portrait`.
 fn file_name(app: App, id: PlotId, ending: &str) -> String {
     let title = app.plot(id).map(|plot| plot.title).unwrap_or_default();
-    let words: Vec<String> =
-        title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect();
+    let title = String::from(js_sys::JsString::from(title).to_lower_case());
+    let words: Vec<&str> = title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
     format!("{}.{ending}", words.join("-"))
 }
 

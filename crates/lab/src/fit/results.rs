@@ -118,11 +118,11 @@ fn exports(app: App, id: u32, several: bool) -> HtmlDiv {
     exports.each(all, |(kind, name)| one(format!("{}: {name}", words.fit_all), kind, true))
 }
 
-/// The mathematical font of this page, in base64; empty where its style sheet has none.
+/// The mathematical font of this page, in base64; empty where its style sheet has none. Its address there is in quotation marks or not.
 fn math_font() -> String {
     const BEFORE: &str = "font/woff2;base64,";
     let sheet = document().query_selector("head style").ok().flatten().and_then(|sheet| sheet.text_content());
-    let font = sheet.as_deref().and_then(|sheet| sheet.split_once(BEFORE)?.1.split_once('"'));
+    let font = sheet.as_deref().and_then(|sheet| sheet.split_once(BEFORE)?.1.split_once(['"', ')']));
     font.map(|(font, _)| font.to_owned()).unwrap_or_default()
 }
 

@@ -57,7 +57,7 @@ pub fn add_element(
     Ok((edit, place))
 }
 
-/// Adds a scene with an empty frame of this many metres to either side, behind the first model.
+/// Adds a scene with an empty frame of 40 by 30 centimetres, behind the first model.
 ///
 /// # Errors
 ///

@@ -24,7 +24,7 @@ fuzz_target!(|bytes: &[u8]| {
     gather(bytes);
 });
 
-/// No more is asked for than there is, and what is gathered is read or refused.
+/// No more is asked for than there is, and the gathered parts are read or refused.
 fn gather(bytes: &[u8]) {
     let mut gathering = tracker::gathering(bytes.len() as u64);
     while let Some(range) = gathering.wanted() {

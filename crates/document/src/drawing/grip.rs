@@ -1,6 +1,7 @@
 //! What of an element can be gripped and moved.
 
 use super::item::Item;
+use crate::scene::{ARC_RADIUS, BOB_RADIUS};
 
 /// A place of an element that can be gripped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +23,7 @@ pub enum Grip {
 impl Item {
     /// The radius with which it is drawn where none is written, in units of the drawing.
     pub(crate) fn usual_radius(&self) -> f64 {
-        if self.kind.name == "angle" { 30.0 } else { 12.0 }
+        if self.kind.name == "angle" { ARC_RADIUS } else { BOB_RADIUS }
     }
 
     /// What can be gripped of it, all of it first. A frame and axes stay where they are.

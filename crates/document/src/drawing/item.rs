@@ -74,16 +74,14 @@ impl Drawing {
         (0..self.items.len()).filter(|number| self.items.get(*number).map(|item| item.parent) == parent).collect()
     }
 
+    /// The numbers of an element and of the frames and groups around it, outwards.
+    pub fn outwards(&self, item: usize) -> impl Iterator<Item = usize> {
+        std::iter::successors(Some(item), |number| self.items.get(*number)?.parent)
+    }
+
     /// The frame around an element, or itself if it is one.
     pub fn frame_of(&self, item: usize) -> Option<&Item> {
-        let mut at = Some(item);
-        while let Some(item) = at.and_then(|number| self.items.get(number)) {
-            if item.is_frame() {
-                return Some(item);
-            }
-            at = item.parent;
-        }
-        None
+        self.outwards(item).filter_map(|number| self.items.get(number)).find(|item| item.is_frame())
     }
 
     /// The unit in which the ranges of a frame are written, without brackets.

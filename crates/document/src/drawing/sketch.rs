@@ -95,10 +95,7 @@ impl Sketch {
         let places = places.map(|(number, item)| place(source, (&drawing, number), item, &marks, &mut nodes)).collect();
         let frame = drawing.items.iter().position(super::item::Item::is_frame);
         let ground = marks.ground.as_ref().zip(frame).map(|(space, frame)| {
-            let mut index = |node| {
-                nodes.push(node);
-                nodes.len() - 1
-            };
+            let mut index = |node| kept(&mut nodes, node);
             let si = || Unit::si(space.dimension).to_string();
             GroundNodes {
                 origin: [index(space.origin.x), index(space.origin.y)],
@@ -152,6 +149,12 @@ impl Sketch {
     }
 }
 
+/// The place of a node among those whose values are asked for.
+fn kept(nodes: &mut Vec<NodeId>, node: NodeId) -> usize {
+    nodes.push(node);
+    nodes.len() - 1
+}
+
 fn place(
     source: &str,
     (drawing, number): (&Drawing, usize),
@@ -159,10 +162,7 @@ fn place(
     marks: &Marks,
     nodes: &mut Vec<NodeId>,
 ) -> Place {
-    let mut index = |node: NodeId| {
-        nodes.push(node);
-        nodes.len() - 1
-    };
+    let mut index = |node| kept(nodes, node);
     let mut place = Place::default();
     for marked in marks.elements.iter().filter(|marked| marked.place == item.span.start) {
         place.paths.push(marked.path.clone());

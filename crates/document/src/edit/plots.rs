@@ -24,8 +24,8 @@ pub struct NewPlot {
 
 /// Gives a cell of the plot with this number in [`plots`] another text. An empty text removes `against`, the word of a kind, or
 /// `equal axes`. With another kind comes what it needs and goes what it cannot have: `every` of points, the abscissa of a histogram.
-/// The text may be wrong, and then findings of [`crate::open`] lie in the plot; what is refused is a text that would not be read
-/// as this one cell.
+/// The text may be wrong, and then findings of [`crate::open`] lie in the plot. A text that would not be read as this one cell
+/// is refused.
 ///
 /// # Errors
 ///

@@ -60,6 +60,17 @@ pub struct Dragging {
     pub right: Option<Range<usize>>,
 }
 
+impl Dragging {
+    /// Takes the value of one of its attributes.
+    pub fn take(&mut self, attribute: &str, value: Range<usize>) {
+        match attribute {
+            "drag-up" => self.up = Some(value),
+            "drag-right" => self.right = Some(value),
+            _ => self.state = Some(value),
+        }
+    }
+}
+
 impl Builder<'_, '_> {
     /// The source at a place.
     pub fn source(&self, range: &Range<usize>) -> &str {

@@ -28,7 +28,7 @@ pub(crate) use build::{build, build_marked};
 pub(crate) use choice::PALETTE;
 pub(crate) use marks::Marks;
 pub use parts::Part;
-pub(crate) use parts::{PARTS, part, part_of};
+pub(crate) use parts::{ARC_RADIUS, BOB_RADIUS, PARTS, part, part_of};
 pub(crate) use points::{Step, pairs, steps};
 pub(crate) use template::normalised;
 pub(crate) use translate::{SceneText, has_word, translated};

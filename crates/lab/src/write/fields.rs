@@ -54,6 +54,16 @@ impl Piece {
     }
 }
 
+/// A quantity in a list to choose from: its name, and its label if it has one.
+pub fn named(name: &str, label: Option<String>) -> String {
+    label.map_or_else(|| name.to_owned(), |label| format!("{name}: {label}"))
+}
+
+/// A field of this id under its name, in a form for something new.
+pub fn new_line(id: &'static str, name: &'static str, field: View) -> HtmlDiv {
+    div().class("new-line").child(label().r#for(id).child(name)).child(field)
+}
+
 /// Says why a change was refused, unless the change has built the views again that say it.
 pub fn refuse(refusal: Signal<Option<String>>, why: Option<String>) {
     if refusal.is_alive() {

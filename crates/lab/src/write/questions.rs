@@ -1,5 +1,6 @@
 //! The teacher's view of the questions: all of them with their answers, hints and what they hide, and a way to add one.
 
+use super::fields::{named, new_line};
 use super::{Panel, findings, panels, typing};
 use crate::app::App;
 use document::edit::{NewQuestion, add_question};
@@ -129,22 +130,19 @@ fn form(app: App) -> View {
         refusal.set(added.err());
     };
     let option = |(name, label): (String, Option<String>)| {
-        let title = label.map_or_else(|| name.clone(), |label| format!("{name}: {label}"));
+        let title = named(&name, label);
         option().value(name).child(title)
     };
     let options = changing(move || each(names.get_clone(), option));
-    let line = |id: &'static str, name: &'static str, field: View| {
-        div().class("new-line").child(label().r#for(id).child(name)).child(field)
-    };
     let fields = tags::form()
         .class("new-question card")
         .id("new-question-form")
         .hidden(move || !open.get())
         .when(events::submit, add)
-        .child(line("new-prompt", words.question_prompt_title, prompt.attr("required", "").into()))
-        .child(line("new-answer", words.question_answer, answer.child(options).into()))
-        .child(line("new-percent", words.question_tolerance, percent.into()))
-        .child(line("new-hint", words.hint, hint.into()))
+        .child(new_line("new-prompt", words.question_prompt_title, prompt.attr("required", "").into()))
+        .child(new_line("new-answer", words.question_answer, answer.child(options).into()))
+        .child(new_line("new-percent", words.question_tolerance, percent.into()))
+        .child(new_line("new-hint", words.hint, hint.into()))
         .child(switch(hides, words.question_hides))
         .child(switch(follows, words.question_follows_previous).hidden(move || is_first.get()))
         .child(note(words.question_answers_note))

@@ -20,15 +20,15 @@ pub(super) fn item(drawing: &Drawing, number: usize) -> Result<&Item, EditError>
 
 /// The elements of a drawing without their places.
 pub(super) fn shapes(source: &str, drawing: &Drawing) -> Vec<Shape> {
-    drawing.items.iter().map(|item| shape(source, drawing, item)).collect()
+    drawing.items.iter().enumerate().map(|(number, item)| shape(source, (drawing, number), item)).collect()
 }
 
-fn shape(source: &str, drawing: &Drawing, item: &Item) -> Shape {
+fn shape(source: &str, (drawing, number): (&Drawing, usize), item: &Item) -> Shape {
     let text = |attribute: &crate::drawing::Written| {
         (attribute.name.clone(), source.get(attribute.value.range()).unwrap_or_default().to_owned())
     };
-    let around = std::iter::successors(item.parent, |parent| drawing.items.get(*parent)?.parent);
-    (item.kind.name, around.count(), item.attributes.iter().map(text).collect())
+    let around = drawing.outwards(number).skip(1).count();
+    (item.kind.name, around, item.attributes.iter().map(text).collect())
 }
 
 /// Refuses edits unless they leave everything outside the scene as it is, and turn the drawing into `expected`.

@@ -34,7 +34,7 @@ impl Builder<'_, '_> {
     /// A ball.
     pub fn bob(&mut self, given: &Given) -> Option<Drawn> {
         let at = self.point_of(given, "at")?;
-        let radius = self.extent_or(given, "r", 12.0)?;
+        let radius = self.extent_or(given, "r", super::BOB_RADIUS)?;
         let circle = self.numbered(fixed("circle", &[]), &[("cx", at.x), ("cy", at.y), ("r", radius)]);
         Some(Drawn { defaults: BODY.to_vec(), children: vec![circle], anchor: at })
     }

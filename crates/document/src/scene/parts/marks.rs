@@ -131,7 +131,7 @@ impl Builder<'_, '_> {
         let at = self.point_of(given, "at")?;
         let (from, to) = (self.angle(given.get("from")?.clone()), self.angle(given.get("to")?.clone()));
         let (from, to) = from.zip(to)?;
-        let radius = self.extent_or(given, "r", 30.0)?;
+        let radius = self.extent_or(given, "r", super::ARC_RADIUS)?;
         let (start, end) = (self.around(at, radius, from), self.around(at, radius, to));
         let graph = self.expressions.graph();
         let difference = graph.subtract(to, from);

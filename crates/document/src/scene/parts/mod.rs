@@ -82,6 +82,11 @@ pub fn part_of(name: &str) -> Option<Part> {
     PARTS.into_iter().find(|part| part.name == name)
 }
 
+/// The radius of a bob that the document gives none, in units of the drawing.
+pub(crate) const BOB_RADIUS: f64 = 12.0;
+/// That of the arc of an angle.
+pub(crate) const ARC_RADIUS: f64 = 30.0;
+
 /// What a part looks like.
 pub struct Drawn {
     /// What is set on the whole, where the document does not set it.

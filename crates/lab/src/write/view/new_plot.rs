@@ -1,7 +1,7 @@
 //! A plot is added: what it draws, against what, and its title.
 
 use crate::app::App;
-use crate::write::fields::refuse;
+use crate::write::fields::{named, new_line, refuse};
 use crate::write::typing;
 use document::edit::{NewPlot, add_plot};
 use document::form::plottable;
@@ -22,7 +22,7 @@ pub fn view(app: App) -> View {
         })
     };
     let choice = |(name, label): (String, Option<String>)| {
-        let title = label.map_or_else(|| name.clone(), |label| format!("{name}: {label}"));
+        let title = named(&name, label);
         option().value(name).child(title)
     };
     let (drawn, abscissas) = (names(false), names(true));
@@ -49,25 +49,22 @@ pub fn view(app: App) -> View {
         }
         refuse(refusal, added.err());
     };
-    let line = |id: &'static str, name: &'static str, field: View| {
-        div().class("new-line").child(label().r#for(id).child(name)).child(field)
-    };
     let fields = tags::form()
         .class("new-question card")
         .id("new-plot-form")
         .hidden(move || !open.get())
         .when(events::submit, add)
-        .child(line(
+        .child(new_line(
             "new-plot-curves",
             words.plot_curves,
             curves.child(changing(move || each(drawn.get_clone(), choice))).into(),
         ))
-        .child(line(
+        .child(new_line(
             "new-plot-across",
             words.plot_against,
             across.child(changing(move || each(abscissas.get_clone(), choice))).into(),
         ))
-        .child(line("new-plot-title", words.text_title, title.into()))
+        .child(new_line("new-plot-title", words.text_title, title.into()))
         .child(refusal_of(refusal))
         .child(button().r#type("submit").class("primary").child(words.plot_add));
     let show = move |_| {

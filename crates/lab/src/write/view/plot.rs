@@ -2,7 +2,7 @@
 
 use super::forms::Plots;
 use crate::diagnostics::{self, CarryOut};
-use crate::write::fields::{Piece, refuse};
+use crate::write::fields::{Piece, named, refuse};
 use crate::write::typing;
 use document::edit::{exchange_plots, remove_plot, set_plot};
 use document::form::{PlotCell, plottable};
@@ -116,7 +116,7 @@ fn adding(plots: Plots, number: usize, name: String, refusal: Signal<Option<Stri
         }
     };
     let choice = |(name, label): (String, Option<String>)| {
-        let title = label.map_or_else(|| name.clone(), |label| format!("{name}: {label}"));
+        let title = named(&name, label);
         option().value(name).child(title)
     };
     let options = changing(move || each(names.get_clone(), choice));

@@ -75,12 +75,7 @@ fn both<'a>(drawing: &'a Drawing, seen: &'a Seen, number: usize) -> Option<(&'a 
 
 /// Those that are chosen but do not stand in others that are.
 fn outermost(drawing: &Drawing, chosen: &[usize]) -> Vec<usize> {
-    let inside = |number: &usize| {
-        let parents = std::iter::successors(drawing.items.get(*number).and_then(|item| item.parent), |parent| {
-            drawing.items.get(*parent)?.parent
-        });
-        parents.into_iter().any(|parent| chosen.contains(&parent))
-    };
+    let inside = |number: &usize| drawing.outwards(*number).skip(1).any(|around| chosen.contains(&around));
     chosen.iter().copied().filter(|number| !inside(number)).collect()
 }
 

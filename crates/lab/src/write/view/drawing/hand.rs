@@ -5,6 +5,7 @@ use super::seen::Seen;
 use crate::app::App;
 use document::drawing::Drawing;
 use view::views::*;
+use web_sys::MouseEvent;
 
 /// The handle; copied freely.
 #[derive(Clone, Copy)]
@@ -23,4 +24,16 @@ pub struct Hand {
     pub held: Signal<Option<Held>>,
     /// Why the last change was refused.
     pub refusal: Signal<Option<String>>,
+}
+
+impl Hand {
+    /// Chooses an element; with Shift or Control beside those that are chosen, or no longer.
+    pub fn choose(self, event: &MouseEvent, number: usize) {
+        let adds = event.shift_key() || event.ctrl_key() || event.meta_key();
+        self.chosen.update(|chosen| match chosen.iter().position(|one| *one == number) {
+            Some(place) if adds => drop(chosen.remove(place)),
+            None if adds => chosen.push(number),
+            _ => *chosen = vec![number],
+        });
+    }
 }

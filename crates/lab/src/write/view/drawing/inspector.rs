@@ -2,6 +2,7 @@
 
 use super::hand::Hand;
 use super::{acts, layers, words};
+use crate::write::fields::{follow, named};
 use crate::write::{Panel, findings, panels, typing};
 use document::drawing::{Axis, Item, Part, draggable, followed, follows, shows_text};
 use view::views::*;
@@ -104,13 +105,7 @@ fn line(id: String, name: &'static str, field: View) -> HtmlDiv {
 fn field(id: String, shown: ReadSignal<String>, set: impl Fn(&str) + 'static) -> HtmlInput {
     let mut field = input().r#type("text").class("cell").id(id).autocomplete("off").attr("spellcheck", "false");
     let node: HtmlInputElement = field.node();
-    effect(move || {
-        shown.with(|text| {
-            if node.value() != *text {
-                node.set_value(text);
-            }
-        });
-    });
+    follow(node, shown);
     field.attr("autocapitalize", "off").when(events::change, move |event| set(&value_of(&event)))
 }
 
@@ -177,7 +172,7 @@ fn following(hand: Hand, number: usize, name: &'static str, axis: Axis) -> View 
         }
         options.push(choice((String::new(), words.follows_nothing.to_owned()), !own && chosen.is_empty()));
         options.extend(names.into_iter().map(|(name, label)| {
-            let title = label.map_or_else(|| name.clone(), |label| format!("{name}: {label}"));
+            let title = named(&name, label);
             let selected = !own && name == chosen;
             choice((name, title), selected)
         }));
@@ -208,7 +203,7 @@ fn dragged(hand: Hand, number: usize) -> View {
             option().value(value).prop("selected", selected).child(title)
         };
         let options = names.get_clone().into_iter().map(|(name, label)| {
-            let title = label.map_or_else(|| name.clone(), |label| format!("{name}: {label}"));
+            let title = named(&name, label);
             choice(name, title)
         });
         let field = select()

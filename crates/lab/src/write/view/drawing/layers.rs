@@ -5,7 +5,6 @@ use super::words;
 use crate::write::typing;
 use document::drawing::{Drawing, Item};
 use view::views::*;
-use web_sys::MouseEvent;
 
 /// What an element is called: its title, or what it shows, or what it is.
 pub fn name(hand: Hand, item: &Item) -> String {
@@ -41,14 +40,6 @@ pub fn view(hand: Hand) -> HtmlDiv {
             rows
         })
     });
-    let choose = move |event: &MouseEvent, number: usize| {
-        let adds = event.shift_key() || event.ctrl_key() || event.meta_key();
-        hand.chosen.update(|chosen| match chosen.iter().position(|one| *one == number) {
-            Some(place) if adds => drop(chosen.remove(place)),
-            None if adds => chosen.push(number),
-            _ => *chosen = vec![number],
-        });
-    };
     let row = move |(number, depth, name): (usize, usize, String)| {
         let is_chosen = move || hand.chosen.with(|chosen| chosen.contains(&number)).to_string();
         li().child(
@@ -57,7 +48,7 @@ pub fn view(hand: Hand) -> HtmlDiv {
                 .id(format!("layer-{number}"))
                 .style(format!("padding-left:{}px", 10 + 14 * depth))
                 .attr("aria-pressed", is_chosen)
-                .when(events::click, move |event| choose(&event, number))
+                .when(events::click, move |event| hand.choose(&event, number))
                 .child(name),
         )
     };

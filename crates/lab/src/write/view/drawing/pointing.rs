@@ -1,4 +1,4 @@
-//! Mouse, pen and finger on the canvas: what is pressed is chosen, and moved where it is dragged to.
+//! Mouse, pen and finger on the canvas: a press chooses an element, a drag moves it.
 
 use super::acts;
 use super::hand::Hand;
@@ -46,13 +46,11 @@ impl Pointing {
         let margin = MARGIN[usize::from(event.pointer_type() == "mouse")] * seen.pixel;
         let grip = gripped(event).or_else(|| {
             let number = self.hit(event).or_else(|| seen.near(at, margin))?;
-            let adds = event.shift_key() || event.ctrl_key() || event.meta_key();
-            hand.chosen.update(|chosen| match chosen.iter().position(|one| *one == number) {
-                Some(place) if adds => drop(chosen.remove(place)),
-                Some(_) => {}
-                None if adds => chosen.push(number),
-                None => *chosen = vec![number],
-            });
+            // One of several that are chosen is pressed to move them all.
+            let moves_all = hand.chosen.with_untracked(|chosen| chosen.contains(&number));
+            if !moves_all || event.shift_key() || event.ctrl_key() || event.meta_key() {
+                hand.choose(event, number);
+            }
             Some((number, Grip::Whole))
         });
         let Some(grip) = grip else {

@@ -134,7 +134,7 @@ visit("a question appears when the one before is answered, and the author sees a
   await lab.page.locator("#answer-0").fill("0.9935 s");
   await lab.page.locator(".question").first().getByRole("button", { name: "Check", exact: true }).click();
   await lab.page.locator("#answer-1").waitFor();
-  assert.match(await second.innerText(), /How long is one swing\?/);
+  await eventually(async () => assert.match(await second.innerText(), /How long is one swing\?/));
 });
 
 visit("how far the present run is off what is conserved is shown beside the claim", async (lab) => {
@@ -147,7 +147,7 @@ visit("how far the present run is off what is conserved is shown beside the clai
   await lab.page.locator(".deviation .note").waitFor();
   await lab.button("Play").click();
   await lab.page.locator(".deviation-plot svg").waitFor();
-  assert.match(await lab.page.locator(".deviation-plot svg").innerHTML(), /relative deviation|deviation/);
+  await eventually(async () => assert.match(await lab.page.locator(".deviation-plot svg").innerHTML(), /relative deviation|deviation/));
   await lab.press("Hide the plot");
   await eventually(async () => assert.equal(await lab.page.locator(".deviation-plot").count(), 0));
 });

@@ -185,6 +185,10 @@ table_of_words! {
     plot_equal: "Equal scales", "Escalas iguales";
     move_up: "Move up", "Subir";
     move_down: "Move down", "Bajar";
+    group: "Group", "Grupo";
+    group_add: "Add group", "Añadir grupo";
+    group_new: "New group", "Grupo nuevo";
+    group_remove: "Remove the group; its controls stay", "Quitar el grupo; sus controles se quedan";
     controls_none: "The model has no parameters yet.", "El modelo aún no tiene parámetros.";
     values_none: "The model has no quantities yet.", "El modelo aún no tiene magnitudes.";
     value_shown: "Shown", "Se muestra";

@@ -4,6 +4,7 @@ use crate::components::vector_or_family;
 use crate::dimensions::check_dimensions;
 use crate::families::{declared, sizes, without_families};
 use crate::functions::{Functions, written_out};
+use crate::groups::warn_of_empty;
 use crate::lowering::{assemble, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns, quotients};
 use crate::vectors::Vectors;
@@ -140,6 +141,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
             model.sizes = sizes;
             hide(&mut model, &statements, vectors);
             warn(&model, &places, &declarations, diagnostics);
+            warn_of_empty(&statements, diagnostics);
             Some(Checked { model, places, statements, functions })
         }
         Err(mut found) => {

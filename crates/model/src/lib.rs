@@ -11,6 +11,7 @@ mod expression;
 mod families;
 mod formatting;
 mod functions;
+mod groups;
 mod lexer;
 mod limits;
 mod lowering;

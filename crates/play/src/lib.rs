@@ -40,8 +40,8 @@ pub use units::{Language, number};
 pub use announcement::{Announcement, Prominence};
 pub use checks::{ClaimView, ClaimsView};
 pub use controls::{
-    ButtonView, ChoiceView, DIGITS, DrawingView, MethodView, ParameterView, PresetGroup, PresetView, SizeView, Slider,
-    StateView,
+    ButtonView, ChoiceView, DIGITS, DrawingView, MethodView, ParameterGroup, ParameterView, PresetGroup, PresetView,
+    SizeView, Slider, StateView,
 };
 pub use deviation::Deviation;
 pub use name::name_of;

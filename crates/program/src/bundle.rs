@@ -11,7 +11,7 @@ use crate::{
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
 /// The version of the format; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 6;
+const VERSION: u8 = 7;
 /// The longest bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 

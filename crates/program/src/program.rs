@@ -64,7 +64,7 @@ impl Program {
         self.editions.iter().find(|edition| edition.language == language).unwrap_or(&self.editions[0])
     }
 
-    /// What a text of the document (a label, a title of a plot or a button, a preset's or its group's name, a claim's name, a text value) is in
+    /// What a text of the document (a label, a title of a plot or a button, the name of a preset or of a group, a claim's name, a text value) is in
     /// `language`; itself where it has no translation.
     pub fn text<'a>(&'a self, language: &str, original: &'a str) -> &'a str {
         self.edition(language).texts.get(original).map_or(original, String::as_str)
@@ -73,7 +73,7 @@ impl Program {
     /// The texts that [`Self::text`] may be asked for.
     pub fn translatable(&self) -> Vec<&str> {
         let model = &self.model;
-        let labels = (model.parameters.iter().map(|parameter| &parameter.label))
+        let labels = (model.parameters.iter().flat_map(|parameter| [&parameter.group, &parameter.label]))
             .chain(model.states.iter().map(|state| &state.label))
             .chain(model.quantities.iter().map(|quantity| &quantity.label))
             .chain(model.tables.iter().map(|table| &table.label))

@@ -8,7 +8,7 @@ use crate::sizes;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
 use crate::{buttons, drawings, parameters};
-use play::{MethodView, Play, PresetGroup, PresetView, StateView};
+use play::{MethodView, ParameterGroup, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
 
 /// The controls.
@@ -24,10 +24,26 @@ pub fn view(app: App) -> HtmlSection {
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
         .each(app.read(|play| play.sizes()), |size| sizes::control(app, size))
-        .each(app.read(|play| play.parameters()), |first| parameters::control(app, first));
+        .each(app.read(|play| play.parameter_groups()).into_iter().enumerate(), |group| parameter_group(app, group));
     let controls = part("controls", "controls card", words.controls).child(buttons::view(app));
     let values = View::from((parameters, drawings::view(app), presets(app)));
     controls.child(lockable(app, values))
+}
+
+/// The controls of a group under its heading.
+fn parameter_group(app: App, (number, group): (usize, ParameterGroup)) -> View {
+    let control = |first| parameters::control(app, first);
+    if group.name.is_empty() {
+        return each(group.parameters, control);
+    }
+    let id = format!("parameter-group-{number}");
+    div()
+        .class("parameter-group")
+        .role("group")
+        .attr("aria-labelledby", id.clone())
+        .child(h4().id(id).child(group.name))
+        .each(group.parameters, control)
+        .into()
 }
 
 /// Controls that a page with locked values shows and does not obey. The buttons of the document are none: what they change is the run.

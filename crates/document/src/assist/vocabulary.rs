@@ -52,6 +52,13 @@ pub const STATEMENTS: &[Entry] = &[
         "button",
         ("a button for the reader: button \"Kick\" { ... }", "un botón para el lector: button \"Golpe\" { ... }"),
     ),
+    (
+        "group",
+        (
+            "a heading for the controls after it: group \"Circuit\"",
+            "un título para los controles que siguen: group \"Circuito\"",
+        ),
+    ),
     ("choice", ("a drop-down list that defines quantities", "una lista desplegable que define magnitudes")),
     ("switch", ("a tick box: switch drag = on", "una casilla: switch drag = on")),
     ("function", ("a function: function f(x) = x^2", "una función: function f(x) = x^2")),

@@ -34,7 +34,7 @@ pub use plots::{NewPlot, add_plot, exchange_plots, remove_plot, set_plot};
 pub use question::{NewQuestion, add_question};
 pub use rename::{rename, rename_with};
 pub use settings::set_front_matter;
-pub use shown::{exchange_statements, set_hidden, set_label};
+pub use shown::{add_group, exchange_statements, set_hidden, set_label};
 pub use statements::{add_statement, remove_statement};
 pub use translation::set_translation;
 

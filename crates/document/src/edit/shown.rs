@@ -1,8 +1,8 @@
 //! Order, labels and visibility of what a page shows of the model.
 
 use super::cell::expect_in;
-use super::layout::with_line_ends_of;
-use super::lines::exchanged;
+use super::layout::{line_end, with_line_ends_of};
+use super::lines::{exchanged, lines_around};
 use super::{Edit, EditError};
 use crate::form::{CellKind, Part, Place, shown, structure};
 use crate::outline::Outline;
@@ -55,12 +55,12 @@ pub fn set_hidden(outline: &Outline, number: usize, hidden: bool) -> Result<Vec<
 
 const WORD: &str = "hidden";
 
-/// Gives the statement with this number in the form a label, or takes it away.
+/// Gives the statement with this number in the form a label, or takes it away; of a group, its name.
 ///
 /// # Errors
 ///
-/// [`EditError::UnknownCell`] if the statement is no control and no value, [`EditError::NotOneCell`] if the text cannot be a label,
-/// and [`EditError::TooLong`].
+/// [`EditError::UnknownCell`] if the statement is no control and no value, [`EditError::NotOneCell`] if the text cannot be a label
+/// or if a group would be left without a name, and [`EditError::TooLong`].
 pub fn set_label(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edit>, EditError> {
     let all = shown(outline);
     let one = all.iter().find(|one| one.number == number).ok_or(EditError::UnknownCell)?;
@@ -68,7 +68,7 @@ pub fn set_label(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edi
     if one.label == text {
         return Ok(Vec::new());
     }
-    if text.contains(['"', '\n', '\r']) {
+    if text.contains(['"', '\n', '\r']) || one.is_group && text.is_empty() {
         return Err(EditError::NotOneCell);
     }
     let has_none = one.label_at.start == one.label_at.end;
@@ -81,6 +81,33 @@ pub fn set_label(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edi
         }
     };
     changed(outline, &structure(outline), number, edit)
+}
+
+/// Begins a group of controls with this name: the first before all controls, others before the last one.
+///
+/// # Errors
+///
+/// [`EditError::UnknownCell`] if there is no control, [`EditError::NotOneCell`] if the text cannot be a name,
+/// [`EditError::ChangesOthers`] where the control shares its line with another statement, and [`EditError::TooLong`].
+pub fn add_group(outline: &Outline, name: &str) -> Result<Vec<Edit>, EditError> {
+    let source = outline.source();
+    let name = name.trim();
+    if name.is_empty() || name.contains(['"', '\n', '\r']) {
+        return Err(EditError::NotOneCell);
+    }
+    let all = shown(outline);
+    let mut controls = all.iter().filter(|one| one.place == Place::Parameter && !one.is_group);
+    let control = if all.iter().any(|one| one.is_group) { controls.next_back() } else { controls.next() };
+    let number = control.ok_or(EditError::UnknownCell)?.number;
+    let parts = structure(outline);
+    let part = parts.get(number).ok_or(EditError::UnknownCell)?;
+    let at = lines_around(source, part.span).start;
+    let written = format!("group \"{name}\"");
+    let edits = vec![Edit { span: Span::new(at, at), text: format!("{written}{}", line_end(source)) }];
+    let mut expected: Vec<Vec<(CellKind, String)>> = parts.iter().map(|part| whole(source, part)).collect();
+    expected.insert(number, vec![(CellKind::Text, written)]);
+    expect_in(outline, &edits, &[part.block], &expected, EditError::ChangesOthers)?;
+    Ok(edits)
 }
 
 /// An edit inside one statement, which stays one.

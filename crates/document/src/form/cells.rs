@@ -57,6 +57,9 @@ pub(super) fn row(source: &str, statement: &Statement) -> Option<(String, Vec<Ce
     if text.contains(['\n', '“', '”', '«', '»', '#']) || !statement.over.is_empty() {
         return None;
     }
+    if let Some(name) = group_name(source, statement) {
+        return Some((GROUP.to_owned(), vec![name]));
+    }
     let all = all.start + hidden_length(text)..all.end;
     let text = &source[all.clone()];
     let word = ["parameter", "switch", "random", "size", "discrete"].into_iter().find(|word| begins_with(text, word));
@@ -98,6 +101,23 @@ pub(super) fn row(source: &str, statement: &Statement) -> Option<(String, Vec<Ce
         None => Cell::of(source, CellKind::Label, end..end, end..end),
     });
     Some((word.to_owned(), cells))
+}
+
+const GROUP: &str = "group";
+
+/// The name in `group "Circuit"`, or where it would stand.
+fn group_name(source: &str, statement: &Statement) -> Option<Cell> {
+    let all = trim(source, statement.span.range());
+    let rest = source[all.clone()].strip_prefix(GROUP)?;
+    let inside = rest.trim_start().strip_prefix('"');
+    match inside {
+        Some(inside) => {
+            let start = all.end - inside.len();
+            let end = inside.find('"').map_or(all.end, |at| start + at);
+            Some(Cell::of(source, CellKind::Label, start..end, all.start + GROUP.len()..all.end))
+        }
+        None => rest.is_empty().then(|| Cell::of(source, CellKind::Label, all.end..all.end, all.end..all.end)),
+    }
 }
 
 /// Which parts a kind of parameter has besides name, value and label.

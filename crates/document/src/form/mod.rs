@@ -33,7 +33,7 @@ pub struct Part {
     pub block: usize,
     /// Where it stands, without its comment.
     pub span: Span,
-    /// The word with which a row begins: `parameter`, `switch`, `random`, `size`, `discrete`; otherwise empty.
+    /// The word with which a row begins: `parameter`, `switch`, `random`, `size`, `group`, `discrete`; otherwise empty.
     pub word: String,
     /// The whole text.
     pub whole: Cell,

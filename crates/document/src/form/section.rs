@@ -5,7 +5,7 @@ use model::{ExpressionKind, Statement, StatementKind};
 /// The headings of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Section {
-    /// Parameters, switches, random seeds and sizes.
+    /// Parameters, switches, random seeds and sizes, and the groups of their controls.
     Parameters,
     /// Quantities with a value at the start.
     InitialValues,
@@ -30,7 +30,7 @@ impl Section {
 pub(super) fn of(source: &str, statement: &Statement, is_row: bool) -> Section {
     let unread = |left: &model::Expression| left.kind == ExpressionKind::Error;
     match &statement.kind {
-        StatementKind::Parameter(_) | StatementKind::Size(_) => Section::Parameters,
+        StatementKind::Parameter(_) | StatementKind::Size(_) | StatementKind::Group(_) => Section::Parameters,
         StatementKind::InitialValue { .. } | StatementKind::Discrete { .. } if is_row => Section::InitialValues,
         StatementKind::Choice(_) => Section::Choices,
         StatementKind::Table(_) => Section::Tables,
@@ -38,7 +38,7 @@ pub(super) fn of(source: &str, statement: &Statement, is_row: bool) -> Section {
         StatementKind::Equation { left, right } if unread(left) && unread(right) => {
             let text = &source[statement.span.range()];
             match text.split(|letter: char| !letter.is_alphanumeric()).next().unwrap_or_default() {
-                "parameter" | "switch" | "random" | "size" => Section::Parameters,
+                "parameter" | "switch" | "random" | "size" | "group" => Section::Parameters,
                 "when" | "every" | "button" | "next" => Section::Events,
                 "choice" => Section::Choices,
                 "table" | "smooth" | "steps" => Section::Tables,

@@ -10,7 +10,7 @@ use program::{Kind, Program, Role};
 pub enum Place {
     /// The sizes of families, before the parameters.
     Size,
-    /// Parameters, switches, random seeds and choices, in the order of the text.
+    /// Parameters, switches, random seeds and choices, and the groups of their controls, in the order of the text.
     Parameter,
     /// Unknowns and what events change, in the order in which the equations name them first.
     Unknown,
@@ -32,14 +32,16 @@ pub struct Shown {
     pub number: usize,
     /// Among which others it is shown.
     pub place: Place,
-    /// Its name, with primes and indices.
+    /// Its name, with primes and indices; empty for a group of controls.
     pub name: String,
-    /// Its label; empty without one.
+    /// Its label, or the name of the group; empty without one.
     pub label: String,
     /// Where the label stands with its marks, or where it would begin.
     pub label_at: Span,
     /// Whether its value is kept out of the values.
     pub is_hidden: bool,
+    /// Whether it is a group: the heading of the controls after it.
+    pub is_group: bool,
 }
 
 /// The controls and values of a document, in the order of its text. Statements that could not be read are left out.
@@ -54,6 +56,7 @@ pub fn shown(outline: &Outline) -> Vec<Shown> {
         let end = source[..trim(source, statement.span.range()).end].trim_end().len();
         let label = match &statement.kind {
             StatementKind::Choice(choice) => choice.label.as_ref(),
+            StatementKind::Group(name) => Some(name),
             _ => statement.label.as_ref(),
         };
         let behind = match &statement.kind {
@@ -67,6 +70,7 @@ pub fn shown(outline: &Outline) -> Vec<Shown> {
             label: label.map(|label| label.text.clone()).unwrap_or_default(),
             label_at: label.map_or(Span::new(behind, behind), |label: &Quoted| label.span),
             is_hidden: statement.hidden,
+            is_group: matches!(statement.kind, StatementKind::Group(_)),
         })
     };
     models.enumerate().filter_map(one).collect()
@@ -90,6 +94,7 @@ fn named(source: &str, statement: &Statement) -> Option<(Place, String)> {
     Some(match &statement.kind {
         StatementKind::Parameter(parameter) => (Place::Parameter, parameter.name.text.clone()),
         StatementKind::Choice(choice) => (Place::Parameter, choice.name.text.clone()),
+        StatementKind::Group(_) => (Place::Parameter, String::new()),
         StatementKind::Size(size) => (Place::Size, size.name.text.clone()),
         StatementKind::Definition { name, .. } => (Place::Computed, name.text.clone()),
         StatementKind::InitialValue { name, order, .. } => {

@@ -3,8 +3,8 @@
 use crate::edit::documents;
 use crate::form::inverse;
 use document::edit::{
-    Edit, EditError, NewPlot, add_plot, apply, exchange_plots, exchange_statements, remove_plot, set_hidden, set_label,
-    set_plot,
+    Edit, EditError, NewPlot, add_group, add_plot, apply, exchange_plots, exchange_statements, remove_plot,
+    remove_statement, set_hidden, set_label, set_plot,
 };
 use document::form::{Place, PlotCell, PlotPart, plots, shown};
 use document::{open, read};
@@ -159,6 +159,33 @@ fn controls_and_values_have_an_order_a_label_and_can_be_hidden() {
     assert_eq!(set_hidden(&outline, number("k"), true), Err(EditError::UnknownCell));
 }
 
+#[test]
+fn groups_of_controls_are_begun_named_moved_and_removed() {
+    let names = |text: &str| -> Vec<String> {
+        let controls = shown(&read(text)).into_iter().filter(|one| one.place == Place::Parameter);
+        controls.map(|one| if one.is_group { format!("[{}]", one.label) } else { one.name }).collect()
+    };
+    let begin = |text: &str, name: &str| add_group(&read(text), name).map(|edits| apply(text, &edits).unwrap());
+    let first = begin(SPRING, "Spring").unwrap();
+    assert_eq!(first, SPRING.replace("parameter k", "group \"Spring\"\nparameter k"));
+    let second = begin(&first, " Air ").unwrap();
+    assert_eq!(names(&second), ["[Spring]", "k", "m", "[Air]", "on_air"]);
+    let groups: Vec<Option<String>> =
+        open(&second, &[]).document.unwrap().program.model.parameters.iter().map(|one| one.group.clone()).collect();
+    assert_eq!(groups, ["Spring", "Spring", "Air"].map(|name| Some(name.to_owned())));
+    let of = |number: usize| shown(&read(&second)).iter().filter(|one| one.is_group).nth(number).unwrap().number;
+    let (spring, air) = (of(0), of(1));
+    let moved = apply(&second, &exchange_statements(&read(&second), air, air - 1).unwrap()).unwrap();
+    assert_eq!(names(&moved), ["[Spring]", "k", "[Air]", "m", "on_air"]);
+    let named = apply(&second, &set_label(&read(&second), air, "Atmosphere").unwrap()).unwrap();
+    assert_eq!(named, second.replace("\"Air\"\nswitch", "\"Atmosphere\"\nswitch"));
+    assert_eq!(set_label(&read(&second), air, " "), Err(EditError::NotOneCell));
+    let removed = apply(&second, &[remove_statement(&read(&second), spring).unwrap()]).unwrap();
+    assert_eq!(names(&removed), ["k", "m", "[Air]", "on_air"]);
+    assert_eq!(begin(SPRING, "a\"b"), Err(EditError::NotOneCell));
+    assert_eq!(begin("```model\nx' = 1 [1/s]\nx(0) = 0\n```\n", "A"), Err(EditError::UnknownCell));
+}
+
 #[derive(Clone, Debug)]
 enum Asked {
     Set(usize, usize, String),
@@ -168,6 +195,7 @@ enum Asked {
     MoveStatement(usize),
     Hide(usize),
     Label(usize, String),
+    Group(String),
 }
 
 fn asked() -> impl Strategy<Value = Asked> {
@@ -189,6 +217,7 @@ fn asked() -> impl Strategy<Value = Asked> {
         2 => any::<usize>().prop_map(Asked::MoveStatement),
         1 => any::<usize>().prop_map(Asked::Hide),
         1 => (any::<usize>(), text()).prop_map(|(one, text)| Asked::Label(one, text)),
+        1 => text().prop_map(Asked::Group),
     ]
 }
 
@@ -251,6 +280,7 @@ proptest! {
                     }
                     edits
                 }
+                Asked::Group(name) => add_group(&outline, name),
                 _ => Ok(Vec::new()),
             };
             let Ok(edits) = edits else { continue };

@@ -20,6 +20,9 @@ pub(crate) fn declared(statement: &Statement) -> Option<&str> {
         | StatementKind::InitialValue { name, .. }
         | StatementKind::Independent { name, .. } => Some(&name.text),
         StatementKind::Members { left: Expression { kind: ExpressionKind::Member { name, .. }, .. }, .. } => Some(name),
-        StatementKind::Members { .. } | StatementKind::Equation { .. } | StatementKind::Event { .. } => None,
+        StatementKind::Members { .. }
+        | StatementKind::Equation { .. }
+        | StatementKind::Event { .. }
+        | StatementKind::Group(_) => None,
     }
 }

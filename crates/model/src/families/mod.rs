@@ -85,7 +85,8 @@ fn has_families(statement: &Statement) -> bool {
             StatementKind::Parameter(_)
             | StatementKind::Independent { .. }
             | StatementKind::Function(_)
-            | StatementKind::Table(_) => false,
+            | StatementKind::Table(_)
+            | StatementKind::Group(_) => false,
             StatementKind::Definition { value, .. }
             | StatementKind::InitialValue { value, .. }
             | StatementKind::Discrete { value, .. } => belongs(value),

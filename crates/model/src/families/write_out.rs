@@ -113,6 +113,7 @@ impl<'a> WriteOut<'a> {
             | StatementKind::Independent { .. }
             | StatementKind::Size(_)
             | StatementKind::Table(_)
+            | StatementKind::Group(_)
             | StatementKind::Function(_) => kind.clone(),
             StatementKind::Choice(choice) => {
                 let mut choice = choice.clone();

@@ -36,6 +36,7 @@ fn expressions(statement: &mut StatementKind) -> Vec<&mut Expression> {
         StatementKind::Parameter(_)
         | StatementKind::Size(_)
         | StatementKind::Table(_)
+        | StatementKind::Group(_)
         | StatementKind::Independent { .. }
         | StatementKind::Function(_) => Vec::new(),
         StatementKind::Members { value, .. } => vec![value],

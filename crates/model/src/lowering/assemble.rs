@@ -163,6 +163,7 @@ fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Param
         Parameter {
             name: statement.name.text.clone(),
             label: entry.label.map(str::to_owned),
+            group: entry.group.map(str::to_owned),
             value,
             choices,
             range: statement.range.as_ref().map(|bounds| (unit.to_si(bounds.low), unit.to_si(bounds.high))),

@@ -31,6 +31,8 @@ pub(crate) struct Declarations<'a> {
 pub(crate) struct ParameterEntry<'a> {
     pub statement: &'a ParameterStatement,
     pub label: Option<&'a str>,
+    /// The group under which its control stands.
+    pub group: Option<&'a str>,
     pub span: Span,
 }
 
@@ -95,6 +97,7 @@ impl<'a> Declarations<'a> {
             functions: Vec::new(),
             tables: Vec::new(),
         };
+        let mut group = None;
         for statement in statements {
             let span = statement.span;
             let label = statement.label.as_ref().map(|label| label.text.as_str());
@@ -108,9 +111,10 @@ impl<'a> Declarations<'a> {
                         if let ParameterForm::Choice(texts) = &parameter.form {
                             declarations.scope.declare_choice(&parameter.name.text, texts.clone());
                         }
-                        declarations.parameters.push(ParameterEntry { statement: parameter, label, span });
+                        declarations.parameters.push(ParameterEntry { statement: parameter, label, group, span });
                     }
                 }
+                StatementKind::Group(name) => group = Some(name.text.as_str()),
                 StatementKind::Definition { name, value, unit } => {
                     if declarations.may_declare(name, &mut declared, diagnostics) {
                         let meaning = Meaning::Definition(declarations.definitions.len());

@@ -17,6 +17,7 @@
 //! size        = "size" NAME "=" NUMBER [ "in" signed ".." signed ] [ TEXT ]
 //! event       = ( "when" expression | "every" expression [ "from" expression ] ) [ "as" NAME ]
 //!               "{" [ action { separator action } ] "}" [ over ] [ TEXT ]
+//! group       = "group" TEXT
 //! button      = "button" TEXT [ "as" NAME ] "{" [ action { separator action } ] "}"
 //! action      = target "=" expression [ over ] | "let" NAME "=" expression | "stop"
 //! target      = NAME [ INDICES ] [ PRIMES ] [ AXIS [ PRIMES ] ]
@@ -65,6 +66,7 @@ mod event;
 mod expression;
 mod family;
 mod function;
+mod group;
 mod juxtaposed;
 mod layout;
 mod map;

@@ -65,6 +65,7 @@ impl Cursor<'_> {
             TokenKind::Name { .. } if self.is_function() => self.function(),
             TokenKind::Name { .. } if self.is_every() => self.every(),
             TokenKind::Name { .. } if self.is_button() => self.button(),
+            TokenKind::Name { .. } if self.is_group() => self.group(),
             TokenKind::Name { .. } if self.is_next() => self.next_value(),
             TokenKind::Name { .. } if self.is_switch() => self.switch(),
             TokenKind::Name { .. } if self.is_random() => self.random(),
@@ -97,6 +98,7 @@ impl Cursor<'_> {
         }
         let statement = Statement { kind, hidden, over, label, span: start.to(self.last_span()) };
         self.check_button(&statement);
+        self.check_group(&statement);
         statement
     }
 

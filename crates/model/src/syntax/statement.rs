@@ -27,6 +27,8 @@ pub enum StatementKind {
     Parameter(ParameterStatement),
     /// `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`
     Choice(ChoiceStatement),
+    /// `group "Circuit"`: the heading of the controls of the parameters after it, up to the next group.
+    Group(Quoted),
     /// `size N = 20 in 2..200`
     Size(SizeStatement),
     /// `independent x in [m]`, `independent k by 1`

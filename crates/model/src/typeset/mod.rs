@@ -53,6 +53,7 @@ impl Typesetter<'_> {
             StatementKind::Parameter(_)
             | StatementKind::Choice(_)
             | StatementKind::Size(_)
+            | StatementKind::Group(_)
             | StatementKind::Independent { .. } => return None,
             StatementKind::Table(table) => self.table(table),
             StatementKind::Definition { name, value, .. } => equals(self.name(&name.text, 0, None), value),

@@ -106,6 +106,7 @@ impl Writer<'_> {
             StatementKind::Parameter(_)
             | StatementKind::Size(_)
             | StatementKind::Table(_)
+            | StatementKind::Group(_)
             | StatementKind::Independent { .. }
             | StatementKind::Members { .. } => one(kind.clone()),
         }

@@ -59,6 +59,7 @@ const PIECES: &[&str] = &[
     "function ",
     "choice ",
     "switch ",
+    "group ",
     ":",
     " in ",
     "step ",
@@ -100,6 +101,7 @@ fn expressions(statement: &Statement) -> Vec<&Expression> {
         StatementKind::Parameter(_)
         | StatementKind::Size(_)
         | StatementKind::Table(_)
+        | StatementKind::Group(_)
         | StatementKind::Independent { .. } => Vec::new(),
         StatementKind::Members { left, value, .. } => vec![left, value],
         StatementKind::Definition { value, .. }

@@ -20,7 +20,7 @@ pub use button::ButtonView;
 pub use drawing::DrawingView;
 pub use input::DIGITS;
 pub use method::MethodView;
-pub use parameter::{ChoiceView, ParameterView};
+pub use parameter::{ChoiceView, ParameterGroup, ParameterView};
 pub use preset::{PresetGroup, PresetView};
 pub use size::SizeView;
 pub use slider::Slider;

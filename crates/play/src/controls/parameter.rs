@@ -38,6 +38,15 @@ pub struct ParameterView {
     pub restarts: bool,
 }
 
+/// Parameters whose controls stand under one heading.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterGroup {
+    /// The heading in the chosen language; empty for those before the first group of the document.
+    pub name: String,
+    /// Its parameters, in the order of the text.
+    pub parameters: Vec<ParameterView>,
+}
+
 /// One value of a switch or a choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChoiceView {
@@ -51,6 +60,22 @@ impl Play {
     /// All parameters, in the order of the text.
     pub fn parameters(&self) -> Vec<ParameterView> {
         (0..self.model().parameters.len()).filter_map(|index| self.parameter(index)).collect()
+    }
+
+    /// All parameters by the groups of the document, in the order of the text.
+    pub fn parameter_groups(&self) -> Vec<ParameterGroup> {
+        let mut groups: Vec<(Option<&str>, ParameterGroup)> = Vec::new();
+        for (parameter, view) in self.model().parameters.iter().zip(self.parameters()) {
+            let group = parameter.group.as_deref();
+            match groups.last_mut() {
+                Some((last, known)) if *last == group => known.parameters.push(view),
+                _ => {
+                    let name = group.map_or("", |group| self.text(group)).to_owned();
+                    groups.push((group, ParameterGroup { name, parameters: vec![view] }));
+                }
+            }
+        }
+        groups.into_iter().map(|(_, group)| group).collect()
     }
 
     /// One parameter.

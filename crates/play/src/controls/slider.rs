@@ -138,6 +138,7 @@ mod tests {
         Parameter {
             name: "b".to_owned(),
             label: None,
+            group: None,
             value: unit.to_si(default),
             range: Some((unit.to_si(low), unit.to_si(high))),
             step: step.map(|step| unit.to_si(step)),

@@ -1,6 +1,6 @@
 //! Parameters, presets, the state by hand, method and step.
 
-use crate::support::{go_on, parameter, set, state, utube};
+use crate::support::{go_on, open, parameter, set, state, utube};
 use play::{Announcement, Play, Refusal};
 
 fn refused(play: &mut Play, name: &str, text: &str) -> String {
@@ -229,4 +229,21 @@ fn what_is_hidden_is_no_readout() {
     let mut play = crate::support::open(source, &[]);
     let names: Vec<String> = play.readouts().into_iter().map(|readout| readout.name).collect();
     assert!(names.contains(&"b".to_owned()) && !names.contains(&"a".to_owned()), "{names:?}");
+}
+
+#[test]
+fn parameters_stand_in_the_groups_of_the_document() {
+    let text = "---\ntitle: Groups\n---\n```model\nparameter a = 1\nsize N = 3\ngroup \"Air\"\nswitch on_air = on\n\
+                choice kind {\n\"A\": d = 1 [1/s]\n\"B\": d = 2 [1/s]\n}\ngroup \"Spring\"\nparameter k = 4 [1/s^2]\n\
+                x'' = -k*x - (if on_air then d else N*d)*x'\nx(0) = a\nx'(0) = 0\n```\n";
+    let translation =
+        "---\ntitle: Grupos\nlanguage: es\n---\n```translations\n\"Air\" = \"Aire\"\n\"Spring\" = \"Muelle\"\n```\n";
+    let mut play = open(text, &[translation]);
+    play.set_language("es");
+    let groups: Vec<(String, Vec<String>)> = (play.parameter_groups().into_iter())
+        .map(|group| (group.name, group.parameters.into_iter().map(|parameter| parameter.name).collect()))
+        .collect();
+    let expected = [("", vec!["a"]), ("Aire", vec!["on_air", "kind"]), ("Muelle", vec!["k"])];
+    let expected = expected.map(|(name, all)| (name.to_owned(), all.into_iter().map(str::to_owned).collect()));
+    assert_eq!(groups, expected);
 }

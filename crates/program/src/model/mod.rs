@@ -69,6 +69,8 @@ pub struct Parameter {
     pub name: String,
     /// The author's label, if any.
     pub label: Option<String>,
+    /// The heading under which its control stands, if any.
+    pub group: Option<String>,
     /// The declared unit.
     pub unit: Unit,
     /// The default, SI.

@@ -57,6 +57,21 @@ pub fn view(forms: Forms, section: Section, rows: Vec<(usize, Shape)>) -> HtmlTa
 fn row(forms: Forms, section: Section, number: usize, shape: &Shape) -> View {
     let app = forms.app;
     let refusal: Refusal = create_signal(None);
+    let any = faults::any(forms, number, refusal);
+    let span = columns(section).len();
+    let said = td().role("cell").attr("colspan", (span + 1).to_string()).child(faults::view(forms, number, refusal));
+    let said = tr().role("row").class("fault-row").hidden(move || !any.get()).child(said);
+    let remove = td().role("cell").class("remove").child(remove_button(forms, number));
+    if shape.word == "group" {
+        let name = field(forms, number, CellKind::Label, app.words().group.to_owned(), refusal);
+        let name = td()
+            .role("cell")
+            .class("of-label")
+            .attr("colspan", span.to_string())
+            .attr("data-title", app.words().group)
+            .child(name);
+        return View::from((tr().role("row").class("group-row").child(name).child(remove), said));
+    }
     let own = forms.form.with_untracked(|form| {
         let cell = form.parts.get(number).and_then(|part| part.cell(CellKind::Name));
         cell.map(|cell| cell.text.clone()).unwrap_or_default()
@@ -77,13 +92,5 @@ fn row(forms: Forms, section: Section, number: usize, shape: &Shape) -> View {
             .then(|| code().class("word").child(shape.word.clone()));
         place.child(field).maybe(word)
     };
-    let any = faults::any(forms, number, refusal);
-    let span = (columns(section).len() + 1).to_string();
-    let said = td().role("cell").attr("colspan", span).child(faults::view(forms, number, refusal));
-    View::from((
-        tr().role("row")
-            .each(columns(section), cell)
-            .child(td().role("cell").class("remove").child(remove_button(forms, number))),
-        tr().role("row").class("fault-row").hidden(move || !any.get()).child(said),
-    ))
+    View::from((tr().role("row").each(columns(section), cell).child(remove), said))
 }

@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::write::fields::{Piece, refuse};
 use crate::write::typing;
-use document::edit::{exchange_statements, set_hidden, set_label};
+use document::edit::{add_group, exchange_statements, remove_statement, set_hidden, set_label};
 use document::form::{Place, Shown, shown};
 use view::browser;
 use view::icons;
@@ -11,45 +11,63 @@ use view::views::*;
 
 /// The controls.
 pub fn controls(app: App) -> HtmlDiv {
-    list(app, &[Place::Size, Place::Parameter], app.words().controls_none)
+    list(app, &[Place::Size, Place::Parameter], app.words().controls_none, Some(add_button))
 }
 
 /// The values.
 pub fn values(app: App) -> HtmlDiv {
-    list(app, &[Place::Unknown, Place::Computed], app.words().values_none)
+    list(app, &[Place::Unknown, Place::Computed], app.words().values_none, None)
 }
 
-fn list(app: App, places: &'static [Place], none: &'static str) -> HtmlDiv {
+/// The button that begins a group of controls; the focus goes to its name.
+fn add_button(app: App) -> HtmlButton {
+    let add = move |_| {
+        let text = typing::text(app, 0);
+        match typing::act(app, 0, &text, |outline| add_group(outline, app.words().group_new)) {
+            Ok(edits) => {
+                let at = edits.first().map_or(0, |edit| edit.span.start);
+                let all = shown(&document::read(&typing::text(app, 0)));
+                if let Some(group) = all.iter().find(|one| one.is_group && one.label_at.start >= at) {
+                    browser::focus_later(id(group.number, "label"));
+                }
+            }
+            Err(refusal) => app.complain(refusal),
+        }
+    };
+    button().class("quiet outlined").id("add-group").child(app.words().group_add).when(events::click, add)
+}
+
+fn list(app: App, places: &'static [Place], none: &'static str, below: Option<fn(App) -> HtmlButton>) -> HtmlDiv {
     let all = memo(move || {
         app.typed.track();
         app.written.track();
         shown(&document::read(&typing::text(app, 0)))
     });
+    // What decides which rows there are; the rest changes inside them.
     let shapes = memo(move || {
-        all.with(|all| all.iter().map(|one| (one.number, one.place, one.name.clone())).collect::<Vec<_>>())
+        let shape = |one: &Shown| (one.number, one.place, one.is_group, one.name.clone());
+        all.with(|all| all.iter().map(shape).collect::<Vec<_>>())
     });
     let rows = move || {
         let shapes = shapes.get_clone();
-        let of = |place: Place| shapes.iter().filter(move |(_, own, _)| *own == place).collect::<Vec<_>>();
-        let rows: Vec<View> = places
-            .iter()
-            .flat_map(|&place| {
-                let own = of(place);
-                let numbers: Vec<usize> = own.iter().map(|(number, ..)| *number).collect();
-                let row = |(at, (number, _, name)): (usize, &(usize, Place, String))| {
-                    let before = at.checked_sub(1).and_then(|before| numbers.get(before)).copied();
-                    let neighbours = place.is_ordered().then(|| (before, numbers.get(at + 1).copied()));
-                    View::from(row(app, all, *number, name, neighbours))
-                };
-                own.into_iter().enumerate().map(row).collect::<Vec<_>>()
-            })
-            .collect();
-        if rows.is_empty() { note(none).into() } else { View::from(ul().class("shown-list").child(rows)) }
+        let mut rows = ul().class("shown-list");
+        let mut is_empty = true;
+        for &place in places {
+            let own: Vec<_> = shapes.iter().filter(|(_, of, ..)| *of == place).collect();
+            let number = |at: usize| own.get(at).map(|(number, ..)| *number);
+            for (at, (own, _, is_group, name)) in own.iter().enumerate() {
+                let neighbours = place.is_ordered().then(|| (at.checked_sub(1).and_then(number), number(at + 1)));
+                let name = if *is_group { app.words().group } else { name };
+                rows = rows.child(row(app, all, *own, name, neighbours));
+                is_empty = false;
+            }
+        }
+        if is_empty { note(none).into() } else { View::from(div().child(rows).maybe(below.map(|below| below(app)))) }
     };
     div().child(changing(rows))
 }
 
-/// Name, label, whether it is shown, and the buttons that exchange it with the one before and the one after.
+/// Name, label, whether it is shown, and the buttons that exchange it with the one before and the one after; a group can be removed.
 fn row(
     app: App,
     all: ReadSignal<Vec<Shown>>,
@@ -72,8 +90,11 @@ fn row(
             typing::change(app, 0, &text, |outline| set_label(outline, number, typed)).map(|_| ())
         }),
     };
-    let place = all.with_untracked(|all| all.iter().find(|one| one.number == number).map(|one| one.place));
-    let visible = place.is_some_and(|place| place >= Place::Unknown).then(|| {
+    let (is_value, is_group) = all.with_untracked(|all| {
+        let own = all.iter().find(|one| one.number == number);
+        own.map_or((false, false), |one| (one.place >= Place::Unknown, one.is_group))
+    });
+    let visible = is_value.then(|| {
         let hidden = read(|one| one.is_hidden.to_string());
         let set = move |event| {
             let text = typing::text(app, 0);
@@ -107,10 +128,20 @@ fn row(
                     .when(events::click, move |_| move_to(after, "down")),
             )
     });
-    li().class("shown-row")
+    let remove = is_group.then(|| {
+        let remove = move |_| {
+            let text = typing::text(app, 0);
+            let removed = typing::act(app, 0, &text, |outline| Ok(vec![remove_statement(outline, number)?]));
+            refuse(refusal, removed.err());
+            browser::focus_later("add-group".to_owned());
+        };
+        cross(words.group_remove.to_owned()).when(events::click, remove)
+    });
+    li().class(if is_group { "shown-row group" } else { "shown-row" })
         .child(code().class("word").child(name.to_owned()))
         .child(label.line(app).attr("placeholder", words.column_label))
         .maybe(visible)
+        .maybe(remove)
         .maybe(order)
         .child(refusal_of(refusal))
 }

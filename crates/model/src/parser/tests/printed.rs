@@ -75,6 +75,7 @@ pub(super) fn shown_statement(statement: &Statement) -> String {
             let step = parameter.step.map_or(String::new(), |step| format!(" step {step}"));
             format!("parameter {}={}{}{range}{step}", parameter.name.text, parameter.value, in_unit(&parameter.unit))
         }
+        StatementKind::Group(name) => format!("group {:?}", name.text),
         StatementKind::Size(size) => {
             let range = size.range.as_ref().map_or(String::new(), |r| format!(" {}..{}", r.low, r.high));
             format!("size {}={}{range}", size.name.text, size.value)

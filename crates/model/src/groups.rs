@@ -1,0 +1,31 @@
+//! Groups of controls: `group "Circuit"` holds for the parameters after it, up to the next group.
+
+use crate::{Diagnostic, Statement, StatementKind};
+use units::words;
+
+/// Warns of each group without a control: there is no heading without something below it.
+pub(crate) fn warn_of_empty(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) {
+    let mut groups = Vec::new();
+    for statement in statements {
+        match &statement.kind {
+            StatementKind::Group(name) => groups.push((name, false)),
+            StatementKind::Parameter(_) | StatementKind::Choice(_) => {
+                if let Some((_, has_control)) = groups.last_mut() {
+                    *has_control = true;
+                }
+            }
+            _ => {}
+        }
+    }
+    for (name, _) in groups.iter().filter(|(_, has_control)| !has_control) {
+        let message = words!(
+            "the group \"{}\" has no control: no parameter stands between it and the next group",
+            "el grupo «{}» no tiene ningún control: no hay parámetros entre él y el grupo siguiente",
+            name.text
+        );
+        diagnostics.push(Diagnostic::warning("empty-group", message, name.span).with_hint(words(
+            "put it before the parameters that belong to it, or take it away",
+            "ponlo delante de los parámetros que le pertenecen o quítalo",
+        )));
+    }
+}

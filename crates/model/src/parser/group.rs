@@ -1,0 +1,53 @@
+//! `group "Circuit"`: the heading under which the controls of the parameters after it stand.
+
+use super::cursor::Cursor;
+use super::statement::{Salvaged, nothing};
+use crate::lexer::TokenKind;
+use crate::{Diagnostic, Quoted, Statement, StatementKind};
+use units::{Words, words};
+
+const GROUP_FORM: Words = words("the form is: group \"NAME\"", "la forma es: group \"NOMBRE\"");
+
+impl Cursor<'_> {
+    /// Whether a statement begins with `group` and what may be meant as a name.
+    pub(super) fn is_group(&self) -> bool {
+        let named = || {
+            matches!(
+                self.peek_ahead(1),
+                TokenKind::Text(_) | TokenKind::Name { .. } | TokenKind::Newline | TokenKind::End
+            )
+        };
+        self.at_word("group") && named()
+    }
+
+    /// `group "Circuit"`
+    pub(super) fn group(&mut self) -> Salvaged {
+        let start = self.advance();
+        let TokenKind::Text(text) = self.peek().clone() else {
+            let wrong = words!(
+                "the name of the group is expected here in quotation marks, not {found}",
+                "aquí se espera el nombre del grupo entre comillas, no {found}",
+                found = self.found()
+            );
+            let place = if self.at_line_end() { start } else { self.span() };
+            let told = self.fail(Diagnostic::error("group-name", wrong, place).with_hint(GROUP_FORM));
+            return (nothing(start), told);
+        };
+        let name = Quoted { text, span: self.advance() };
+        if name.text.trim().is_empty() {
+            let wrong = words("the group has no name", "el grupo no tiene nombre");
+            self.say(Diagnostic::error("group-name", wrong, name.span).with_hint(GROUP_FORM));
+        }
+        (StatementKind::Group(name), Ok(()))
+    }
+
+    /// Refuses what other statements may have and a group may not.
+    pub(super) fn check_group(&mut self, statement: &Statement) {
+        let StatementKind::Group(_) = &statement.kind else { return };
+        let more = statement.over.first().map(|over| over.index.span);
+        if let Some(more) = more.or(statement.label.as_ref().map(|label| label.span)) {
+            let wrong = words("a group has a name and nothing else", "un grupo tiene un nombre y nada más");
+            self.say(Diagnostic::error("group-name", wrong, more).with_hint(GROUP_FORM));
+        }
+    }
+}

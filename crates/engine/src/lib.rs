@@ -34,6 +34,7 @@ mod routine;
 mod run;
 mod setup;
 mod sparse;
+mod stability;
 mod start;
 mod stepper;
 mod surfaces;

@@ -24,6 +24,8 @@ pub enum NoticeKind {
     OutsideTable(usize),
     /// A function of the independent variable alone changes too often within a step.
     TooFastInTime,
+    /// The method of fixed step is unstable with this step.
+    StepTooLong,
 }
 
 impl Notice {
@@ -31,7 +33,7 @@ impl Notice {
     pub fn subject(&self) -> Option<Subject> {
         match self.kind {
             NoticeKind::MayBeSkipped(event) => event.map(Subject::Event),
-            NoticeKind::TooFastInTime | NoticeKind::OutsideTable(_) => None,
+            NoticeKind::TooFastInTime | NoticeKind::OutsideTable(_) | NoticeKind::StepTooLong => None,
         }
     }
 
@@ -41,6 +43,7 @@ impl Notice {
             NoticeKind::MayBeSkipped(_) => "may-be-skipped",
             NoticeKind::TooFastInTime => "too-fast-in-time",
             NoticeKind::OutsideTable(_) => "outside-table",
+            NoticeKind::StepTooLong => "step-too-long",
         }
     }
 
@@ -77,6 +80,13 @@ impl Notice {
                  por alto cambios",
                 moment = moment
             ),
+            NoticeKind::StepTooLong => words!(
+                "the step is too long from {moment} on: something changes faster than the method can follow, and the numbers \
+                 may grow although nothing grows",
+                "desde {moment} el paso es demasiado largo: algo cambia más deprisa de lo que el método puede seguir, y los \
+                 números pueden crecer aunque nada crezca",
+                moment = moment
+            ),
         }
     }
 
@@ -87,6 +97,10 @@ impl Notice {
             NoticeKind::MayBeSkipped(_) | NoticeKind::TooFastInTime => {
                 words("a smaller step helps", "ayuda un paso menor")
             }
+            NoticeKind::StepTooLong => words(
+                "choose a smaller step, or a method that chooses its own: `dormand-prince`, or `rosenbrock` for what decays fast",
+                "elige un paso menor o un método que elija el suyo: `dormand-prince`, o `rosenbrock` para lo que decae deprisa",
+            ),
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use crate::checkpoints::Checkpoints;
 use crate::ranges::Ranges;
+use crate::stability::Stability;
 use crate::stepper::grid_index;
-use crate::{History, Notice, Press, Progress, Readings, RunError, Setup, Stepper};
+use crate::{History, Notice, NoticeKind, Press, Progress, Readings, RunError, Setup, Stepper};
 use program::{Model, NodeId};
 
 /// The greatest size of a history in bytes; a run that reaches it pauses.
@@ -34,6 +35,8 @@ pub struct Run {
     /// The last row on the grid.
     last_on_grid: usize,
     ranges: Ranges,
+    /// For methods of fixed step, where something flows.
+    stability: Option<Stability>,
     /// For adaptive methods.
     checkpoints: Option<Checkpoints>,
     /// Whether the independent variable counts: the state then holds from one count to the next.
@@ -49,7 +52,7 @@ impl Run {
         let setup = setup.fitting(model);
         let drawn = model.with_drawings(&setup.drawings);
         let model = drawn.as_ref().unwrap_or(model);
-        let stepper = Stepper::new(model, &setup)?;
+        let mut stepper = Stepper::new(model, &setup)?;
         let history = History::new(stepper.initial().to_vec(), setup.parameters.clone());
         let rates: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();
         let state = stepper.state().to_vec();
@@ -57,18 +60,11 @@ impl Run {
         let rates = Readings::new(model, &rates);
         let mut ranges = Ranges::new(model);
         ranges.look(&setup.parameters, stepper.initial(), stepper.time(), &state);
+        let counts = model.independent.counts;
+        let mut stability = if counts { None } else { Stability::new(setup.method, state.len()) };
+        stability.iter_mut().for_each(|stability| stepper.look(stability));
         let ends = [state.clone(), state];
-        Ok(Self {
-            rates,
-            setup,
-            stepper,
-            history,
-            ends,
-            last_on_grid: 0,
-            ranges,
-            checkpoints,
-            counts: model.independent.counts,
-        })
+        Ok(Self { rates, setup, stepper, history, ends, last_on_grid: 0, ranges, stability, checkpoints, counts })
     }
 
     /// Goes on to the next point of the grid t_n = n h.
@@ -100,6 +96,9 @@ impl Run {
         self.last_on_grid = self.history.len() - 1;
         let (parameters, initial) = (self.history.next_parameters(), self.history.initial());
         self.ranges.look(parameters, initial, self.stepper.time(), self.stepper.state());
+        if let Some(stability) = &mut self.stability {
+            self.stepper.look(stability);
+        }
         if let Some(checkpoints) = &mut self.checkpoints {
             checkpoints.note(&self.stepper, self.last_on_grid);
         }
@@ -150,6 +149,8 @@ impl Run {
     pub fn notices(&self) -> Vec<Notice> {
         let mut notices = self.stepper.notices();
         notices.extend(self.ranges.notice());
+        let exceeded = self.stability.as_ref().and_then(Stability::exceeded);
+        notices.extend(exceeded.map(|time| Notice { kind: NoticeKind::StepTooLong, time }));
         notices
     }
 
@@ -170,6 +171,9 @@ impl Run {
         } else {
             self.history.push_parameters(parameters.clone());
             self.stepper.set_parameters(parameters);
+            if let Some(stability) = &mut self.stability {
+                stability.look_soon();
+            }
         }
     }
 
@@ -213,6 +217,9 @@ impl Run {
     fn go_back_to(&mut self, row: usize) {
         let history = &mut self.history;
         self.ranges.go_back_to(history.time(row));
+        if let Some(stability) = &mut self.stability {
+            stability.go_back_to(history.time(row));
+        }
         history.truncate(row);
         self.last_on_grid = self.last_on_grid.min(row);
         if !self.repeat_to(row) {

@@ -14,6 +14,7 @@ use crate::dormand_prince::DormandPrince;
 use crate::equations::Equations;
 use crate::fixed::Fixed;
 use crate::rosenbrock::Rosenbrock;
+use crate::stability::Stability;
 use crate::start;
 use crate::surfaces::Surfaces;
 use crate::switches::Switches;
@@ -180,6 +181,11 @@ impl Stepper {
     /// What cannot be promised of what was done so far.
     pub fn notices(&self) -> Vec<Notice> {
         self.surfaces.notices()
+    }
+
+    /// Has the equations looked at where it stands.
+    pub(crate) fn look(&mut self, stability: &mut Stability) {
+        stability.look(&mut self.equations, self.time, self.step, &self.state);
     }
 
     /// The parameters in force.

@@ -22,5 +22,6 @@ mod support;
 mod switches;
 mod tables;
 mod tabulated;
+mod unstable;
 mod vectors;
 mod work;

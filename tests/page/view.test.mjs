@@ -72,6 +72,47 @@ visit("a fault of a plot stands beside it, and what would be read otherwise is r
   assert.equal(await card.locator(".refusal").innerText(), "");
 });
 
+visit("controls are put under headings, which are moved, named and removed", async (lab) => {
+  await view(lab);
+  const before = await text(lab);
+  const words = () => lab.page.locator("[aria-labelledby=view-controls] .shown-row .word").allInnerTexts();
+  const controls = await words();
+  await lab.press("Add group");
+  await eventually(async () => assert.deepEqual(await words(), ["Group", ...controls]));
+  // The name can be typed at once.
+  await eventually(async () => assert.match(await lab.page.evaluate(() => document.activeElement.id), /^shown-\d+-label$/));
+  await lab.page.keyboard.press("Control+a");
+  await lab.page.keyboard.type("Spring");
+  await now(lab, /group "Spring"\nparameter/);
+  await lab.button("Move down: Group").press("Enter");
+  await eventually(async () => assert.deepEqual(await words(), [controls[0], "Group", ...controls.slice(1)]));
+  await runs(lab);
+  await lab.tab("Play");
+  const group = lab.page.getByRole("group", { name: "Spring" });
+  await eventually(async () => assert.equal(await group.locator(".parameter").count(), controls.length - 1));
+  await lab.tab("Write");
+  await lab.press("Move up: Group");
+  await eventually(async () => assert.deepEqual(await words(), ["Group", ...controls]));
+  await lab.press("Remove the group; its controls stay");
+  await eventually(async () => assert.equal(await text(lab), before));
+});
+
+visit("what is wrong is in sight from the end of a long form, and one press leads to it", async (lab) => {
+  await view(lab);
+  await field(lab, "Plot 1: Draws").fill("yy");
+  const lead = lab.page.locator("#show-errors");
+  await lead.waitFor();
+  assert.equal(await lead.innerText(), "Show the error");
+  await lab.page.locator("#view-values").scrollIntoViewIfNeeded();
+  const inside = () => lead.evaluate((button) => {
+    const { top, bottom } = button.getBoundingClientRect();
+    return top >= 0 && bottom <= innerHeight && document.elementFromPoint(button.getBoundingClientRect().left + 4, (top + bottom) / 2) === button;
+  });
+  await eventually(async () => assert.ok(await inside()));
+  await lead.click();
+  await eventually(async () => assert.equal(await lab.page.evaluate(() => document.activeElement.id), "writing-findings"));
+});
+
 visit("controls change their order and labels, values are hidden, with keys alone", async (lab) => {
   await view(lab);
   const names = () => lab.page.locator("[aria-labelledby=view-controls] .shown-row .word").allInnerTexts();

@@ -294,3 +294,18 @@ visit("the text is given its layout, which can be undone", async (lab) => {
   await lab.keys("Control+Z");
   await eventually(async () => assert.match(await editor(lab).innerText(), /m \* y''\+b\*y' {2}\+k\*y=0/));
 });
+
+visit("one list is unfolded at a time, and Escape folds it up", async (lab) => {
+  await lab.tab("Write");
+  await lab.page.locator(".cm-content").waitFor();
+  const open = () => lab.page.locator(".writing-tools [aria-expanded=true]").evaluateAll((buttons) => buttons.map((button) => button.id));
+  await lab.press("New");
+  assert.deepEqual(await open(), ["new-document"]);
+  await lab.press("Versions");
+  assert.deepEqual(await open(), ["versions"]);
+  assert.equal(await lab.page.locator("#templates").isVisible(), false);
+  await lab.page.locator("#versions").focus();
+  await lab.keys("Escape");
+  await eventually(async () => assert.deepEqual(await open(), []));
+  assert.equal(await lab.page.evaluate(() => document.activeElement.id), "versions");
+});

@@ -157,6 +157,8 @@ table_of_words! {
     file_followed: "The file has changed; its text runs.", "El archivo ha cambiado; su texto está en marcha.";
     text_runs: "The simulation runs as written.", "La simulación funciona tal como está escrita.";
     text_waits: "The last version without errors is running.", "Sigue funcionando la última versión sin errores.";
+    show_error: "Show the error", "Mostrar el error";
+    show_errors: "Show # errors", "Mostrar # errores";
     one_error: "error", "error";
     many_errors: "errors", "errores";
     one_warning: "remark", "observación";

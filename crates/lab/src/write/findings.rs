@@ -6,6 +6,7 @@ use crate::diagnostics::{self, Leads};
 use crate::visited;
 use model::Fix;
 use std::rc::Rc;
+use view::browser;
 use view::views::*;
 
 /// Marks what was found in the text shown.
@@ -49,6 +50,27 @@ pub fn status(app: App) -> HtmlP {
     p().class(class).role("status").id("writing-status").child(text(sentence))
 }
 
+/// Leads to the errors from wherever they are not in sight; hidden while there are none.
+pub fn lead(app: App) -> HtmlButton {
+    let words = app.words();
+    let errors = memo(move || {
+        app.written.track();
+        app.read_writing(|writing| writing.errors())
+    });
+    let title = move || match errors.get() {
+        1 => words.show_error.to_owned(),
+        number => words.show_errors.replace('#', &number.to_string()),
+    };
+    button()
+        .class("quiet outlined")
+        .id("show-errors")
+        .hidden(move || errors.get() == 0)
+        .when(events::click, move |_| browser::reveal_later(LIST.to_owned()))
+        .child(text(title))
+}
+
+const LIST: &str = "writing-findings";
+
 /// The findings, but for those that stand beside their statement. Each place leads to it in the text.
 pub fn view(app: App) -> View {
     changing(move || {
@@ -65,7 +87,7 @@ pub fn view(app: App) -> View {
             go: Rc::new(move |file, place| go_to(app, file, place)),
             fix: Some(Rc::new(move |file, fix| carry_out(app, file, fix))),
         };
-        diagnostics::list(app, &visited::written(app), &findings, Some(leads)).into()
+        diagnostics::list(app, &visited::written(app), &findings, Some(leads)).id(LIST).tabindex("-1").into()
     })
 }
 

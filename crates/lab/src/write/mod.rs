@@ -62,7 +62,13 @@ pub fn view(app: App) -> View {
         .child(built(Panel::Questions, questions::view))
         .child(built(Panel::Translation, translation::view))
         .child(insight::view(app))
-        .child(div().class("writing-foot").child(findings::status(app)).child(layout::view(app)))
+        .child(
+            div()
+                .class("writing-foot")
+                .child(findings::status(app))
+                .child(findings::lead(app))
+                .child(layout::view(app)),
+        )
         .child(findings::view(app))
         .into()
 }

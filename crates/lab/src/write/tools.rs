@@ -10,11 +10,42 @@ use document::{TEMPLATES, Template};
 use view::browser;
 use view::views::*;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, MouseEvent};
+use web_sys::{Element, KeyboardEvent, MouseEvent};
+
+/// What is unfolded below the tools: one at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unfolded {
+    /// What a document can begin from.
+    New,
+    /// The versions to go back to.
+    Versions,
+}
+
+impl Unfolded {
+    /// The id of the button that unfolds it.
+    fn id(self) -> &'static str {
+        match self {
+            Self::New => "new-document",
+            Self::Versions => "versions",
+        }
+    }
+
+    /// The button that unfolds it and folds it up again.
+    pub fn button(self, unfolded: Signal<Option<Self>>, controls: &'static str, title: &'static str) -> HtmlButton {
+        button()
+            .class("quiet outlined")
+            .id(self.id())
+            .attr("aria-controls", controls)
+            .attr("aria-expanded", move || (unfolded.get() == Some(self)).to_string())
+            .when(events::click, move |_| unfolded.update(|now| *now = (*now != Some(self)).then_some(self)))
+            .child(title)
+    }
+}
 
 /// The tools.
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
+    let unfolded = create_signal(None::<Unfolded>);
     let save = button()
         .class("quiet outlined")
         .id("save-writing")
@@ -29,16 +60,10 @@ pub fn view(app: App) -> HtmlDiv {
     };
     let chips =
         div().class("chips").role("group").attr("aria-label", words.new_document_from).each(&TEMPLATES, template);
-    let choosing = create_signal(false);
-    let new = button()
-        .class("quiet outlined")
-        .id("new-document")
-        .attr("aria-controls", "templates")
-        .attr("aria-expanded", move || choosing.get().to_string())
-        .when(events::click, move |_| choosing.update(|choosing| *choosing = !*choosing))
-        .child(words.new_document);
+    let choosing = move || unfolded.get() == Some(Unfolded::New);
+    let new = Unfolded::New.button(unfolded, "templates", words.new_document);
     let kept = move || {
-        let documents = if choosing.get() { kept::documents() } else { Vec::new() };
+        let documents = if choosing() { kept::documents() } else { Vec::new() };
         let document = |(title, kept): (String, Visited)| {
             let mut kept = Some(kept);
             let open = move |_| kept.take().into_iter().for_each(|kept| opening::open_kept(app, kept));
@@ -49,10 +74,19 @@ pub fn view(app: App) -> HtmlDiv {
         };
         if documents.is_empty() { View::new() } else { View::from((note(words.kept_documents), chips(documents))) }
     };
-    let [versions, version_list] = version_list::view(app);
-    let templates = div().class("templates").id("templates").hidden(move || !choosing.get());
+    let [versions, version_list] = version_list::view(app, unfolded);
+    let templates = div().class("templates").id("templates").hidden(move || !choosing());
+    // Escape folds up what is unfolded; the focus goes back to where it was opened.
+    let fold = move |event: KeyboardEvent| {
+        if let Some(open) = unfolded.get_untracked().filter(|_| event.key() == "Escape") {
+            event.prevent_default();
+            unfolded.set(None);
+            browser::focus(open.id());
+        }
+    };
     div()
         .class("writing-tools")
+        .when(events::keydown, fold)
         .when(events::mousedown, |event| keep_focus(&event))
         .child(new)
         .child(save)

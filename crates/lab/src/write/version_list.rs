@@ -1,5 +1,6 @@
 //! The list of versions of what is written, and how to go back to one.
 
+use super::tools::Unfolded;
 use super::versions::{self, Version};
 use super::{changes, draft};
 use crate::app::App;
@@ -9,24 +10,16 @@ use view::views::*;
 use wasm_bindgen::JsValue;
 
 /// The button that shows the list, and the list below the tools.
-pub fn view(app: App) -> [View; 2] {
-    let words = app.words();
-    let open = create_signal(false);
-    let button = button()
-        .class("quiet outlined")
-        .id("versions")
-        .attr("aria-controls", "version-list")
-        .attr("aria-expanded", move || open.get().to_string())
-        .when(events::click, move |_| {
-            draft::flush(app);
-            open.update(|open| *open = !*open);
-        })
-        .child(words.versions);
+pub fn view(app: App, unfolded: Signal<Option<Unfolded>>) -> [View; 2] {
+    let open = move || unfolded.get() == Some(Unfolded::Versions);
     let list = changing(move || {
         app.written.track();
-        if open.get() { list(app) } else { View::new() }
+        if open() { list(app) } else { View::new() }
     });
-    let place = div().class("templates").id("version-list").hidden(move || !open.get()).child(list);
+    let button = Unfolded::Versions
+        .button(unfolded, "version-list", app.words().versions)
+        .when(events::click, move |_| draft::flush(app));
+    let place = div().class("templates").id("version-list").hidden(move || !open()).child(list);
     [button.into(), place.into()]
 }
 

@@ -13,8 +13,8 @@ use token::{FOREIGN, JOINED, KEYWORDS, SYMBOLS, lone};
 use units::alphabet::{greek_name, lowered, primes};
 use units::words;
 
-/// A token and the blanks beside it take so many bytes or more.
-const USUAL: usize = 2;
+/// About how many bytes a token and the blanks beside it take.
+const USUAL: usize = 3;
 
 /// The tokens of `source[range]`, ending with [`TokenKind::End`]. `range` lies on character boundaries.
 pub(crate) fn tokens(source: &str, range: Range<usize>) -> (Vec<Token>, Vec<Diagnostic>) {

@@ -295,8 +295,11 @@ impl<'a> Expressions<'a> {
     /// An expression with the scene's own names put in. None if something in it could not be read, or it is too large.
     fn completed(&mut self, mut expression: Expression) -> Option<Expression> {
         let mut nodes = 0;
-        self.replace(&mut expression, &mut nodes);
-        if nodes > NODES || depth(&expression) > DEPTH {
+        if !self.local.is_empty() {
+            self.replace(&mut expression, &mut nodes);
+        }
+        let extent = Extent::of(&expression);
+        if nodes.max(extent.nodes) > NODES || extent.depth > DEPTH {
             self.error(
                 "too-large",
                 words(
@@ -307,7 +310,7 @@ impl<'a> Expressions<'a> {
             );
             return None;
         }
-        if has_gap(&expression) { None } else { Some(expression) }
+        (!extent.has_gap).then_some(expression)
     }
 
     /// Puts expressions in the place of the scene's own names, counting nodes; stops when there are too many.
@@ -321,7 +324,7 @@ impl<'a> Expressions<'a> {
         {
             // Its own names were replaced when it was defined.
             expression.kind = meaning.kind.clone();
-            *nodes += count(expression);
+            *nodes += Extent::of(expression).nodes;
             return;
         }
         for operand in expression.operands_mut() {
@@ -396,22 +399,28 @@ pub fn dimension_error(
         .with_label(expected.0, describe(expected.1))
 }
 
-/// Whether something in an expression could not be read.
-fn has_gap(expression: &Expression) -> bool {
-    matches!(expression.kind, ExpressionKind::Error) || expression.operands().into_iter().any(has_gap)
+/// How large an expression is.
+#[derive(Default)]
+struct Extent {
+    nodes: usize,
+    /// How many levels it has.
+    depth: usize,
+    /// Whether something in it could not be read.
+    has_gap: bool,
 }
 
-fn count(expression: &Expression) -> usize {
-    1 + expression.operands().into_iter().map(count).sum::<usize>()
-}
-
-/// Stops counting a little beyond [`DEPTH`].
-fn depth(expression: &Expression) -> usize {
-    let mut level = vec![expression];
-    let mut depth = 0;
-    while !level.is_empty() && depth <= DEPTH {
-        level = level.into_iter().flat_map(Expression::operands).collect();
-        depth += 1;
+impl Extent {
+    fn of(expression: &Expression) -> Self {
+        let mut extent = Self::default();
+        extent.add(expression, 1);
+        extent
     }
-    depth
+
+    /// Counts what stands at this level and below.
+    fn add(&mut self, expression: &Expression, level: usize) {
+        self.nodes += 1;
+        self.depth = self.depth.max(level);
+        self.has_gap |= matches!(expression.kind, ExpressionKind::Error);
+        expression.for_each_operand(|operand| self.add(operand, level + 1));
+    }
 }

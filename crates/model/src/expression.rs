@@ -10,6 +10,7 @@ use crate::tables::TableFunction;
 use crate::vectors::Vectors;
 use crate::{Diagnostic, Expression, ExpressionKind, Over, Span, StatedUnit, has_errors};
 use program::{Choices, Compiled, Graph, Kind, Model};
+use std::borrow::Cow;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 use units::{Unit, words};
@@ -84,8 +85,8 @@ impl<'a> Compiler<'a> {
     /// The name that an expression is, with its primes, where it is one: `x[3]` for `x[i+1]` while i is 2.
     pub fn name_of(&self, expression: &Expression) -> Option<String> {
         let (written, _) = expression_without_families(expression, &self.model.sizes, &self.indices);
-        match written.kind {
-            ExpressionKind::Name { name, order } => Some(primed(&name, order)),
+        match &written.kind {
+            ExpressionKind::Name { name, order } => Some(primed(name, *order)),
             _ => None,
         }
     }
@@ -112,13 +113,19 @@ impl<'a> Compiler<'a> {
     }
 
     /// An expression without functions of the author's own and without families.
-    fn single(&mut self, expression: &Expression) -> Result<Expression, Vec<Diagnostic>> {
+    fn single<'e>(&mut self, expression: &'e Expression) -> Result<Cow<'e, Expression>, Vec<Diagnostic>> {
         let mut found = Vec::new();
         let called = self.functions.expanded(expression, &mut self.budget, &mut found);
         if has_errors(&found) {
             return Err(found);
         }
-        let (written, found) = expression_without_families(&called, &self.model.sizes, &self.indices);
+        let (written, found) = match called {
+            Cow::Borrowed(called) => expression_without_families(called, &self.model.sizes, &self.indices),
+            Cow::Owned(called) => {
+                let (written, found) = expression_without_families(&called, &self.model.sizes, &self.indices);
+                (Cow::Owned(written.into_owned()), found)
+            }
+        };
         let mut unreadable = false;
         for_each(&written, |part| unreadable |= part.kind == ExpressionKind::Error);
         if unreadable || has_errors(&found) {

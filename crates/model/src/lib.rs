@@ -37,4 +37,4 @@ pub use functions::Functions;
 pub use parser::{parse, parse_assignments, parse_expression};
 pub use places::Places;
 pub use syntax::*;
-pub use typeset::{typeset, typeset_each, typeset_expression};
+pub use typeset::{typeset, typeset_each, typeset_expression, typeset_one};

@@ -14,6 +14,7 @@ mod presets;
 mod program;
 mod prose;
 mod questions;
+mod quick;
 mod scene;
 mod speed;
 
@@ -34,5 +35,6 @@ pub use presets::{Assignment, Preset};
 pub use program::{Edition, Program};
 pub use prose::{Block, Section};
 pub use questions::{Question, QuestionText, Tolerance};
+pub use quick::{QuickHasher, QuickMap, QuickSet};
 pub use scene::{Attribute, Child, Drag, Dragged, Element, Piece, Scene, Template, Trail, write_attribute};
 pub use speed::Speed;

@@ -34,7 +34,8 @@ pub fn greek_name(letter: char) -> Option<&'static str> {
 
 /// The Greek letter that an ASCII name spells; capitals that look Latin (`Alpha`) are Greek too.
 pub fn greek_letter(name: &str) -> Option<char> {
-    if name.is_empty() {
+    // Most names are a letter, and none of a Greek one is so short.
+    if name.len() < 2 {
         return None;
     }
     let at = |letters: &[&str], first: char| {

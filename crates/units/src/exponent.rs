@@ -3,13 +3,13 @@
 use std::fmt;
 
 /// The greatest absolute value of a numerator or denominator. No physical dimension comes near it.
-const BOUND: i64 = 1000;
+const BOUND: i16 = 1000;
 
 /// A rational exponent in lowest terms. What would leave a small bound is `None`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Exponent {
-    numerator: i32,
-    denominator: i32,
+    numerator: i16,
+    denominator: i16,
 }
 
 impl Exponent {
@@ -18,8 +18,13 @@ impl Exponent {
     /// 1
     pub const ONE: Self = Self::whole(1);
 
-    const fn whole(value: i32) -> Self {
+    const fn whole(value: i16) -> Self {
         Self { numerator: value, denominator: 1 }
+    }
+
+    /// A whole number; `None` beyond the bound.
+    fn bounded(value: i32) -> Option<Self> {
+        i16::try_from(value).ok().filter(|value| (-BOUND..=BOUND).contains(value)).map(Self::whole)
     }
 
     /// `numerator / denominator`; `None` for a denominator of 0 and beyond the bound.
@@ -32,10 +37,10 @@ impl Exponent {
         let sign = denominator.signum();
         let numerator = (numerator / divisor).checked_mul(sign)?;
         let denominator = (denominator / divisor).checked_mul(sign)?;
-        if numerator.abs() > BOUND || denominator > BOUND {
+        if numerator.abs() > i64::from(BOUND) || denominator > i64::from(BOUND) {
             return None;
         }
-        Some(Self { numerator: numerator as i32, denominator: denominator as i32 })
+        Some(Self { numerator: numerator as i16, denominator: denominator as i16 })
     }
 
     /// The exponent that `value` is: an integer, or a fraction with a denominator up to 12 (0.5, 1.5, 1/3 to the
@@ -43,19 +48,19 @@ impl Exponent {
     pub fn from_number(value: f64) -> Option<Self> {
         (1..=12).find_map(|denominator: i64| {
             let numerator = (value * denominator as f64).round();
-            let is_it = numerator.abs() <= BOUND as f64 && numerator / denominator as f64 == value;
+            let is_it = numerator.abs() <= f64::from(BOUND) && numerator / denominator as f64 == value;
             if is_it { Self::new(numerator as i64, denominator) } else { None }
         })
     }
 
     /// The numerator, which carries the sign.
     pub fn numerator(self) -> i32 {
-        self.numerator
+        i32::from(self.numerator)
     }
 
     /// The denominator, at least 1.
     pub fn denominator(self) -> i32 {
-        self.denominator
+        i32::from(self.denominator)
     }
 
     /// Whether it is 0.
@@ -86,6 +91,10 @@ impl Exponent {
 
     /// The sum.
     pub fn plus(self, other: Self) -> Option<Self> {
+        // Nearly all exponents are whole, and these take no division.
+        if self.is_whole() && other.is_whole() {
+            return Self::bounded(self.numerator() + other.numerator());
+        }
         let (a, b) = (i64::from(self.numerator), i64::from(self.denominator));
         let (c, d) = (i64::from(other.numerator), i64::from(other.denominator));
         Self::new(a * d + c * b, b * d)
@@ -93,6 +102,9 @@ impl Exponent {
 
     /// The product.
     pub fn times(self, other: Self) -> Option<Self> {
+        if self.is_whole() && other.is_whole() {
+            return Self::bounded(self.numerator() * other.numerator());
+        }
         let (a, b) = (i64::from(self.numerator), i64::from(self.denominator));
         let (c, d) = (i64::from(other.numerator), i64::from(other.denominator));
         Self::new(a * c, b * d)
@@ -106,7 +118,7 @@ impl Exponent {
 
 impl From<i8> for Exponent {
     fn from(value: i8) -> Self {
-        Self::whole(i32::from(value))
+        Self::whole(i16::from(value))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Texts inside HTML, SVG, MathML and other XML.
 
-use std::fmt::{self, Display, Formatter, Write as _};
+use std::fmt::{self, Display, Formatter};
 
 /// A text as the content of an element or as an attribute. Markup is made harmless, and characters that
 /// XML forbids become U+FFFD.
@@ -9,20 +9,23 @@ pub struct Escaped<'a>(pub &'a str);
 
 impl Display for Escaped<'_> {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        for character in self.0.chars() {
-            match character {
-                '&' => formatter.write_str("&amp;")?,
-                '<' => formatter.write_str("&lt;")?,
-                '>' => formatter.write_str("&gt;")?,
-                '"' => formatter.write_str("&quot;")?,
-                '\'' => formatter.write_str("&#39;")?,
-                '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => {
-                    formatter.write_char(char::REPLACEMENT_CHARACTER)?;
-                }
-                other => formatter.write_char(other)?,
-            }
+        // What needs no change is written in one piece.
+        let mut written = 0;
+        for (place, character) in self.0.char_indices() {
+            let instead = match character {
+                '&' => "&amp;",
+                '<' => "&lt;",
+                '>' => "&gt;",
+                '"' => "&quot;",
+                '\'' => "&#39;",
+                '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => "\u{fffd}",
+                _ => continue,
+            };
+            formatter.write_str(&self.0[written..place])?;
+            formatter.write_str(instead)?;
+            written = place + character.len_utf8();
         }
-        Ok(())
+        formatter.write_str(&self.0[written..])
     }
 }
 

@@ -260,7 +260,14 @@ impl<'a> Reader<'a> {
         let range = start..self.at;
         let written = &self.text[range.clone()];
         // The Greek mu, the ohm and angstrom signs and the raised o of Spanish keyboards are what they look like.
-        let text = written.replace('μ', "µ").replace('\u{2126}', "Ω").replace('\u{212B}', "Å").replace('º', "°");
+        let alike = |letter: char| match letter {
+            'μ' => 'µ',
+            '\u{2126}' => 'Ω',
+            '\u{212B}' => 'Å',
+            'º' => '°',
+            other => other,
+        };
+        let text: String = written.chars().map(alike).collect();
         if let Some((symbol, tens)) = table::find(&text) {
             let scale = symbol.scale.times(Scale::decimal(1, tens));
             return Ok(Part { dimension: symbol.dimension(), scale, text, range });

@@ -27,6 +27,13 @@ impl Scale {
     }
 
     pub(crate) fn times(self, other: Self) -> Self {
+        // Most units are the SI's own, and division of such long numbers takes time.
+        if other == Self::ONE {
+            return self;
+        }
+        if self == Self::ONE {
+            return other;
+        }
         let numerator = self.numerator.checked_mul(other.numerator);
         let denominator = self.denominator.checked_mul(other.denominator);
         let (Some(numerator), Some(denominator)) = (numerator, denominator) else {
@@ -75,6 +82,9 @@ impl Scale {
 }
 
 fn greatest_common_divisor(mut a: u128, mut b: u128) -> u128 {
+    if a == 1 || b == 1 {
+        return 1;
+    }
     while b != 0 {
         (a, b) = (b, a % b);
     }

@@ -114,15 +114,20 @@ pub fn remembered(key: &str) -> Option<String> {
     window().local_storage().ok().flatten()?.get_item(&format!("meniscus:{key}")).ok().flatten()
 }
 
-/// All remembered texts whose keys begin like this, with their keys.
-pub fn all_remembered(prefix: &str) -> Vec<(String, String)> {
+/// The keys of remembered texts that begin like this.
+pub fn remembered_keys(prefix: &str) -> Vec<String> {
     let Ok(Some(storage)) = window().local_storage() else { return Vec::new() };
     let read = |index: u32| {
         let key = storage.key(index).ok().flatten()?;
-        let own = key.strip_prefix("meniscus:").filter(|own| own.starts_with(prefix))?.to_owned();
-        Some((own, storage.get_item(&key).ok().flatten()?))
+        Some(key.strip_prefix("meniscus:").filter(|own| own.starts_with(prefix))?.to_owned())
     };
     (0..storage.length().unwrap_or(0)).filter_map(read).collect()
+}
+
+/// All remembered texts whose keys begin like this, with their keys.
+pub fn all_remembered(prefix: &str) -> Vec<(String, String)> {
+    let keys = remembered_keys(prefix).into_iter();
+    keys.filter_map(|key| remembered(&key).map(|text| (key, text))).collect()
 }
 
 /// Remembers a text for the next visit; forgets it when there is none. Whether the browser has taken it: it refuses where the

@@ -55,6 +55,11 @@ pub fn read(outline: &Outline) -> Form {
     Form { parts }
 }
 
+/// The same without typeset equations, for who looks for a place.
+pub fn places(outline: &Outline) -> Form {
+    Form { parts: structure(outline) }
+}
+
 /// The parts without typeset equations.
 pub(crate) fn structure(outline: &Outline) -> Vec<Part> {
     let source = outline.source();

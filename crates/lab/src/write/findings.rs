@@ -78,7 +78,8 @@ pub fn view(app: App) -> View {
         let mut findings = app.read_writing(|writing| writing.findings().to_vec());
         if app.writing_panel.get() == Panel::Model {
             let text = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
-            findings.retain(|(file, found)| *file > 0 || !super::model::is_beside(&text, found));
+            let is_beside = super::model::beside(&text);
+            findings.retain(|(file, found)| *file > 0 || !is_beside(found));
         }
         if findings.is_empty() {
             return View::new();

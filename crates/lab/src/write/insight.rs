@@ -33,7 +33,7 @@ pub fn look_at_cell(app: App, number: usize, kind: CellKind, place: usize) {
             return;
         }
         let text = typing::text(app, 0);
-        let form = document::form::read(&document::read(&text));
+        let form = document::form::places(&document::read(&text));
         if let Some(cell) = form.parts.get(number).and_then(|part| part.cell(kind)) {
             let before = text.get(..cell.span.start).unwrap_or_default();
             look(app, &text, before.encode_utf16().count() + place.min(cell.text.encode_utf16().count()));

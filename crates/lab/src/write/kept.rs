@@ -38,7 +38,8 @@ pub fn keep(app: App) {
     let is_changed = browser::remembered(&name).is_some_and(|stored| stored != before);
     let name = if is_changed { new_name() } else { name };
     let text = visited::describe(app);
-    let mut others: Vec<String> = browser::all_remembered(PREFIX).into_iter().map(|(name, _)| name).collect();
+    // At each change of a text: the texts of the others are not read.
+    let mut others = browser::remembered_keys(PREFIX);
     others.retain(|other| *other != name);
     others.sort_unstable();
     let excess = (others.len() + 1).saturating_sub(MOST);

@@ -21,17 +21,15 @@ impl Inference<'_> {
             }
             return Type::Unknown;
         };
-        let user = Words::same(format!("`{}`", function.name));
+        let user = || Words::same(format!("`{}`", function.name));
         let forms: Vec<Option<Form>> = arguments.iter().map(|argument| self.number(argument, &user)).collect();
         match function.dimensions {
             Rule::Pure | Rule::Whole => {
                 for (argument, form) in arguments.iter().zip(forms) {
                     if let Some(form) = form {
-                        self.pure(
-                            argument,
-                            &form,
-                            &words!("the argument of {user}", "el argumento de {user}", user = user),
-                        );
+                        self.pure(argument, &form, || {
+                            words!("the argument of {user}", "el argumento de {user}", user = user())
+                        });
                     }
                 }
                 Type::Number(Form::pure())
@@ -57,7 +55,7 @@ impl Inference<'_> {
 
     /// The value of a table at an argument of the right dimension.
     fn look_up(&mut self, name: &Name, table: &TableFunction, argument: &Expression) -> Type {
-        let user = words!("the argument of `{}`", "el argumento de `{}`", name.text);
+        let user = || words!("the argument of `{}`", "el argumento de `{}`", name.text);
         if let Some(form) = self.number(argument, &user) {
             let needed = Form::from(table.argument);
             match self.solver.unify(&form, &needed, argument.span) {

@@ -42,6 +42,9 @@ impl Form {
     /// The product.
     pub fn times(&self, other: &Self) -> Result<Self, TooLarge> {
         let known = self.known.times(other.known).ok_or(TooLarge)?;
+        if other.unknown.is_empty() {
+            return Ok(Self { known, unknown: self.unknown.clone() });
+        }
         let mut unknown = self.unknown.clone();
         for &(variable, exponent) in &other.unknown {
             match unknown.binary_search_by_key(&variable, |&(variable, _)| variable) {
@@ -115,6 +118,9 @@ impl Solver {
 
     /// The form with everything put in that has been found out.
     pub fn resolve(&self, form: &Form) -> Result<Form, TooLarge> {
+        if form.unknown.is_empty() {
+            return Ok(form.clone());
+        }
         let mut known = form.known;
         let mut open: BTreeMap<Variable, Exponent> = BTreeMap::new();
         // In the order in which they were found, each variable has to be put in only once.
@@ -144,6 +150,9 @@ impl Solver {
 
     /// Makes two dimensions equal, because of what stands at `origin`.
     pub fn unify(&mut self, a: &Form, b: &Form, origin: Span) -> Result<(), Conflict> {
+        if a == b {
+            return Ok(());
+        }
         let mut ratio = self.resolve(&a.per(b)?)?;
         let Some((variable, exponent)) = ratio.unknown.pop() else {
             return if ratio.known.is_none() { Ok(()) } else { Err(Conflict::Different) };

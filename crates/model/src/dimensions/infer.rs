@@ -91,6 +91,9 @@ impl Inference<'_> {
 
     /// The dimension of the derivative with `order` primes.
     pub fn derivative(&self, form: &Form, order: u32) -> Option<Form> {
+        if order == 0 {
+            return Some(form.clone());
+        }
         let divisor = self.types.independent.power(Exponent::new(i64::from(order), 1)?).ok()?;
         form.per(&divisor).ok()
     }
@@ -107,7 +110,7 @@ impl Inference<'_> {
                 }
                 ExpressionKind::Number { value: 0.0, unit: None } => {}
                 _ => {
-                    let form = self.number(next, &ARITHMETIC);
+                    let form = self.number(next, &|| ARITHMETIC);
                     terms.push(Term { expression: next, form });
                 }
             }
@@ -115,13 +118,13 @@ impl Inference<'_> {
     }
 
     /// The dimension of what must be a number; `None` if it is not, which is reported.
-    pub(super) fn number(&mut self, expression: &Expression, user: &Words) -> Option<Form> {
+    pub(super) fn number(&mut self, expression: &Expression, user: &dyn Fn() -> Words) -> Option<Form> {
         let found = match self.expression(expression) {
             Type::Number(form) => return Some(form),
             Type::Unknown => return None,
             found => found,
         };
-        let quoted = quote(expression);
+        let (user, quoted) = (user(), quote(expression));
         let message = words!(
             "{user} needs numbers, but `{quoted}` is {found}",
             "{user} necesita números, pero `{quoted}` es {found}",
@@ -172,7 +175,7 @@ impl Inference<'_> {
             | BinaryOperator::GreaterOrEqual => {
                 let sides = [left, right].map(|side| Term {
                     expression: side,
-                    form: self.number(side, &words("a comparison", "una comparación")),
+                    form: self.number(side, &|| words("a comparison", "una comparación")),
                 });
                 self.equal(&sides, Place::Sides);
                 Type::Truth
@@ -193,9 +196,9 @@ impl Inference<'_> {
             factors.push((*operator, right));
             first = left;
         }
-        let mut product = self.number(first, &ARITHMETIC);
+        let mut product = self.number(first, &|| ARITHMETIC);
         for (operator, factor) in factors.into_iter().rev() {
-            let form = self.number(factor, &ARITHMETIC);
+            let form = self.number(factor, &|| ARITHMETIC);
             let (Some(before), Some(form)) = (&product, form) else {
                 product = None;
                 continue;
@@ -263,13 +266,13 @@ impl Inference<'_> {
     }
 
     fn power(&mut self, base: &Expression, exponent: &Expression, span: Span) -> Type {
-        let forms = (self.number(base, &POWER), self.number(exponent, &POWER));
+        let forms = (self.number(base, &|| POWER), self.number(exponent, &|| POWER));
         let (Some(form), Some(exponent_form)) = forms else { return Type::Unknown };
         let rational = self.constant(exponent).and_then(Exponent::from_number);
         if let Some(rational) = rational {
             return form.power(rational).map_or_else(|_| self.too_large(span), Type::Number);
         }
-        self.pure(exponent, &exponent_form, &words("an exponent", "un exponente"));
+        self.pure(exponent, &exponent_form, || words("an exponent", "un exponente"));
         let reason = if self.constant(exponent).is_some() {
             words!(
                 "the base of a power with the exponent {}",
@@ -283,7 +286,7 @@ impl Inference<'_> {
                 quote(exponent)
             )
         };
-        self.pure(base, &form, &reason);
+        self.pure(base, &form, || reason);
         Type::Number(Form::pure())
     }
 
@@ -313,7 +316,7 @@ impl Inference<'_> {
     }
 
     /// Requires a pure number.
-    pub(super) fn pure(&mut self, expression: &Expression, form: &Form, what: &Words) {
+    pub(super) fn pure(&mut self, expression: &Expression, form: &Form, what: impl FnOnce() -> Words) {
         match self.solver.unify(form, &Form::pure(), expression.span) {
             Ok(()) => {}
             Err(Conflict::TooLarge) => {
@@ -321,7 +324,7 @@ impl Inference<'_> {
             }
             Err(Conflict::Different) if self.has_told_enough() => {}
             Err(Conflict::Different) => {
-                let diagnostic = self.not_pure(expression, form, what);
+                let diagnostic = self.not_pure(expression, form, &what());
                 self.diagnostics.push(diagnostic);
             }
         }

@@ -16,7 +16,7 @@ impl Inference<'_> {
         let mut terms = Vec::with_capacity(parts.len());
         for (index, expression) in parts.iter().enumerate() {
             let before = self.diagnostics.len();
-            let form = self.number(expression, &COMPONENT);
+            let form = self.number(expression, &|| COMPONENT);
             if index != axis {
                 self.diagnostics.truncate(before);
             }

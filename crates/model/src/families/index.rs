@@ -21,6 +21,11 @@ impl Bindings {
         self.names.pop();
     }
 
+    /// Whether no index has a value.
+    pub fn is_empty(&self) -> bool {
+        self.names.is_empty()
+    }
+
     /// The value of an index.
     pub fn value(&self, name: &str) -> Option<i64> {
         self.names.iter().rfind(|(known, _)| known == name).map(|(_, value)| *value)

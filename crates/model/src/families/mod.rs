@@ -45,11 +45,14 @@ pub(crate) fn without_families<'a>(
 }
 
 /// An expression without families, with the values of indices put in.
-pub(crate) fn expression_without_families(
-    expression: &Expression,
+pub(crate) fn expression_without_families<'e>(
+    expression: &'e Expression,
     sizes: &[Size],
     bindings: &Bindings,
-) -> (Expression, Vec<Diagnostic>) {
+) -> (Cow<'e, Expression>, Vec<Diagnostic>) {
+    if sizes.is_empty() && bindings.is_empty() && !belongs_to_families(expression) {
+        return (Cow::Borrowed(expression), Vec::new());
+    }
     let mut write_out = WriteOut::new(sizes, Vec::new());
     write_out.bindings = bindings.clone();
     let written = write_out.expression(expression);
@@ -62,7 +65,7 @@ pub(crate) fn expression_without_families(
         diagnostics.push(Diagnostic::error("too-large", message, expression.span));
     }
     diagnostics.extend(write_out.finish());
-    (written, diagnostics)
+    (Cow::Owned(written), diagnostics)
 }
 
 /// The family of a member with the name `x[3]`.
@@ -70,15 +73,18 @@ pub(crate) fn family(name: &str) -> Option<&str> {
     name.split_once('[').map(|(family, _)| family)
 }
 
+/// Whether anything in an expression belongs to families.
+fn belongs_to_families(expression: &Expression) -> bool {
+    let mut found = false;
+    crate::names::for_each(expression, |part| {
+        found |= matches!(part.kind, ExpressionKind::Member { .. } | ExpressionKind::Reduction { .. });
+    });
+    found
+}
+
 /// Whether anything in a statement belongs to families.
 fn has_families(statement: &Statement) -> bool {
-    let belongs = |expression: &Expression| {
-        let mut found = false;
-        crate::names::for_each(expression, |part| {
-            found |= matches!(part.kind, ExpressionKind::Member { .. } | ExpressionKind::Reduction { .. });
-        });
-        found
-    };
+    let belongs = belongs_to_families;
     !statement.over.is_empty()
         || match &statement.kind {
             StatementKind::Size(_) | StatementKind::Members { .. } => true,

@@ -5,24 +5,25 @@ use super::substitute::Substitution;
 use super::{Function, Functions};
 use crate::notation::quote;
 use crate::{Diagnostic, Expansion, Expression, ExpressionKind, Span, limits};
+use std::borrow::Cow;
 use units::words;
 
 impl Functions {
     /// The expression with all calls of these functions written out. A call that cannot be becomes
     /// [`ExpressionKind::Error`], with a diagnostic.
-    pub(crate) fn expanded(
+    pub(crate) fn expanded<'e>(
         &self,
-        expression: &Expression,
+        expression: &'e Expression,
         budget: &mut Budget,
         diagnostics: &mut Vec<Diagnostic>,
-    ) -> Expression {
-        let mut expanded = expression.clone();
+    ) -> Cow<'e, Expression> {
         if self.by_name.is_empty() {
-            return expanded;
+            return Cow::Borrowed(expression);
         }
+        let mut expanded = expression.clone();
         let mut writing = Writing { functions: self, budget, diagnostics };
         writing.expand(&mut expanded, 1);
-        expanded
+        Cow::Owned(expanded)
     }
 }
 
@@ -139,9 +140,11 @@ pub(crate) fn is_too_deep(expression: &Expression) -> bool {
         }
         // What is chained to the left, as a sum of many terms, is no deeper for it.
         let chained = matches!(next.kind, ExpressionKind::Binary(..));
-        for (place, part) in next.operands().into_iter().enumerate() {
-            waiting.push((part, if chained && place == 0 { depth } else { depth + 1 }, height + 1));
-        }
+        let mut below = if chained { depth } else { depth + 1 };
+        next.for_each_operand(|part| {
+            waiting.push((part, below, height + 1));
+            below = depth + 1;
+        });
     }
     false
 }

@@ -17,7 +17,7 @@ pub(crate) fn written_out(
     let mut budget = Budget::default();
     let mut written = statements.to_vec();
     for expression in written.iter_mut().flat_map(|statement| expressions(&mut statement.kind)) {
-        *expression = functions.expanded(expression, &mut budget, diagnostics);
+        *expression = functions.expanded(expression, &mut budget, diagnostics).into_owned();
     }
     for statement in statements {
         // Functions that are called nowhere.

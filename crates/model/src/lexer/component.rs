@@ -9,6 +9,9 @@ impl Lexer<'_> {
     /// The axis after a point, if nothing else follows: its number and the text with the point.
     fn axis(&self) -> Option<(usize, &'static str)> {
         const SUFFIXES: [&str; 3] = [".x", ".y", ".z"];
+        if self.byte(0) != Some(b'.') {
+            return None;
+        }
         let rest = self.rest();
         let (axis, suffix) = SUFFIXES.into_iter().enumerate().find(|(_, suffix)| rest.starts_with(suffix))?;
         let goes_on = rest[suffix.len()..].starts_with(|c: char| c == '_' || c.is_alphanumeric());
@@ -24,7 +27,14 @@ impl Lexer<'_> {
 
     /// The number of primes that come next.
     pub(super) fn primes(&mut self) -> u32 {
-        self.skip(|c| primes(c).is_some()).chars().filter_map(primes).sum()
+        let mut count = 0;
+        while let Some(next) = self.peek()
+            && let Some(more) = primes(next)
+        {
+            self.at += next.len_utf8();
+            count += more;
+        }
+        count
     }
 
     /// Whether a component comes next, directly after what can be a vector.

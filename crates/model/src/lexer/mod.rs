@@ -9,9 +9,12 @@ pub(crate) use token::{Keyword, Symbol, Token, TokenKind};
 
 use crate::{Diagnostic, Span, limits};
 use std::ops::Range;
-use token::{FOREIGN, KEYWORDS, SYMBOLS};
+use token::{FOREIGN, JOINED, KEYWORDS, SYMBOLS, lone};
 use units::alphabet::{greek_name, lowered, primes};
 use units::words;
+
+/// About how many bytes a token and the blanks beside it take.
+const USUAL: usize = 3;
 
 /// The tokens of `source[range]`, ending with [`TokenKind::End`]. `range` lies on character boundaries.
 pub(crate) fn tokens(source: &str, range: Range<usize>) -> (Vec<Token>, Vec<Diagnostic>) {
@@ -19,7 +22,7 @@ pub(crate) fn tokens(source: &str, range: Range<usize>) -> (Vec<Token>, Vec<Diag
         source,
         at: range.start,
         end: range.end,
-        tokens: Vec::new(),
+        tokens: Vec::with_capacity(range.len() / USUAL),
         diagnostics: Vec::new(),
         strange: Vec::new(),
     };
@@ -45,8 +48,25 @@ impl<'a> Lexer<'a> {
         self.source.get(self.at..self.end).unwrap_or_default()
     }
 
+    /// The byte at `ahead` of the next one; all bytes of a character beyond ASCII are from 128 on.
+    fn byte(&self, ahead: usize) -> Option<u8> {
+        self.source.as_bytes().get(self.at + ahead).filter(|_| self.at + ahead < self.end).copied()
+    }
+
     fn peek(&self) -> Option<char> {
-        self.rest().chars().next()
+        match self.byte(0)? {
+            byte if byte.is_ascii() => Some(char::from(byte)),
+            _ => self.rest().chars().next(),
+        }
+    }
+
+    /// Moves over ASCII characters as long as they are `wanted`, and tells what they were.
+    fn skip_ascii(&mut self, wanted: impl Fn(u8) -> bool) -> &'a str {
+        let start = self.at;
+        while self.byte(0).is_some_and(|byte| byte.is_ascii() && wanted(byte)) {
+            self.at += 1;
+        }
+        &self.source[start..self.at]
     }
 
     fn push(&mut self, kind: TokenKind, start: usize) {
@@ -73,7 +93,9 @@ impl<'a> Lexer<'a> {
                 self.skip(|c| c != '\n');
             }
             '0'..='9' => self.number(),
-            '.' if self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) => self.number(),
+            '.' if self.byte(1).is_some_and(|byte| byte.is_ascii_digit()) => self.number(),
+            'a'..='z' | 'A'..='Z' => self.name(),
+            ' ' => self.at += 1,
             '"' | '“' | '„' | '«' => self.text(first),
             '.' if self.at_component() => self.component(),
             '[' => self.brackets(),
@@ -90,25 +112,29 @@ impl<'a> Lexer<'a> {
         }
     }
 
+    /// Whether a point comes next, and not two.
+    fn at_point(&self) -> bool {
+        self.byte(0) == Some(b'.') && self.byte(1) != Some(b'.')
+    }
+
     /// Digits with a point and an exponent. `0..30` is the number 0 and two dots.
     fn number(&mut self) {
         let start = self.at;
-        let is_digit = |c: char| c.is_ascii_digit();
-        self.skip(is_digit);
-        if self.rest().starts_with('.') && !self.rest().starts_with("..") {
+        let is_digit = |byte: u8| byte.is_ascii_digit();
+        self.skip_ascii(is_digit);
+        if self.at_point() {
             self.at += 1;
-            self.skip(is_digit);
+            self.skip_ascii(is_digit);
         }
-        let exponent = self.rest().strip_prefix(['e', 'E']);
-        if let Some(after) = exponent {
-            let unsigned = after.strip_prefix(['+', '-']).unwrap_or(after);
-            if unsigned.starts_with(is_digit) {
-                self.at += 1 + after.len() - unsigned.len();
-                self.skip(is_digit);
+        if let Some(b'e' | b'E') = self.byte(0) {
+            let sign = usize::from(matches!(self.byte(1), Some(b'+' | b'-')));
+            if self.byte(1 + sign).is_some_and(is_digit) {
+                self.at += 1 + sign;
+                self.skip_ascii(is_digit);
             }
         }
-        if self.rest().starts_with('.') && !self.rest().starts_with("..") {
-            self.skip(|c| c.is_ascii_digit() || c == '.');
+        if self.at_point() {
+            self.skip_ascii(|byte| byte.is_ascii_digit() || byte == b'.');
             let text = &self.source[start..self.at];
             let wrong = words!(
                 "`{text}` is not a number: it has a second point",
@@ -135,8 +161,11 @@ impl<'a> Lexer<'a> {
         let mut text = String::new();
         let mut foreign = None;
         let mut below = false;
-        while let Some(c) = self.peek() {
-            let letter = c == '_' || c.is_ascii_alphanumeric();
+        loop {
+            let plain = self.skip_ascii(|byte| byte == b'_' || byte.is_ascii_alphanumeric());
+            text.push_str(plain);
+            below &= plain.is_empty();
+            let Some(c) = self.peek().filter(|c| !c.is_ascii()) else { break };
             if let Some(digit) = lowered(c) {
                 if !below && !text.ends_with('_') {
                     text.push('_');
@@ -144,10 +173,8 @@ impl<'a> Lexer<'a> {
                 text.push(digit);
             } else if let Some(name) = greek_name(c) {
                 text.push_str(name);
-            } else if letter || c.is_alphabetic() && primes(c).is_none() {
-                if !letter {
-                    foreign = foreign.or(Some(Span::new(self.at, self.at + c.len_utf8())));
-                }
+            } else if c.is_alphabetic() && primes(c).is_none() {
+                foreign = foreign.or(Some(Span::new(self.at, self.at + c.len_utf8())));
                 text.push(c);
             } else {
                 break;
@@ -162,7 +189,7 @@ impl<'a> Lexer<'a> {
         let start = self.at;
         let (mut text, mut foreign) = self.letters();
         // `landing.x`, what an event remembers.
-        let member = self.rest().strip_prefix('.').is_some_and(|rest| rest.starts_with(char::is_alphabetic));
+        let member = self.byte(0) == Some(b'.') && self.rest()[1..].starts_with(char::is_alphabetic);
         if member && !self.is_foreign_collection(&text) {
             self.at += 1;
             let (member, more) = self.letters();
@@ -282,6 +309,10 @@ impl<'a> Lexer<'a> {
     }
 
     fn symbol(&mut self, first: char) {
+        if let Some(symbol) = lone(first).filter(|_| !self.byte(1).is_some_and(|next| JOINED.contains(&next))) {
+            self.at += 1;
+            return self.push(TokenKind::Symbol(symbol), self.at - 1);
+        }
         if self.foreign() {
             return;
         }

@@ -92,6 +92,26 @@ pub(super) const KEYWORDS: &[(&str, Keyword)] = &[
     ("not", Keyword::Not),
 ];
 
+/// What can stand second in a symbol, be it ours or another tool's.
+pub(super) const JOINED: &[u8] = b"=<>*/";
+
+/// The symbol that a character is unless one of [`JOINED`] follows: nearly all symbols of a model are found so, without going through
+/// the lists.
+pub(super) fn lone(character: char) -> Option<Symbol> {
+    Some(match character {
+        '+' => Symbol::Plus,
+        '-' => Symbol::Minus,
+        '*' => Symbol::Star,
+        '/' => Symbol::Slash,
+        '^' => Symbol::Caret,
+        '=' => Symbol::Equals,
+        '(' => Symbol::LeftParenthesis,
+        ')' => Symbol::RightParenthesis,
+        ',' => Symbol::Comma,
+        _ => return None,
+    })
+}
+
 /// Longer spellings first.
 pub(super) const SYMBOLS: &[(&str, Symbol)] = &[
     ("..", Symbol::Dots),

@@ -6,8 +6,7 @@ use crate::notation::quote;
 use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator, limits};
 use program::along;
 use program::functions::Function;
-use program::{Binary, Graph, Node, NodeId, Unary};
-use std::collections::HashMap;
+use program::{Binary, Graph, Node, NodeId, QuickMap, Unary};
 
 /// An unknown function as the graph sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,11 +51,11 @@ pub(crate) struct Lowered {
     /// The values of definitions; each is there before it is used.
     pub definitions: Vec<Option<NodeId>>,
     /// Derivatives that were already asked for.
-    derivatives: HashMap<(Meaning, u32), NodeId>,
+    derivatives: QuickMap<(Meaning, u32), NodeId>,
     /// How each state changes, once it was asked for.
-    rates: HashMap<u32, NodeId>,
+    rates: QuickMap<u32, NodeId>,
     /// Values at the start that were already asked for.
-    starts: HashMap<NodeId, NodeId>,
+    starts: QuickMap<NodeId, NodeId>,
     /// Where dry friction stands.
     pub frictions: Calls,
 }
@@ -239,7 +238,7 @@ impl Lowering<'_> {
 }
 
 /// The rate of change along a solution of the equations. `rates` are those of the states, once they were asked for.
-fn total_derivative(graph: &mut Graph, chains: &[Chain], rates: &mut HashMap<u32, NodeId>, node: NodeId) -> NodeId {
+fn total_derivative(graph: &mut Graph, chains: &[Chain], rates: &mut QuickMap<u32, NodeId>, node: NodeId) -> NodeId {
     let (one, unknown) = (graph.constant(1.0), graph.constant(f64::NAN));
     let unset = if rates.is_empty() { chains } else { &[] };
     for chain in unset {

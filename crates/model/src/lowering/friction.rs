@@ -9,7 +9,6 @@
 use crate::limits;
 use crate::names::{Declarations, for_each};
 use crate::{Diagnostic, Expression, ExpressionKind, Places, Span};
-use program::functions::Function;
 use program::{
     Binary, Event, Graph, LinearSystem, Model, Node, NodeId, Role, State, Unary, Variable, along, differentiate,
 };
@@ -164,7 +163,7 @@ pub(crate) fn frictions(expression: &Expression) -> Vec<&Expression> {
     let mut calls = Vec::new();
     for_each(expression, |part| {
         if let ExpressionKind::Call { function, .. } = &part.kind
-            && Function::named(&function.text).is_some_and(|function| function.name == "coulomb")
+            && function.text == "coulomb"
         {
             calls.push(part);
         }

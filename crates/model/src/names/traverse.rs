@@ -2,12 +2,18 @@
 
 use crate::{Expression, ExpressionKind};
 
+/// More parts wait seldom.
+const USUAL: usize = 16;
+
 /// Calls `visit` with the expression and everything inside it, in the order of the text.
 pub(crate) fn for_each<'a>(expression: &'a Expression, mut visit: impl FnMut(&'a Expression)) {
-    let mut waiting = vec![expression];
+    let mut waiting = Vec::with_capacity(USUAL);
+    waiting.push(expression);
     while let Some(next) = waiting.pop() {
         visit(next);
-        waiting.extend(next.operands().into_iter().rev());
+        let before = waiting.len();
+        next.for_each_operand(|operand| waiting.push(operand));
+        waiting[before..].reverse();
     }
 }
 

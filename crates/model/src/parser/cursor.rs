@@ -75,6 +75,16 @@ impl<'a> Cursor<'a> {
         span
     }
 
+    /// Moves on over a name or a text and gives it. It is taken out of its token, since no token is read twice.
+    pub(super) fn take_text(&mut self) -> String {
+        let text = match self.tokens.get_mut(self.at).map(|token| &mut token.kind) {
+            Some(TokenKind::Name { text, .. } | TokenKind::Text(text)) => std::mem::take(text),
+            _ => String::new(),
+        };
+        self.advance();
+        text
+    }
+
     /// Back to the line end that was read last, if it was.
     pub(super) fn back_to_line_end(&mut self) {
         if let Some(before) = self.at.checked_sub(1)
@@ -86,12 +96,12 @@ impl<'a> Cursor<'a> {
 
     /// Reads the symbol if it comes next.
     pub(super) fn take(&mut self, symbol: Symbol) -> Option<Span> {
-        (*self.peek() == TokenKind::Symbol(symbol)).then(|| self.advance())
+        matches!(self.peek(), TokenKind::Symbol(next) if *next == symbol).then(|| self.advance())
     }
 
     /// Reads the keyword if it comes next.
     pub(super) fn take_keyword(&mut self, keyword: Keyword) -> Option<Span> {
-        (*self.peek() == TokenKind::Keyword(keyword)).then(|| self.advance())
+        matches!(self.peek(), TokenKind::Keyword(next) if *next == keyword).then(|| self.advance())
     }
 
     /// Reads the brace that opens a block, which may stand at the beginning of the next line.

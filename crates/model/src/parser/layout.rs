@@ -6,9 +6,10 @@
 use crate::lexer::{Keyword, Symbol, Token, TokenKind};
 
 /// Removes the line ends that end nothing.
-pub(super) fn statement_lines(tokens: Vec<Token>) -> Vec<Token> {
-    let keeps = kept(&tokens);
-    tokens.into_iter().zip(keeps).filter_map(|(token, keep)| keep.then_some(token)).collect()
+pub(super) fn statement_lines(mut tokens: Vec<Token>) -> Vec<Token> {
+    let mut keeps = kept(&tokens).into_iter();
+    tokens.retain(|_| keeps.next().unwrap_or(true));
+    tokens
 }
 
 /// Removes all line ends.

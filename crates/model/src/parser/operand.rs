@@ -16,18 +16,14 @@ impl Cursor<'_> {
 
     fn whole_operand(&mut self) -> Read<Tree> {
         let span = self.span();
-        match self.peek().clone() {
+        match *self.peek() {
             TokenKind::Number(value) => {
                 self.advance();
                 self.number(value, span)
             }
-            TokenKind::Text(text) => {
-                self.advance();
-                Ok(leaf(ExpressionKind::Text(text), span))
-            }
-            TokenKind::Name { text, order, end } => {
-                self.advance();
-                let name = Name { text, span: Span::new(span.start, end) };
+            TokenKind::Text(_) => Ok(leaf(ExpressionKind::Text(self.take_text()), span)),
+            TokenKind::Name { order, end, .. } => {
+                let name = Name { text: self.take_text(), span: Span::new(span.start, end) };
                 if order == 0 && self.at_indices() { self.member(name) } else { self.name(name, order, span) }
             }
             TokenKind::Symbol(Symbol::LeftParenthesis) => {

@@ -166,10 +166,11 @@ impl Cursor<'_> {
 
     /// A text in quotation marks, if it comes next.
     pub(super) fn label(&mut self) -> Option<Quoted> {
-        let TokenKind::Text(text) = self.peek().clone() else {
+        let TokenKind::Text(_) = self.peek() else {
             return None;
         };
-        Some(Quoted { text, span: self.advance() })
+        let span = self.span();
+        Some(Quoted { text: self.take_text(), span })
     }
 
     /// A definition, an initial value or an equation.
@@ -292,11 +293,8 @@ impl Cursor<'_> {
     /// Reads a name without primes.
     pub(super) fn plain_name(&mut self, what: &Words) -> Read<Name> {
         let span = self.span();
-        match self.peek().clone() {
-            TokenKind::Name { text, order: 0, .. } => {
-                self.advance();
-                Ok(Name { text, span })
-            }
+        match self.peek() {
+            TokenKind::Name { order: 0, .. } => Ok(Name { text: self.take_text(), span }),
             TokenKind::Name { .. } => {
                 let wrong = words!("{what} cannot have a prime", "{what} no puede llevar prima", what = what);
                 self.fail(Diagnostic::error("unexpected-token", wrong, span))

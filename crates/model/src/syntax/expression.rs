@@ -196,30 +196,43 @@ impl Expression {
         Self { kind: ExpressionKind::Error, span }
     }
 
-    /// The direct operands, in the order of the text.
-    pub fn operands(&self) -> Vec<&Self> {
+    /// Calls `visit` with the direct operands, in the order of the text.
+    pub fn for_each_operand<'a>(&'a self, mut visit: impl FnMut(&'a Self)) {
         match &self.kind {
             ExpressionKind::Number { .. }
             | ExpressionKind::Text(_)
             | ExpressionKind::Name { .. }
             | ExpressionKind::InitialValue { .. }
-            | ExpressionKind::Error => Vec::new(),
-            ExpressionKind::Member { indices, .. } => indices.iter().collect(),
+            | ExpressionKind::Error => {}
+            ExpressionKind::Member { indices: list, .. }
+            | ExpressionKind::Tuple { parts: list, .. }
+            | ExpressionKind::Call { arguments: list, .. } => list.iter().for_each(visit),
             ExpressionKind::Reduction { body, over, .. } => {
-                let bounds = over.iter().flat_map(|over| [&over.low, &over.high]);
-                std::iter::once(&**body).chain(bounds).collect()
+                visit(body);
+                over.iter().flat_map(|over| [&over.low, &over.high]).for_each(visit);
             }
-            ExpressionKind::Tuple { parts, .. } => parts.iter().collect(),
-            ExpressionKind::Component { of, .. } => vec![of],
-            ExpressionKind::Unary(_, operand) => vec![operand],
-            ExpressionKind::Binary(_, left, right) => vec![left, right],
-            ExpressionKind::Call { arguments, .. } => arguments.iter().collect(),
-            ExpressionKind::Expansion(expansion) => vec![&expansion.body],
-            ExpressionKind::If(condition, chosen, other) => vec![condition, chosen, other],
+            ExpressionKind::Component { of: operand, .. } | ExpressionKind::Unary(_, operand) => visit(operand),
+            ExpressionKind::Binary(_, left, right) => {
+                visit(left);
+                visit(right);
+            }
+            ExpressionKind::Expansion(expansion) => visit(&expansion.body),
+            ExpressionKind::If(condition, chosen, other) => {
+                visit(condition);
+                visit(chosen);
+                visit(other);
+            }
         }
     }
 
-    /// The same, to be changed.
+    /// The direct operands, in the order of the text.
+    pub fn operands(&self) -> Vec<&Self> {
+        let mut operands = Vec::new();
+        self.for_each_operand(|operand| operands.push(operand));
+        operands
+    }
+
+    /// The direct operands, to be changed.
     pub fn operands_mut(&mut self) -> Vec<&mut Self> {
         match &mut self.kind {
             ExpressionKind::Number { .. }

@@ -26,18 +26,14 @@ pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> 
 pub fn typeset_each(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> Vec<Vec<String>> {
     let vectors = Vectors::of(statements);
     let typesetter = Typesetter { translate, vectors: &vectors };
-    let rows = |statement: &Statement| match &statement.kind {
-        StatementKind::Equation { left, right }
-            if [left, right].iter().all(|side| side.kind == ExpressionKind::Error) =>
-        {
-            Vec::new()
-        }
-        StatementKind::Choice(choice) => {
-            definitions(choice).filter_map(|definition| typesetter.kind(&definition.kind, &[])).collect()
-        }
-        kind => typesetter.kind(kind, &statement.over).into_iter().collect::<Vec<_>>(),
-    };
-    map::with_counts(statements).iter().map(rows).collect()
+    map::with_counts(statements).iter().map(|statement| typesetter.rows(statement)).collect()
+}
+
+/// The elements of one statement among those of its model.
+pub fn typeset_one(statements: &[Statement], number: usize) -> Vec<String> {
+    let vectors = Vectors::of(statements);
+    let typesetter = Typesetter { translate: &str::to_owned, vectors: &vectors };
+    map::with_counts(statements).get(number).map_or_else(Vec::new, |statement| typesetter.rows(statement))
 }
 
 /// An expression as a `<math>` element for a line of text.
@@ -47,6 +43,20 @@ pub fn typeset_expression(expression: &Expression) -> String {
 }
 
 impl Typesetter<'_> {
+    fn rows(&self, statement: &Statement) -> Vec<String> {
+        match &statement.kind {
+            StatementKind::Equation { left, right }
+                if [left, right].iter().all(|side| side.kind == ExpressionKind::Error) =>
+            {
+                Vec::new()
+            }
+            StatementKind::Choice(choice) => {
+                definitions(choice).filter_map(|definition| self.kind(&definition.kind, &[])).collect()
+            }
+            kind => self.kind(kind, &statement.over).into_iter().collect(),
+        }
+    }
+
     fn kind(&self, kind: &StatementKind, over: &[Over]) -> Option<String> {
         let equals = |left: String, right: &Expression| format!("{left}<mo>=</mo>{}", self.expression(right));
         let row = match kind {

@@ -17,6 +17,7 @@ pub(crate) use known::Vectors;
 use crate::{Diagnostic, Expression, Statement};
 use expressions::Writer;
 use known::has_tuple;
+use std::borrow::Cow;
 
 impl Vectors {
     /// The statements with all vectors written out.
@@ -43,10 +44,13 @@ impl Vectors {
     ///
     /// # Errors
     /// Vectors, and what cannot be done with them.
-    pub fn number(&self, expression: &Expression) -> Result<Expression, Vec<Diagnostic>> {
+    pub fn number<'e>(&self, expression: &'e Expression) -> Result<Cow<'e, Expression>, Vec<Diagnostic>> {
+        if !self.occur && !has_tuple(expression) {
+            return Ok(Cow::Borrowed(expression));
+        }
         let mut components = self.components(expression)?;
         match (components.pop(), components.len()) {
-            (Some(only), 0) => Ok(only),
+            (Some(only), 0) => Ok(Cow::Owned(only)),
             _ => Err(vec![faults::vector_for_number(expression)]),
         }
     }

@@ -15,8 +15,8 @@ pub(crate) use differentiate::differentiate_through;
 pub use differentiate::{Variable, along, differentiate, differentiate_all};
 pub use interpolation::{Course, Interpolation, OfDrawing};
 
+use crate::QuickMap;
 use serde::{Deserialize, Serialize};
-use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A node of a [`Graph`]. A node's operands always have smaller numbers than the node itself.
@@ -156,7 +156,7 @@ struct Written {
 #[serde(try_from = "Written", into = "Written")]
 pub struct Graph {
     nodes: Vec<Node>,
-    known: HashMap<Node, NodeId>,
+    known: QuickMap<Node, NodeId>,
     systems: Vec<LinearSystem>,
     interpolations: Vec<Arc<Interpolation>>,
 }

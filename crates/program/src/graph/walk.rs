@@ -1,8 +1,7 @@
 //! Going through a graph. Operands have smaller numbers than the node that uses them, so every pass is one loop over
 //! numbers: no recursion, however deep an expression is.
 
-use crate::{Graph, Node, NodeId};
-use std::collections::{HashMap, HashSet};
+use crate::{Graph, Node, NodeId, QuickMap, QuickSet};
 
 /// A set of less than this part of the nodes is found without going through all of them.
 const SMALL_PART: usize = 32;
@@ -43,7 +42,7 @@ impl Graph {
         for root in roots {
             needed[root.0 as usize] = true;
         }
-        let mut systems = HashSet::new();
+        let mut systems = QuickSet::default();
         for number in (0..needed.len()).rev() {
             if !needed[number] {
                 continue;
@@ -64,8 +63,8 @@ impl Graph {
         if roots.len() > most {
             return None;
         }
-        let mut found: HashSet<NodeId> = HashSet::new();
-        let mut systems = HashSet::new();
+        let mut found: QuickSet<NodeId> = QuickSet::default();
+        let mut systems = QuickSet::default();
         let mut waiting = roots.to_vec();
         while let Some(id) = waiting.pop() {
             if !found.insert(id) || matches!(self.node(id), Node::Solution { system, .. } if !systems.insert(system)) {
@@ -128,8 +127,8 @@ fn rebuild(
     roots: &[NodeId],
     mut replace: impl FnMut(&mut Graph, NodeId, Node) -> Option<NodeId>,
 ) -> Vec<NodeId> {
-    let mut rebuilt: HashMap<NodeId, NodeId> = HashMap::new();
-    let mut systems: HashMap<u32, u32> = HashMap::new();
+    let mut rebuilt: QuickMap<NodeId, NodeId> = QuickMap::default();
+    let mut systems: QuickMap<u32, u32> = QuickMap::default();
     for id in source.unwrap_or(target).reachable(roots) {
         let node = match source.unwrap_or(target).node(id) {
             input

@@ -1,7 +1,7 @@
 //! What was found in the statements of the model.
 
 use crate::app::App;
-use document::form::{CellKind, read};
+use document::form::{CellKind, places};
 use model::{Diagnostic, Severity};
 use view::views::*;
 
@@ -37,7 +37,7 @@ pub fn of(app: App) -> ReadSignal<Vec<Fault>> {
         if findings.is_empty() {
             return Vec::new();
         }
-        let form = read(&document::read(&text));
+        let form = places(&document::read(&text));
         let fault = |(file, found): (usize, Diagnostic)| {
             let (part, cell) = form.at(found.span().start).filter(|_| file == 0)?;
             Some(Fault { part, cell, found })
@@ -46,9 +46,10 @@ pub fn of(app: App) -> ReadSignal<Vec<Fault>> {
     })
 }
 
-/// Whether a finding is shown beside a statement.
-pub fn is_beside(text: &str, found: &Diagnostic) -> bool {
-    read(&document::read(text)).at(found.span().start).is_some()
+/// Which findings in a text are shown beside a statement.
+pub fn beside(text: &str) -> impl Fn(&Diagnostic) -> bool {
+    let form = places(&document::read(text));
+    move |found| form.at(found.span().start).is_some()
 }
 
 /// The id of what is said of a statement.

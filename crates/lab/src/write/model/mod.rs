@@ -15,7 +15,7 @@ use super::typing;
 use crate::app::App;
 use document::edit::add_statement;
 use document::form::{CellKind, Form, Section, proposal, read};
-pub use fault::is_beside;
+pub use fault::beside;
 use forms::Forms;
 use shape::{Shape, shape, title};
 use view::browser;

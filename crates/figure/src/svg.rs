@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::figure::Figure;
 use crate::items::{Anchor, Item, Stroke};
 use crate::palette::Palette;
+use units::alphabet::with_indices;
 use units::markup::Escaped;
 
 /// The fonts of all texts: what the system shows its own in.
@@ -93,15 +94,33 @@ fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::
             let weight = if strong { " font-weight=\"600\"" } else { "" };
             write!(
                 out,
-                "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" font-size=\"{}\"{weight} fill=\"{}\">{}</text>",
+                "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" font-size=\"{}\"{weight} fill=\"{}\">",
                 Short(at.x),
                 Short(at.y),
                 Short(size),
                 palette.colour(ink),
-                Escaped(text)
-            )
+            )?;
+            write_with_indices(out, text)?;
+            out.push_str("</text>");
+            Ok(())
         }
     }
+}
+
+/// A text whose indices are smaller and below the line.
+fn write_with_indices(out: &mut String, text: &str) -> std::fmt::Result {
+    let mut lowered = false;
+    for (piece, is_index) in with_indices(text) {
+        let piece = Escaped(piece);
+        match (is_index, lowered) {
+            (true, _) => write!(out, "<tspan dy=\"0.3em\" font-size=\"75%\">{piece}</tspan>")?,
+            // Back on the line: 0.3 of 75 %.
+            (false, true) => write!(out, "<tspan dy=\"-0.225em\">{piece}</tspan>")?,
+            (false, false) => write!(out, "{piece}")?,
+        }
+        lowered = is_index;
+    }
+    Ok(())
 }
 
 /// Begins a path through points.
@@ -141,6 +160,24 @@ impl std::fmt::Display for Short {
             0 => Ok(()),
             rest if rest % 10 == 0 => write!(formatter, ".{}", rest / 10),
             rest => write!(formatter, ".{rest:02}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::write_with_indices;
+
+    #[test]
+    fn indices_stand_below_the_line_and_what_follows_on_it() {
+        for (text, expected) in [
+            ("y [cm]", "y [cm]"),
+            ("h_l", "h<tspan dy=\"0.3em\" font-size=\"75%\">l</tspan>"),
+            ("h_r < 2", "h<tspan dy=\"0.3em\" font-size=\"75%\">r</tspan><tspan dy=\"-0.225em\"> &lt; 2</tspan>"),
+        ] {
+            let mut written = String::new();
+            write_with_indices(&mut written, text).unwrap();
+            assert_eq!(written, expected);
         }
     }
 }

@@ -102,6 +102,38 @@ pub fn lowered(character: char) -> Option<char> {
     })
 }
 
+/// The pieces of a text in which `h_l` stands for h with the index l, each with whether it is an index. An index is made of letters and
+/// digits, behind a letter, a digit or a prime.
+pub fn with_indices(text: &str) -> impl Iterator<Item = (&str, bool)> {
+    let mut rest = text;
+    let mut index = 0;
+    std::iter::from_fn(move || {
+        if rest.is_empty() {
+            return None;
+        }
+        let is_index = index > 0;
+        let length = if is_index { index } else { before_index(rest) };
+        let (piece, after) = rest.split_at(length);
+        rest = if is_index || after.is_empty() { after } else { &after[1..] };
+        index = if is_index { 0 } else { index_length(rest) };
+        Some((piece, is_index))
+    })
+}
+
+/// How long a text is up to the mark of its first index, or to its end.
+fn before_index(text: &str) -> usize {
+    let is_mark = |(at, _): &(usize, &str)| {
+        let before = text[..*at].chars().next_back();
+        let bears = before.is_some_and(|letter| letter.is_alphanumeric() || primes(letter).is_some());
+        bears && index_length(&text[at + 1..]) > 0
+    };
+    text.match_indices('_').find(is_mark).map_or(text.len(), |(at, _)| at)
+}
+
+fn index_length(text: &str) -> usize {
+    text.find(|letter: char| !letter.is_alphanumeric()).unwrap_or(text.len())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -121,6 +153,22 @@ mod tests {
         assert_eq!(greek_name('a'), None);
         assert_eq!(greek_letter(""), None);
         assert_eq!(greek_letter("b"), None);
+    }
+
+    #[test]
+    fn indices_are_told_from_the_rest() {
+        let cases: [(&str, &[(&str, bool)]); 7] = [
+            ("", &[]),
+            ("y [cm]", &[("y [cm]", false)]),
+            ("h_l", &[("h", false), ("l", true)]),
+            ("h_r − h_l [m]", &[("h", false), ("r", true), (" − h", false), ("l", true), (" [m]", false)]),
+            ("Δ_ρ", &[("Δ", false), ("ρ", true)]),
+            ("_a b_ c__d", &[("_a b_ c__d", false)]),
+            ("x_max′", &[("x", false), ("max", true), ("′", false)]),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(with_indices(text).collect::<Vec<_>>(), expected, "{text}");
+        }
     }
 
     #[test]

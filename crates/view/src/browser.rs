@@ -66,15 +66,21 @@ pub fn scroll_to(place: f64) {
     window().scroll_to_with_scroll_to_options(&options);
 }
 
-/// Scrolls back to the top of an element that reaches beyond the top of the window, at once.
-pub fn scroll_back_to(id: &str) {
+/// Below this part of the window's height too little of an element is seen.
+const LOW: f64 = 0.6;
+
+/// Scrolls to the top of an element, at once, where it reaches beyond the top of the window or begins so low that little of it would be
+/// seen.
+pub fn bring_into_sight(id: &str) {
     let Some(element) = by_id::<HtmlElement>(id) else { return };
     // Where it begins below what sticks to the top of the window: its scroll margin.
     let margin = window().get_computed_style(&element).ok().flatten();
     let margin = margin.and_then(|style| style.get_property_value("scroll-margin-top").ok());
     let margin: f64 = margin.and_then(|margin| margin.trim_end_matches("px").parse().ok()).unwrap_or(0.0);
-    let above = element.get_bounding_client_rect().top() - margin;
-    if above < 0.0 {
+    let top = element.get_bounding_client_rect().top();
+    let above = top - margin;
+    let height = window().inner_height().ok().and_then(|height| height.as_f64()).unwrap_or(f64::INFINITY);
+    if above < 0.0 || top > LOW * height {
         scroll_to(scrolled() + above);
     }
 }

@@ -126,7 +126,7 @@ fn body(app: App, tab: Tab) -> HtmlDiv {
 /// Shows a tab from its top: another one may have been scrolled.
 pub fn show(app: App, tab: &'static str) {
     app.tab.set(tab);
-    browser::scroll_back_to("panel");
+    browser::bring_into_sight("panel");
 }
 
 /// Arrow keys go from tab to tab, around the ends.

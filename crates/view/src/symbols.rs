@@ -1,11 +1,19 @@
 //! The names of quantities as symbols.
 
 use crate::views::*;
-use units::alphabet::greek_letter;
+use units::alphabet::{self, greek_letter};
 
 /// A name typeset: `h_l` as MathML. Labels say the same in words, so readers of the screen need not hear it.
 pub fn symbol(name: &str) -> HtmlSpan {
     span().class("symbol").attr("aria-hidden", "true").inner_html(units::mathml::typeset_name(name))
+}
+
+/// A text whose indices stand below the line: `h_l` in a label.
+pub fn with_indices(text: &str) -> HtmlSpan {
+    span().each(alphabet::with_indices(text), |(piece, is_index)| match is_index {
+        true => View::from(sub().child(piece.to_owned())),
+        false => View::from(piece.to_owned()),
+    })
 }
 
 /// What a quantity is called, and its symbol beside the last word, from which no line break parts it. A name that is a word, such as

@@ -11,6 +11,9 @@ use units::number::Layout;
 /// Significant digits of the greatest number of a column.
 const DIGITS: usize = 6;
 
+/// Significant digits of numbers that would be 0 with the decimals of their column.
+const SMALL_DIGITS: usize = 3;
+
 /// How the cells of a column are written.
 enum ColumnLayout {
     Number(Layout),
@@ -48,7 +51,12 @@ impl Play {
         let rows = rows.start..rows.end.min(self.course.rows());
         let text = |(cell, column): (&Cell, &ColumnLayout)| match (cell, column) {
             (_, ColumnLayout::Hidden) => words::hidden(self.language).to_owned(),
-            (Cell::Number(value), ColumnLayout::Number(layout)) => layout.number(*value, self.style),
+            (Cell::Number(value), ColumnLayout::Number(layout)) => {
+                let text = layout.number(*value, self.style);
+                // What is small beside the greatest is not 0.
+                let is_lost = *value != 0.0 && !text.contains(|digit: char| ('1'..='9').contains(&digit));
+                if is_lost { number::plain(*value, SMALL_DIGITS, self.style) } else { text }
+            }
             _ => self.cell_text(cell),
         };
         rows.map(|row| table.row(history, row).iter().zip(&layouts).map(text).collect()).collect()

@@ -247,3 +247,16 @@ fn parameters_stand_in_the_groups_of_the_document() {
     let expected = expected.map(|(name, all)| (name.to_owned(), all.into_iter().map(str::to_owned).collect()));
     assert_eq!(groups, expected);
 }
+
+#[test]
+fn the_table_shows_what_is_small_beside_the_greatest() {
+    let text = "---\ntitle: Decay\nstep: 1 [s]\nuntil: 40 [s]\n---\n```model\nN' = -1 [1/s]*N\nN(0) = 1000\n```\n";
+    let mut play = open(text, &[]);
+    go_on(&mut play, [30.0]);
+    let rows = play.table_rows(0..play.table_length());
+    assert_eq!(rows[0][1], "1000.00");
+    assert!(
+        rows.len() > 20 && rows.iter().all(|row| row[1].contains(|digit: char| ('1'..='9').contains(&digit))),
+        "{rows:?}"
+    );
+}

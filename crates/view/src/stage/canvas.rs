@@ -1,8 +1,9 @@
 //! Paints a figure's display list on a canvas.
 
 use crate::colours::Colours;
-use figure::{Anchor, Dash, Figure, Ink, Item, Readout, Stroke};
+use figure::{Anchor, Dash, Figure, Ink, Item, Point, Readout, Stroke};
 use js_sys::Array;
+use units::alphabet::with_indices;
 use web_sys::CanvasRenderingContext2d;
 
 /// The face of the figures' texts.
@@ -151,21 +152,58 @@ impl Brush<'_> {
             }
             Item::Text { text, at, anchor, size, strong, ink } => {
                 self.fill(ink);
-                if self.font != Some((size, strong)) {
-                    let weight = if strong { 600 } else { 400 };
-                    context.set_font(&format!("{weight} {size}px {FACE}"));
-                    self.font = Some((size, strong));
+                if text.contains('_') {
+                    self.text_with_indices(text, at, anchor, (size, strong));
+                } else {
+                    self.font(size, strong);
+                    self.anchor(anchor);
+                    let _ = context.fill_text(text, at.x.into(), at.y.into());
                 }
-                if self.anchor != Some(anchor) {
-                    context.set_text_align(match anchor {
-                        Anchor::Start => "left",
-                        Anchor::Middle => "center",
-                        Anchor::End => "right",
-                    });
-                    self.anchor = Some(anchor);
-                }
-                let _ = context.fill_text(text, at.x.into(), at.y.into());
             }
+        }
+    }
+
+    /// A text whose indices are smaller and below the line, piece by piece.
+    fn text_with_indices(&mut self, text: &str, at: Point, anchor: Anchor, (size, strong): (f32, bool)) {
+        let context = self.context;
+        let mut pieces = Vec::new();
+        let mut total = 0.0;
+        for (piece, is_index) in with_indices(text) {
+            self.font(if is_index { 0.75 * size } else { size }, strong);
+            let width = context.measure_text(piece).map_or(0.0, |measure| measure.width());
+            pieces.push((piece, is_index, total));
+            total += width;
+        }
+        let begin = f64::from(at.x)
+            - match anchor {
+                Anchor::Start => 0.0,
+                Anchor::Middle => total / 2.0,
+                Anchor::End => total,
+            };
+        self.anchor(Anchor::Start);
+        for (piece, is_index, offset) in pieces {
+            self.font(if is_index { 0.75 * size } else { size }, strong);
+            let below = if is_index { 0.225 * f64::from(size) } else { 0.0 };
+            let _ = context.fill_text(piece, begin + offset, f64::from(at.y) + below);
+        }
+    }
+
+    fn font(&mut self, size: f32, strong: bool) {
+        if self.font != Some((size, strong)) {
+            let weight = if strong { 600 } else { 400 };
+            self.context.set_font(&format!("{weight} {size}px {FACE}"));
+            self.font = Some((size, strong));
+        }
+    }
+
+    fn anchor(&mut self, anchor: Anchor) {
+        if self.anchor != Some(anchor) {
+            self.context.set_text_align(match anchor {
+                Anchor::Start => "left",
+                Anchor::Middle => "center",
+                Anchor::End => "right",
+            });
+            self.anchor = Some(anchor);
         }
     }
 

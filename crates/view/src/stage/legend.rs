@@ -1,6 +1,7 @@
 //! The legend in a plot's title line.
 
 use crate::app::App;
+use crate::symbols::with_indices;
 use crate::views::*;
 use figure::{Dash, Style};
 use play::{LegendEntry, PlotId};
@@ -24,7 +25,7 @@ pub fn view(app: App, id: PlotId) -> View {
             li().class(class)
                 .title(entry.label.clone())
                 .child(sample(entry.style, entry.colour))
-                .child(span().child(entry.label))
+                .child(with_indices(&entry.label))
         };
         ul().class("legend").attr("aria-label", app.words().legend).each(entries, item).into()
     })

@@ -18,6 +18,10 @@ struct Opening<'a> {
 impl<'a> Opening<'a> {
     /// CommonMark's rule: at most three blanks, at least three marks, and no backquote after backquotes.
     fn read(line: &'a str) -> Option<Self> {
+        // Most lines begin otherwise, and each is looked at several times.
+        if !matches!(line.as_bytes().first(), Some(b' ' | b'`' | b'~')) {
+            return None;
+        }
         let text = line.trim_start_matches(' ');
         if line.len() - text.len() > 3 {
             return None;

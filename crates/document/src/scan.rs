@@ -47,8 +47,9 @@ pub fn split(source: &str, range: Range<usize>, separator: char) -> Vec<Range<us
 /// The place of the last `word` at the top level.
 pub fn find_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
     let is_boundary = |letter: Option<char>| letter.is_none_or(|c| !c.is_alphanumeric() && c != '_');
+    let first = word.chars().next();
     top_level(source, range.clone())
-        .filter(|(at, _)| source[*at..range.end].starts_with(word))
+        .filter(|(at, letter)| Some(*letter) == first && source[*at..range.end].starts_with(word))
         .filter(|(at, _)| {
             is_boundary(source[range.start..*at].chars().next_back())
                 && is_boundary(source[at + word.len()..range.end].chars().next())

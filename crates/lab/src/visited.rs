@@ -70,17 +70,25 @@ pub fn step(app: App) {
     let fragment = Link { subject, state: String::new() }.write();
     if let Some(history) = history() {
         // Refused inside some frames: there Back leaves the laboratory.
-        let _ = history.push_state_with_url(&state(app), "", Some(&browser::address(&fragment)));
+        let _ = history.push_state_with_url(&state(&describe(app)), "", Some(&browser::address(&fragment)));
     }
 }
 
 /// Notes the open document in the present step; with another address if there is one.
 pub fn note(app: App, address: Option<&str>) {
     if let Some(history) = history() {
+        let state = state(&describe(app));
         let _ = match address {
-            Some(address) => history.replace_state_with_url(&state(app), "", Some(address)),
-            None => history.replace_state(&state(app), ""),
+            Some(address) => history.replace_state_with_url(&state, "", Some(address)),
+            None => history.replace_state(&state, ""),
         };
+    }
+}
+
+/// Notes the open document, which [`describe`] has described, in the present step.
+pub fn note_described(description: &str) {
+    if let Some(history) = history() {
+        let _ = history.replace_state(&state(description), "");
     }
 }
 
@@ -100,6 +108,6 @@ pub fn written(app: App) -> Vec<Source> {
     names.zip(texts).map(|(name, text)| Source { name, text }).collect()
 }
 
-fn state(app: App) -> JsValue {
-    format!("{OURS}{}", describe(app)).into()
+fn state(description: &str) -> JsValue {
+    format!("{OURS}{description}").into()
 }

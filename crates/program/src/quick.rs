@@ -45,9 +45,9 @@ impl Hasher for QuickHasher {
         self.write_u64(value as u64);
     }
 
-    /// The product's high bits depend on all bits of the word, and a table looks at the low ones.
+    /// The product's high bits depend on all bits of the word, and a table looks at the low ones: as many as the largest graph needs.
     fn finish(&self) -> u64 {
-        self.0.rotate_left(26)
+        self.0.rotate_left(20)
     }
 }
 

@@ -9,29 +9,38 @@ pub struct Escaped<'a>(pub &'a str);
 
 impl Display for Escaped<'_> {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        // What needs no change is written in one piece.
-        let mut written = 0;
-        for (place, character) in self.0.char_indices() {
-            let instead = match character {
-                '&' => "&amp;",
-                '<' => "&lt;",
-                '>' => "&gt;",
-                '"' => "&quot;",
-                '\'' => "&#39;",
-                '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => "\u{fffd}",
-                _ => continue,
-            };
-            formatter.write_str(&self.0[written..place])?;
-            formatter.write_str(instead)?;
-            written = place + character.len_utf8();
-        }
-        formatter.write_str(&self.0[written..])
+        pieces(self.0, &mut |piece| formatter.write_str(piece))
     }
 }
 
 /// [`Escaped`] as a text of its own.
 pub fn escaped(text: &str) -> String {
-    Escaped(text).to_string()
+    let mut written = String::with_capacity(text.len());
+    let _ = pieces(text, &mut |piece| {
+        written.push_str(piece);
+        Ok(())
+    });
+    written
+}
+
+/// Hands the escaped text over piece by piece; what needs no change is one.
+fn pieces(text: &str, write: &mut dyn FnMut(&str) -> fmt::Result) -> fmt::Result {
+    let mut written = 0;
+    for (place, character) in text.char_indices() {
+        let instead = match character {
+            '&' => "&amp;",
+            '<' => "&lt;",
+            '>' => "&gt;",
+            '"' => "&quot;",
+            '\'' => "&#39;",
+            '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => "\u{fffd}",
+            _ => continue,
+        };
+        write(&text[written..place])?;
+        write(instead)?;
+        written = place + character.len_utf8();
+    }
+    write(&text[written..])
 }
 
 #[cfg(test)]

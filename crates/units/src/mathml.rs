@@ -37,6 +37,10 @@ fn name_parts(name: &str) -> NameParts {
 
 /// The vector and the component of `r.x`; what an event remembers is a word before the point, and stays as it is.
 fn component(name: &str) -> (&str, Option<&str>) {
+    // Few names have a point, and each name of a formula is looked at several times.
+    if !name.as_bytes().contains(&b'.') {
+        return (name, None);
+    }
     match name.rsplit_once('.') {
         Some((vector, axis @ ("x" | "y" | "z"))) if !is_word(vector.split('[').next().unwrap_or(vector)) => {
             (vector, Some(axis))
@@ -63,13 +67,13 @@ fn identifier(word: &str) -> String {
             return format!("<mrow><mi mathvariant=\"normal\">{sign}</mi><mi>{rest}</mi></mrow>");
         }
     }
-    if word.chars().all(|c| c.is_ascii_digit()) {
-        return format!("<mn>{word}</mn>");
+    if word.bytes().all(|byte| byte.is_ascii_digit()) {
+        return ["<mn>", word, "</mn>"].concat();
     }
     if let Some(digits) = word.strip_prefix('-') {
         return format!("<mrow><mo>−</mo><mn>{digits}</mn></mrow>");
     }
-    format!("<mi>{}</mi>", escaped(word))
+    ["<mi>", &escaped(word), "</mi>"].concat()
 }
 
 /// The sign of a derivative: primes up to the fourth, then the order in parentheses.
@@ -116,9 +120,9 @@ fn arranged(parts: NameParts, indices: &[String], order: u32, exponent: Option<S
     };
     match (subscript, above) {
         (None, None) => base,
-        (Some(below), None) => format!("<msub>{base}{below}</msub>"),
-        (None, Some(above)) => format!("<msup>{base}{above}</msup>"),
-        (Some(below), Some(above)) => format!("<msubsup>{base}{below}{above}</msubsup>"),
+        (Some(below), None) => ["<msub>", &base, &below, "</msub>"].concat(),
+        (None, Some(above)) => ["<msup>", &base, &above, "</msup>"].concat(),
+        (Some(below), Some(above)) => ["<msubsup>", &base, &below, &above, "</msubsup>"].concat(),
     }
 }
 

@@ -32,20 +32,19 @@ pub fn written(app: App, file: usize, text: String) {
     versions::before_change(app);
     if app.with(|lab| lab.desk.is_none()) == Some(true) {
         opening::mend(app, file, text);
-        return checked(app);
+        return checked(app, visited::describe(app));
     }
     let runs = app.with(|lab| replaced(lab, |desk| desk.write(file, text)));
-    if runs == Some(true) {
-        if was_own {
-            visited::note(app, None)
-        } else {
-            visited::step(app)
-        }
-        app.rebuild_program();
+    let description = visited::describe(app);
+    if runs == Some(true) && !was_own {
+        visited::step(app);
     } else {
-        visited::note(app, None);
+        visited::note_described(&description);
     }
-    checked(app);
+    if runs == Some(true) {
+        app.rebuild_program();
+    }
+    checked(app, description);
 }
 
 /// Takes other texts for all files, as if they had been typed: each can be undone in the editor.
@@ -94,9 +93,9 @@ fn replaced(lab: &mut Lab, change: impl FnOnce(&mut Desk) -> bool) -> bool {
     runs
 }
 
-/// Keeps what was written, and shows what was found in it.
-fn checked(app: App) {
-    kept::keep(app);
+/// Keeps what was written, as [`visited::describe`] describes it, and shows what was found in it.
+fn checked(app: App, description: String) {
+    kept::keep(app, description);
     app.written.update(|count| *count += 1);
     findings::mark(app);
 }

@@ -31,13 +31,12 @@ fn new_name() -> String {
     format!("{PREFIX}{time}")
 }
 
-/// Keeps the document as it stands in the editor. Where another page has changed it in the storage meanwhile, that stays, and this
+/// Keeps the document as it stands in the editor, by its description. Where another page has changed it in the storage meanwhile, that stays, and this
 /// one is kept beside it.
-pub fn keep(app: App) {
+pub fn keep(app: App, text: String) {
     let Some(Kept { name, text: before }) = app.with(|lab| lab.written_as.clone()).flatten() else { return };
     let is_changed = browser::remembered(&name).is_some_and(|stored| stored != before);
     let name = if is_changed { new_name() } else { name };
-    let text = visited::describe(app);
     // At each change of a text: the texts of the others are not read.
     let mut others = browser::remembered_keys(PREFIX);
     others.retain(|other| *other != name);

@@ -58,6 +58,10 @@ impl Form {
 
     /// The quotient.
     pub fn per(&self, other: &Self) -> Result<Self, TooLarge> {
+        if other.unknown.is_empty() {
+            let known = self.known.per(other.known).ok_or(TooLarge)?;
+            return Ok(Self { known, unknown: self.unknown.clone() });
+        }
         self.times(&other.power(Exponent::from(-1))?)
     }
 

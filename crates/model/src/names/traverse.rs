@@ -13,7 +13,9 @@ pub(crate) fn for_each<'a>(expression: &'a Expression, mut visit: impl FnMut(&'a
         visit(next);
         let before = waiting.len();
         next.for_each_operand(|operand| waiting.push(operand));
-        waiting[before..].reverse();
+        if waiting.len() > before + 1 {
+            waiting[before..].reverse();
+        }
     }
 }
 

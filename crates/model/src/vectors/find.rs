@@ -35,8 +35,12 @@ impl Vectors {
                 }
                 _ => {}
             }
-            let in_values = values(statement).into_iter().any(|(_, value)| has_tuple(value));
-            occur |= in_values || expressions(statement).into_iter().any(has_tuple);
+            occur |= match &statement.kind {
+                StatementKind::Members { .. } | StatementKind::Choice(_) => {
+                    values(statement).into_iter().any(|(_, value)| has_tuple(value))
+                }
+                _ => expressions(statement).into_iter().any(has_tuple),
+            };
         }
         let mut vectors = Self {
             dimensions: BTreeMap::new(),

@@ -29,8 +29,14 @@ visit("the U-tube is filmed, tracked and compared with the truth", async (lab) =
   await lab.page.locator("#film-length").fill("5 m");
   await lab.page.locator("#film-length").press("Enter");
   await eventually(async () => assert.notEqual(await lab.page.locator("#film-scale").innerText(), ""));
+  // A column without its zero is not finished.
+  const lengths = (state) => eventually(async () => assert.match(await lab.page.locator("#film-act-lengths").getAttribute("class"), state));
+  assert.match(await lab.page.locator("#film-lacks-origin").innerText(), /choose Origin and click the height that is zero/);
+  await lengths(/act now$/);
   await lab.page.locator("#film-set-origin").click();
   await click(lab, [SURFACE[0], 176]);
+  await lengths(/act done$/);
+  assert.equal(await lab.page.locator("#film-lacks-origin").count(), 0);
   // Nothing of the truth is shown before somebody asks.
   assert.equal(await lab.page.locator("#film-truth").count(), 0);
   const { rms, text } = await compare(lab);

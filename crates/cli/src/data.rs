@@ -14,7 +14,6 @@ use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
 use units::Language;
-use units::Unit;
 
 /// No measurement is larger.
 const MOST_BYTES: u64 = 256 << 20;
@@ -260,35 +259,5 @@ fn quoted(name: &str) -> String {
         name.to_owned()
     } else {
         format!("'{name}'")
-    }
-}
-
-/// A reading of the independent variable as an argument: `1.5` in the unit of the file, `1500 ms` or `1500 [ms]` in its own.
-/// The answer is SI.
-pub fn reading(name: &str, text: &str, unit: Option<&Unit>) -> Result<f64, Failure> {
-    let end = text.find(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c))).unwrap_or(text.len());
-    let (number, rest) = text.split_at(end);
-    let rest = rest.trim().trim_start_matches('[').trim_end_matches(']').trim();
-    let wrong =
-        || Failure::with_hint(format!("{name} {text} is no time"), format!("write {name} 1.5 or {name} '1500 [ms]'"));
-    let value: f64 = number.trim().parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(wrong)?;
-    let own = if rest.is_empty() { None } else { Some(Unit::parse(rest).map_err(|_| wrong())?) };
-    Ok(own.as_ref().or(unit).map_or(value, |unit| unit.to_si(value)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn readings_have_the_unit_of_the_file_or_their_own() {
-        let milliseconds = Unit::parse("ms").ok();
-        assert_eq!(reading("--from", "1.5", None).ok(), Some(1.5));
-        assert_eq!(reading("--from", "1.5", milliseconds.as_ref()).ok(), Some(0.0015));
-        assert_eq!(reading("--from", "-2e3 [ms]", None).ok(), Some(-2.0));
-        assert_eq!(reading("--from", "2 s", milliseconds.as_ref()).ok(), Some(2.0));
-        for wrong in ["", "soon", "1.5 [parsec]", "1e999", "[s]"] {
-            assert!(reading("--from", wrong, None).is_err(), "{wrong}");
-        }
     }
 }

@@ -16,6 +16,7 @@ mod export;
 mod failure;
 mod fitting;
 mod language;
+mod limits;
 mod load;
 mod lsp;
 mod output;

@@ -158,7 +158,7 @@ pub fn results(report: &Report<'_>) -> Sheet {
     }
     rows.push(Vec::new());
     rows.push(vec![Cell::Empty, outcome.verdict_text(language).into()]);
-    rows.extend(report.remarks().into_iter().map(|remark| vec![Cell::Empty, remark.into()]));
+    rows.extend(report.doubts().into_iter().chain(report.remarks()).map(|remark| vec![Cell::Empty, remark.into()]));
     rows.extend(outcome.undetermined.iter().map(|one| vec![Cell::Empty, one.text(language).into()]));
     Sheet { name: language.pick("Results", "Resultados").to_owned(), rows, header: true }
 }

@@ -68,26 +68,7 @@ pub fn warnings(page: &mut Page, report: &Report<'_>) {
             .to_owned()
     };
     sentences.extend(outcome.rival_text(language, quantity).map(|text| escaped(&text)));
-    let named = |one: &Estimate| match one.record.and_then(|record| report.task.records.get(record)) {
-        Some(record) => [&symbol(&one.name), " (", &escaped(&record.name), ")"].concat(),
-        None => symbol(&one.name),
-    };
-    let stopped: Vec<String> =
-        outcome.parameters.iter().filter(|one| one.at_bound && one.determined).map(named).collect();
-    let end = match stopped.len() {
-        0 => "",
-        1 => language.pick(
-            " stopped at the end of its range. Such a number has no uncertainty, and those of the others suppose it to be right.",
-            " se detuvo en el extremo de su intervalo. Un número así no tiene incertidumbre, y las de los demás lo dan por bueno.",
-        ),
-        _ => language.pick(
-            " stopped at the ends of their ranges. Such numbers have no uncertainty, and those of the others suppose them to be right.",
-            " se detuvieron en los extremos de sus intervalos. Números así no tienen incertidumbre, y las de los demás los dan por buenos.",
-        ),
-    };
-    if !stopped.is_empty() {
-        sentences.push([&language.join(&stopped), end].concat());
-    }
+    sentences.extend(report.doubts().iter().map(|text| escaped(text)));
     if sentences.is_empty() {
         return;
     }

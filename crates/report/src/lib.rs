@@ -3,6 +3,7 @@
 //! Everything is made from a finished [`analysis::fit::Outcome`] and its document; nothing more is computed, and nothing
 //! is read from or written to a disk. The page holds no script and makes no request.
 
+mod doubt;
 mod drawing;
 mod export;
 mod film;

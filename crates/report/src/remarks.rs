@@ -1,6 +1,7 @@
 //! What has to be known beside the numbers of a fit: the scales of films, values that are off, and a record too short for its
 //! correlation.
 
+use crate::doubt;
 use analysis::fit::{Estimate, FilmScale, Loss, Outcome, Outlier, Task};
 use units::number::{Group, fixed, plain, with_unit};
 use units::{Language, Unit};
@@ -8,8 +9,14 @@ use units::{Language, Unit};
 /// No more outliers than this are named one by one, those farthest off.
 const NAMED: usize = 5;
 
-/// Sentences in English or Spanish; `clock` is the unit of the independent variable, whose name is `independent`.
+/// Sentences in English or Spanish, doubts about the numbers first; `independent` is the name and the unit of the independent variable.
 pub fn remarks(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
+    let doubts = doubt::at_ends(outcome, task, language);
+    doubts.into_iter().chain(beside(outcome, task, independent, language)).collect()
+}
+
+/// The same without doubts about the numbers.
+pub fn beside(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
     let sentences = [loss(outcome, language), outliers(outcome, task, independent, language), short(outcome, language)];
     scales(outcome, task, language).into_iter().chain(sentences.into_iter().flatten()).collect()
 }

@@ -1,7 +1,7 @@
 //! What a report is made of.
 
 use crate::film::Film;
-use crate::remarks;
+use crate::{doubt, remarks};
 use analysis::fit::{Interval, Outcome, Task, Trace};
 use document::Document;
 use units::Language;
@@ -37,9 +37,14 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// See [`remarks()`].
+    /// Doubts about the numbers.
+    pub(crate) fn doubts(&self) -> Vec<String> {
+        doubt::at_ends(self.outcome, self.task, self.language)
+    }
+
+    /// What has to be known beside the numbers, without the doubts.
     pub(crate) fn remarks(&self) -> Vec<String> {
         let independent = &self.document.program.model.independent;
-        remarks(self.outcome, self.task, (&independent.name, &independent.unit), self.language)
+        remarks::beside(self.outcome, self.task, (&independent.name, &independent.unit), self.language)
     }
 }

@@ -3,10 +3,14 @@
 
 mod support;
 
+use analysis::fit::{Target, Varied};
 use calamine::{Data, Reader};
 use report::{Ranking, csv, figure, html, ranking_csv, ranking_html, ranking_workbook, workbook};
 use support::{Fitted, fitted, level, observed, record, theory};
 use units::number::Style;
+
+/// The place of `gamma` among the parameters of the theory.
+const GAMMA: usize = 5;
 
 /// The record of known truth, fitted with a theory until 6 s.
 fn fit(name: &str, file: &str) -> Fitted {
@@ -185,6 +189,33 @@ fn the_workbook_holds_results_data_and_curves() {
     assert_eq!(inside, 181, "frames up to 6 s");
     let curves = book.worksheet_range("Curves").unwrap();
     assert_eq!(curves.get_size(), (601, 3));
+}
+
+#[test]
+fn a_number_at_an_end_of_its_range_is_in_doubt() {
+    let (times, values) = level();
+    let mut document = theory("linear");
+    let record = record(&mut document, "swing.txt", &times, &values);
+    // The record has 0.4 /s.
+    let stopped = fitted("linear", document, vec![record], |task| {
+        let name = |varied: &Varied| matches!(varied.target, Target::Parameter(index) if index == GAMMA);
+        task.varied.iter_mut().filter(|varied| name(varied)).for_each(|varied| varied.bounds = Some((0.0, 0.3)));
+    });
+    let (english, spanish) =
+        ("gamma = 0.3 1/s is in doubt: it stands at an end", "gamma = 0,3 1/s es dudoso: está en un extremo");
+    for (language, expected) in [("en", english), ("es", spanish)] {
+        let report = stopped.report(language);
+        let page = texts(&html(&report));
+        assert_eq!(page.matches(expected).count(), 1, "{page}");
+        let mut book: calamine::Xlsx<_> =
+            calamine::open_workbook_from_rs(std::io::Cursor::new(workbook(&report))).unwrap();
+        let sheet = if language == "en" { "Results" } else { "Resultados" };
+        let results = book.worksheet_range(sheet).unwrap();
+        let said = |cell: &Data| matches!(cell, Data::String(text) if text.starts_with(expected));
+        assert!(results.rows().any(|row| row.iter().any(said)), "{language}");
+    }
+    // Within its range there is no doubt.
+    assert!(!texts(&html(&fit("linear", "swing.txt").report("en"))).contains("is in doubt"));
 }
 
 /// Two records, one of them with its velocity: columns and headings tell them apart.

@@ -1,7 +1,7 @@
 //! From the objects and properties of the XML to a project. Other properties, such as colours and views, are passed over.
 
 use super::coordinates::Placement;
-use super::project::{Film, Mark, Mass, Project};
+use super::project::{Film, Mark, Mass, Missing, Project};
 use super::refusal::TrackerError;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,6 +9,12 @@ use std::collections::{BTreeMap, BTreeSet};
 const MOST_MASSES: usize = 200;
 /// Tracks and filters beyond these are not counted.
 const MOST_OTHERS: usize = 200;
+/// Files of a set of tabs beyond these are not counted.
+const MOST_TABS: usize = 200;
+/// The longest path of a file.
+const LONGEST_PATH: usize = 1000;
+/// Videos of these classes are pictures: a series of them, or an animated one.
+const PICTURES: [&str; 2] = ["ImageVideo", "GifVideo"];
 /// A longer name is cut off.
 const LONGEST_NAME: usize = 40;
 
@@ -21,6 +27,11 @@ pub(super) struct Builder {
     track: Track,
     mark: [Option<f64>; 2],
     placement: Placement,
+    has_clip: bool,
+    /// The duration of a frame that a sequence of pictures states itself, in seconds.
+    of_pictures: Option<f64>,
+    /// The files that a set of tabs names; `None` where the root is a project.
+    tabs: Option<Vec<String>>,
 }
 
 /// The track that is being read.
@@ -36,11 +47,14 @@ impl Builder {
     pub fn open(&mut self, path: &[&str]) -> Result<(), TrackerError> {
         match path {
             ["TrackerPanel"] if !self.begun => self.begun = true,
+            ["TFrame"] if !self.begun => (self.begun, self.tabs) = (true, Some(Vec::new())),
             [class] => return Err(TrackerError::NotAProject { class: (*class).to_owned() }),
             [_, "tracks", "item", _] => self.track = Track::default(),
             [_, "tracks", "item", "PointMass", "framedata", _] => self.mark = [None; 2],
+            [_, "tabs", _] => self.name_tab(""),
+            [_, "videoclip", _] => self.has_clip = true,
             [_, "videoclip", _, "video", class] => {
-                self.project.film = Some(Film { pictures: *class == "ImageVideo", ..Film::default() });
+                self.project.film = Some(Film { pictures: PICTURES.contains(class), ..Film::default() });
             }
             [_, "videoclip", _, "video", _, "filters", _, class] if self.project.filters.len() < MOST_OTHERS => {
                 self.project.filters.push((*class).to_owned());
@@ -57,12 +71,17 @@ impl Builder {
     pub fn close(&mut self, path: &[&str], text: &str) -> Result<(), TrackerError> {
         match path {
             [_, name] => self.take_property(name, text),
+            // The path from everywhere, and the one from the folder of the file, which is shorter.
+            [_, "tabs", _, _] if !text.is_empty() => self.name_tab(text),
             [_, "videoclip", _, name] => self.take_clip(name, text)?,
             [_, "clipcontrol", _, "delta_t"] => self.project.clip.interval = number(text)?.abs() / 1000.0,
             [_, "videoclip", _, "video", _, "path"] => {
                 if let Some(film) = &mut self.project.film {
                     text.clone_into(&mut film.path);
                 }
+            }
+            [_, "videoclip", _, "video", _, "delta_t"] => {
+                self.of_pictures = text.parse().ok().map(|milliseconds: f64| milliseconds.abs() / 1000.0);
             }
             [_, "videoclip", _, "video", _, "start_times", "array"] => {
                 let times = array::<f64>(text).unwrap_or_default();
@@ -90,8 +109,30 @@ impl Builder {
         if !self.begun {
             return Err(TrackerError::Damaged);
         }
+        if let Some(files) = self.tabs {
+            let files: Vec<String> = files.into_iter().filter(|file| !file.is_empty()).collect();
+            return Err(if files.is_empty() {
+                TrackerError::NotAProject { class: "TFrame".to_owned() }
+            } else {
+                TrackerError::Tabs { files }
+            });
+        }
+        self.project.missing = Missing { clip: !self.has_clip, duration: !self.project.clip.is_timed() };
+        if let Some(interval) = self.of_pictures.filter(|_| self.project.missing.duration) {
+            self.project.clip.interval = interval;
+        }
         self.project.coordinates.placements.sort_by_key(|placement| placement.frame);
         Ok(self.project)
+    }
+
+    /// Adds a file of a set of tabs, or gives the last one another path.
+    fn name_tab(&mut self, path: &str) {
+        let Some(tabs) = &mut self.tabs else { return };
+        if path.is_empty() {
+            tabs.extend((tabs.len() < MOST_TABS).then(String::new));
+        } else if let Some(last) = tabs.last_mut() {
+            *last = path.chars().take(LONGEST_PATH).collect();
+        }
     }
 
     fn take_property(&mut self, name: &str, text: &str) {

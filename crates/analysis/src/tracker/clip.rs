@@ -57,11 +57,17 @@ impl Clip {
         let last = last.min(u32::try_from(end).ok()?);
         let frames = last.checked_sub(self.first).filter(|frames| *frames > 0)?;
         let duration = self.listed(last)? - self.listed(self.first)?;
-        let stretch = self.interval * f64::from(frames) / duration;
+        // Without a stated duration the times are taken as they are.
+        let stretch = if self.is_timed() { self.interval * f64::from(frames) / duration } else { 1.0 };
         if !(stretch.is_finite() && duration > 0.0) {
             return None;
         }
         Some(if (stretch - 1.0).abs() < UNSTRETCHED { 1.0 } else { stretch })
+    }
+
+    /// Whether the duration of a frame is stated.
+    pub fn is_timed(&self) -> bool {
+        self.interval > 0.0 && self.interval.is_finite()
     }
 
     /// The listed time of a frame of the project.

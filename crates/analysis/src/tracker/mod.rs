@@ -15,13 +15,14 @@ mod project;
 mod refusal;
 mod remark;
 mod table;
+mod wording;
 mod xml_reader;
 
 pub use crate::packed::Gathering;
 pub use clip::Clip;
 pub use coordinates::{Coordinates, Placement};
 pub use opening::{Opening, gathering, read};
-pub use project::{Film, Mark, Mass, Opened, PackedFilm, Project};
+pub use project::{Film, Mark, Mass, Missing, Opened, PackedFilm, Project};
 pub use refusal::TrackerError;
 pub use remark::{LeftOut, Remark};
 

@@ -99,7 +99,7 @@ impl Opening {
                 if reader.advance(budget)? {
                     let mut project = reader.finish()?;
                     if project.masses.is_empty() {
-                        return Err(TrackerError::NoMass);
+                        return Err(TrackerError::NoMass { film: project.trackable().is_some() });
                     }
                     self.find_film(&mut project);
                     Stage::Finished(Box::new(project))

@@ -21,8 +21,26 @@ pub struct Project {
     pub reference: Option<String>,
     /// Tracks that are no point masses, by the last part of their class and their name.
     pub others: Vec<(String, String)>,
+    /// What the project does not state.
+    pub missing: Missing,
     /// Filters of the film's pictures, by the last part of their class: positions belong to the filtered picture.
     pub filters: Vec<String>,
+}
+
+impl Project {
+    /// The film, if it can be tracked here.
+    pub fn trackable(&self) -> Option<&Film> {
+        self.film.as_ref().filter(|film| film.is_trackable())
+    }
+}
+
+/// What a project does not state, as those that other programs write do not.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Missing {
+    /// Which frames of the film it uses: it has no video clip. All marked frames are used then.
+    pub clip: bool,
+    /// How long a frame lasts: it has no clip control, or one without a duration.
+    pub duration: bool,
 }
 
 /// A project that has been read.
@@ -39,10 +57,17 @@ pub struct Opened {
 pub struct Film {
     /// Where it is, as the project states it: as a rule relative to the project's file.
     pub path: String,
-    /// Whether it is a sequence of pictures, of which the path names the first.
+    /// Whether it is a sequence of pictures, of which the path names the first, or an animated picture.
     pub pictures: bool,
     /// Where it is in the archive of the project, if it is there.
     pub packed: Option<PackedFilm>,
+}
+
+impl Film {
+    /// Whether it is a film that can be tracked here, as far as the project states.
+    pub fn is_trackable(&self) -> bool {
+        !self.pictures && !self.path.is_empty()
+    }
 }
 
 /// A film in the archive of its project.

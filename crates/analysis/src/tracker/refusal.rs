@@ -1,5 +1,6 @@
 //! Why a project cannot be read.
 
+use super::wording::listed;
 use crate::packed::Defect;
 use units::Language::{self, Spanish};
 
@@ -11,12 +12,21 @@ pub enum TrackerError {
         /// The last part of the class of its object.
         class: String,
     },
+    /// It is a set of tabs of Tracker.
+    Tabs {
+        /// The projects and films of the tabs, as the file names them.
+        files: Vec<String>,
+    },
     /// No point mass is marked.
-    NoMass,
+    NoMass {
+        /// Whether it names a film that can be tracked here.
+        film: bool,
+    },
     /// Only one frame is marked.
-    OneFrame,
-    /// It does not state how long a frame lasts.
-    NoTimes,
+    OneFrame {
+        /// Whether it names a film that can be tracked here.
+        film: bool,
+    },
     /// It declares entities or uses some that no XML has, as no program does.
     Entities,
     /// The XML or the archive is broken off or changed.
@@ -43,17 +53,20 @@ impl TrackerError {
                 &format!("this is a file of Open Source Physics, but no project of Tracker: it holds a `{class}`"),
                 &format!("es un archivo de Open Source Physics, pero no un proyecto de Tracker: contiene un «{class}»"),
             ),
-            Self::NoMass => say(
+            Self::Tabs { files } => {
+                let names = listed(files, language);
+                say(
+                    &format!("this is a set of tabs of Tracker, and not a project; it names {names}"),
+                    &format!("es un conjunto de pestañas de Tracker, y no un proyecto; nombra {names}"),
+                )
+            }
+            Self::NoMass { .. } => say(
                 "no point mass is marked in this project of Tracker",
                 "en este proyecto de Tracker no hay ninguna masa puntual marcada",
             ),
-            Self::OneFrame => say(
+            Self::OneFrame { .. } => say(
                 "only one frame is marked in this project of Tracker",
                 "en este proyecto de Tracker solo hay un fotograma marcado",
-            ),
-            Self::NoTimes => say(
-                "this project of Tracker does not state how long a frame lasts",
-                "este proyecto de Tracker no indica cuánto dura un fotograma",
             ),
             Self::Entities => say(
                 "this project of Tracker uses entities of XML that no program writes",
@@ -89,11 +102,16 @@ impl TrackerError {
                 "open it in Tracker and save the tab with the film",
                 "ábrelo en Tracker y guarda la pestaña con el vídeo",
             ),
-            Self::NoMass | Self::OneFrame => (
+            Self::Tabs { .. } => ("open them one by one", "ábrelos uno por uno"),
+            Self::NoMass { film: false } | Self::OneFrame { film: false } => (
+                "mark a point mass in several frames in Tracker and save the project; it names no film that can be tracked here",
+                "marca una masa puntual en varios fotogramas en Tracker y guarda el proyecto; no nombra ningún vídeo que se pueda seguir aquí",
+            ),
+            Self::NoMass { film: true } | Self::OneFrame { film: true } => (
                 "mark a point mass in Tracker and save the project, or track the film here: meniscus track FILM",
                 "marca una masa puntual en Tracker y guarda el proyecto, o sigue el vídeo aquí: meniscus track VÍDEO",
             ),
-            Self::NoTimes | Self::Entities | Self::Damaged => (
+            Self::Entities | Self::Damaged => (
                 "open it in Tracker and save it again, or export the table there: File > Export > Data File",
                 "ábrelo en Tracker y guárdalo de nuevo, o exporta allí la tabla: Archivo > Exportar > Archivo de datos",
             ),

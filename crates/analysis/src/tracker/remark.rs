@@ -2,11 +2,7 @@
 
 use super::coordinates::Placement;
 use super::project::{Opened, Project};
-use units::Language::{self, English, Spanish};
-use units::number;
-
-/// How many names are listed.
-const SHOWN: usize = 6;
+use units::Language;
 
 /// Something a person should know about the data of a project.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +18,19 @@ pub enum Remark {
         /// Whether the film is in the archive of the project.
         packed: bool,
     },
+    /// The project does not state how long a frame lasts, and nothing else does: the table has the numbers of the frames.
+    FrameNumbers {
+        /// The path of the film, if it is one with times of its own.
+        film: Option<String>,
+    },
+    /// The project has no clip control, which states how long a frame lasts: times are the listed ones, or of the step that its pictures
+    /// state.
+    NoClipControl {
+        /// Whether they are the listed ones.
+        listed: bool,
+    },
+    /// The project has no video clip, which states the frames that it uses.
+    NoClip,
     /// The project lists the times of all frames, which are multiplied by a factor.
     ListedTimes {
         /// The factor, as the project states another mean duration of a frame than its film.
@@ -29,8 +38,8 @@ pub enum Remark {
     },
     /// Times are those of the frames of the film, which was opened.
     FilmTimes {
-        /// The constant step that the project states, in milliseconds.
-        milliseconds: f64,
+        /// The constant step that the project states, in milliseconds, if it does.
+        milliseconds: Option<f64>,
     },
     /// How pixels became lengths.
     Calibration {
@@ -99,7 +108,7 @@ impl LeftOut {
         })
     }
 
-    fn text(self, language: Language) -> &'static str {
+    pub(super) fn text(self, language: Language) -> &'static str {
         let (english, spanish) = match self {
             Self::Models => ("models", "modelos"),
             Self::Centres => ("centres of mass", "centros de masas"),
@@ -120,6 +129,10 @@ impl Opened {
         let Self { project, name } = self;
         let mut remarks: Vec<Remark> = name.iter().cloned().map(Remark::OneOfSeveral).collect();
         remarks.push(project.times());
+        if project.missing.duration && project.has_times() {
+            remarks.push(Remark::NoClipControl { listed: project.clip.stretch().is_some() });
+        }
+        remarks.extend(project.missing.clip.then_some(Remark::NoClip));
         remarks.extend(project.calibration());
         remarks.extend(project.reference.clone().map(Remark::Reference));
         for mass in project.shown().filter(|mass| mass.has_keys) {
@@ -152,7 +165,10 @@ impl Project {
         if let Some(stretch) = self.clip.stretch() {
             return Remark::ListedTimes { stretch };
         }
-        let film = self.film.as_ref().filter(|film| !film.pictures && !film.path.is_empty());
+        let film = self.trackable();
+        if !self.clip.is_timed() {
+            return Remark::FrameNumbers { film: film.map(|film| film.path.clone()) };
+        }
         Remark::ConstantStep {
             milliseconds: 1000.0 * self.clip.interval,
             film: film.map(|film| film.path.clone()),
@@ -169,158 +185,5 @@ impl Project {
             remarks.push(Remark::AssumedMetres);
         }
         remarks
-    }
-}
-
-impl Remark {
-    /// It in a sentence or two, in English or Spanish.
-    pub fn text(&self, language: Language) -> String {
-        let say = |english: String, other: String| if language == Spanish { other } else { english };
-        let round = |value: f64, digits: usize| number::plain(value, digits, language.style());
-        match self {
-            Self::OneOfSeveral(name) => say(
-                format!(
-                    "the archive holds several projects of Tracker; the first with a marked mass was read: `{name}`"
-                ),
-                format!(
-                    "el archivo contiene varios proyectos de Tracker; se leyó el primero con una masa marcada: «{name}»"
-                ),
-            ),
-            Self::ConstantStep { milliseconds, film, packed } => {
-                let step = round(*milliseconds, 8);
-                let times = say(
-                    format!("times are the frame number times a constant step of {step} ms, as the project states"),
-                    format!(
-                        "los tiempos son el número del fotograma por un paso constante de {step} ms, como indica el proyecto"
-                    ),
-                );
-                let Some(film) = film else { return times };
-                let place = match (packed, language) {
-                    (true, English) => " in the archive",
-                    (true, Spanish) => " del archivo",
-                    (false, _) => "",
-                };
-                times
-                    + &say(
-                        format!(
-                            "; the film{place}, `{film}`, has a time for each frame, which is better: `meniscus track` reads it"
-                        ),
-                        format!(
-                            "; el vídeo{place}, «{film}», tiene un tiempo para cada fotograma, que es mejor: «meniscus track» lo lee"
-                        ),
-                    )
-            }
-            Self::ListedTimes { stretch } if *stretch == 1.0 => say(
-                "times are those that the project lists for the frames of its film".to_owned(),
-                "los tiempos son los que el proyecto enumera para los fotogramas de su vídeo".to_owned(),
-            ),
-            Self::ListedTimes { stretch } => {
-                let factor = round(*stretch, 6);
-                say(
-                    format!(
-                        "times are those that the project lists for the frames of its film, multiplied by {factor}, since it states \
-                         another frame rate than the film has"
-                    ),
-                    format!(
-                        "los tiempos son los que el proyecto enumera para los fotogramas de su vídeo, multiplicados por {factor}, pues \
-                         indica otra frecuencia de fotogramas que la del vídeo"
-                    ),
-                )
-            }
-            Self::FilmTimes { milliseconds } => {
-                let step = round(*milliseconds, 8);
-                say(
-                    format!(
-                        "times are those of the frames of its film, and not the constant step of {step} ms of the project"
-                    ),
-                    format!(
-                        "los tiempos son los de los fotogramas de su vídeo, y no el paso constante de {step} ms del proyecto"
-                    ),
-                )
-            }
-            Self::Calibration { axes, changes, unit } => calibration(axes, *changes, unit.as_deref(), language),
-            Self::AssumedMetres => say(
-                "the project states no unit of length: metres are assumed, as Tracker does".to_owned(),
-                "el proyecto no indica la unidad de longitud: se suponen metros, como hace Tracker".to_owned(),
-            ),
-            Self::Reference(mass) => say(
-                format!("Tracker shows positions relative to {mass}; those here are relative to the axes"),
-                format!("Tracker muestra las posiciones respecto a {mass}; aquí son respecto a los ejes"),
-            ),
-            Self::Unconfirmed { mass, keys, marks } => say(
-                format!(
-                    "{mass}: {keys} of {marks} positions are key frames, marked by hand or confirmed; the autotracker found the \
-                     others, or they were interpolated (autofill)"
-                ),
-                format!(
-                    "{mass}: {keys} de {marks} posiciones son fotogramas clave, marcados a mano o confirmados; las demás las \
-                     encontró el autotracker o se interpolaron (autofill)"
-                ),
-            ),
-            Self::OutsideClip(count) => say(
-                format!("positions outside the clip that the project selects were left out: {count}"),
-                format!("se dejaron fuera las posiciones ajenas al corte que elige el proyecto: {count}"),
-            ),
-            Self::LeftOut(kind, names) => {
-                let (kind, names) = (kind.text(language), listed(names, language));
-                say(format!("{kind} were not read: {names}"), format!("no se leyeron {kind}: {names}"))
-            }
-            Self::Filters(names) => {
-                let names = listed(names, language);
-                say(
-                    format!("the project filters its film ({names}); positions belong to the filtered pictures"),
-                    format!(
-                        "el proyecto filtra su vídeo ({names}); las posiciones pertenecen a las imágenes filtradas"
-                    ),
-                )
-            }
-        }
-    }
-}
-
-fn calibration(axes: &Placement, changes: bool, unit: Option<&str>, language: Language) -> String {
-    let round = |value: f64| number::plain(value, 5, language.style());
-    let [along, down] = axes.scale.map(round);
-    let origin = axes.origin.map(|value| number::fixed(value, 1, language.style())).join("; ");
-    let angle = number::fixed(axes.angle, 2, language.style());
-    let mut text = match (unit, language, along == down) {
-        (None, English, _) => "the project has no scale: positions are in pixels, y upwards".to_owned(),
-        (None, Spanish, _) => "el proyecto no tiene escala: las posiciones están en píxeles, y hacia arriba".to_owned(),
-        (Some(unit), English, true) => format!("the scale of the project is {along} px/{unit}"),
-        (Some(unit), Spanish, true) => format!("la escala del proyecto es {along} px/{unit}"),
-        (Some(unit), English, false) => {
-            format!(
-                "the scale of the project is {along} px/{unit} along the rows and {down} px/{unit} along the columns"
-            )
-        }
-        (Some(unit), Spanish, false) => {
-            format!("la escala del proyecto es {along} px/{unit} en las filas y {down} px/{unit} en las columnas")
-        }
-    };
-    text.push_str(&match language {
-        English => format!("; the origin is at the pixel ({origin}), the x axis at {angle}°"),
-        Spanish => format!("; el origen está en el píxel ({origin}) y el eje x a {angle}°"),
-    });
-    if changes {
-        text.push_str(language.pick(
-            " in the first frame; they change from frame to frame, which is taken into account",
-            " en el primer fotograma; cambian de un fotograma a otro, lo que se tiene en cuenta",
-        ));
-    }
-    if unit.is_some() {
-        text.push_str(language.pick(
-            "; the project states no error of the scale, and errors of lengths in fits do not include it",
-            "; el proyecto no indica el error de la escala, y los errores de las longitudes en los ajustes no lo incluyen",
-        ));
-    }
-    text
-}
-
-/// The first names of a list.
-fn listed(names: &[String], language: Language) -> String {
-    let shown = names.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
-    match names.len().saturating_sub(SHOWN) {
-        0 => shown,
-        more => language.pick(format!("{shown} and {more} more"), format!("{shown} y {more} más")),
     }
 }

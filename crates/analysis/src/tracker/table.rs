@@ -5,31 +5,33 @@ use super::refusal::TrackerError;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+/// The column of a project without times. Its unit is none of time, so that no number of a frame passes for seconds.
+const FRAMES: &str = "frame [frames]";
+
 impl Project {
-    /// The times in seconds and the positions of all masses in units of length, or in pixels where the project has no scale.
+    /// The times in seconds, or the numbers of the frames where the project has no times, and the positions of all masses in units of length, or in pixels where the project has no scale.
     /// The text is a table that the import reads; positions of frames that are not marked are empty.
     ///
     /// # Errors
-    /// A project without times or with fewer than two marked frames, and a table of more than `most` bytes.
+    /// A project with fewer than two marked frames, and a table of more than `most` bytes.
     pub fn table(&self, most: usize) -> Result<String, TrackerError> {
-        if !(self.clip.interval > 0.0 && self.clip.interval.is_finite()) {
-            return Err(TrackerError::NoTimes);
-        }
         let rows = self.rows();
         if rows.len() < 2 {
-            return Err(if rows.is_empty() { TrackerError::NoMass } else { TrackerError::OneFrame });
+            let film = self.trackable().is_some();
+            return Err(if rows.is_empty() { TrackerError::NoMass { film } } else { TrackerError::OneFrame { film } });
         }
         // A body has a name of its own, so that its columns belong together.
         let names = self.body_names();
         let unit = self.column_unit();
-        let mut text = "t [s]".to_owned();
+        let has_times = self.has_times();
+        let mut text = if has_times { "t [s]" } else { FRAMES }.to_owned();
         for name in &names {
             // Writing to a string cannot fail.
             let _ = write!(text, "\t{name}: x [{unit}]\t{name}: y [{unit}]");
         }
         text.push('\n');
         for (frame, marks) in rows {
-            let _ = write!(text, "{:?}", self.clip.time(frame));
+            let _ = if has_times { write!(text, "{:?}", self.clip.time(frame)) } else { write!(text, "{frame}") };
             let axes = self.coordinates.at(frame);
             let mut written = 0;
             for (body, mark) in marks {
@@ -45,6 +47,11 @@ impl Project {
             }
         }
         Ok(text)
+    }
+
+    /// Whether frames have times: listed ones, or those of a constant step.
+    pub fn has_times(&self) -> bool {
+        self.clip.is_timed() || self.clip.stretch().is_some()
     }
 
     /// The masses that are marked in frames of the clip.

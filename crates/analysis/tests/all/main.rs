@@ -14,5 +14,6 @@ mod spreadsheets;
 mod support;
 mod traces;
 mod tracker;
+mod tracker_variants;
 mod understood;
 mod workbooks;

@@ -8,17 +8,17 @@ use proptest::prelude::*;
 use units::Language::{self, English, Spanish};
 
 const MOST: usize = 1 << 20;
-const FIXED: &str = include_str!("../tracker/fixed.trk");
-const MOVING: &str = include_str!("../tracker/moving.trk");
-const PIXELS: &str = include_str!("../tracker/pixels.trk");
+pub const FIXED: &str = include_str!("../tracker/fixed.trk");
+pub const MOVING: &str = include_str!("../tracker/moving.trk");
+pub const PIXELS: &str = include_str!("../tracker/pixels.trk");
 
-fn zip(files: &[(&str, &str)]) -> Vec<u8> {
+pub fn zip(files: &[(&str, &str)]) -> Vec<u8> {
     let files: Vec<(String, String)> = files.iter().map(|(name, text)| ((*name).into(), (*text).into())).collect();
     archive(&files, Pack::Deflated)
 }
 
 /// Columns as `label [unit]: values`, with five decimals, and the findings.
-fn shown(contents: &Contents, language: Language) -> String {
+pub fn shown(contents: &Contents, language: Language) -> String {
     let table = &contents.import.table;
     let mut out = String::new();
     for (index, column) in table.columns.iter().enumerate() {
@@ -35,11 +35,11 @@ fn shown(contents: &Contents, language: Language) -> String {
     out
 }
 
-fn read(bytes: Vec<u8>) -> Contents {
+pub fn read(bytes: Vec<u8>) -> Contents {
     reading::read(bytes, MOST).expect("a project")
 }
 
-fn refused(text: &str) -> TrackerError {
+pub fn refused(text: &str) -> TrackerError {
     match reading::read(text.as_bytes().to_vec(), MOST).expect_err("no project") {
         ReadingError::Project(error) => error,
         other => panic!("{other:?}"),
@@ -150,7 +150,7 @@ fn an_archive_is_read_with_its_film() {
     let several = read(zip(&[("a.trk", &unmarked), ("b.TRK", PIXELS)]));
     assert!(shown(&several, English).contains("the first with a marked mass was read: `b.TRK`"));
     let none = reading::read(zip(&[("a.trk", &unmarked), ("b.trk", &unmarked)]), MOST);
-    assert_eq!(none, Err(ReadingError::Project(TrackerError::NoMass)));
+    assert_eq!(none, Err(ReadingError::Project(TrackerError::NoMass { film: true })));
 }
 
 /// What is gathered of an archive, and how many bytes that took.
@@ -224,14 +224,15 @@ fn what_is_no_project_is_refused_with_its_reason() {
             PIXELS.replace("tracker.TrackerPanel", "tracker.TFrame"),
             TrackerError::NotAProject { class: "TFrame".into() },
         ),
-        (PIXELS.replace("tracker.PointMass\"", "tracker.Vector\""), TrackerError::NoMass),
+        (PIXELS.replace("tracker.PointMass\"", "tracker.Vector\""), TrackerError::NoMass { film: false }),
         (
             PIXELS.replace("name=\"stepcount\" type=\"int\">3", "name=\"stepcount\" type=\"int\">1"),
-            TrackerError::OneFrame,
+            TrackerError::OneFrame { film: false },
         ),
-        (PIXELS.replace("\"startframe\" type=\"int\">0", "\"startframe\" type=\"int\">9"), TrackerError::NoMass),
-        (PIXELS.replace("name=\"delta_t\"", "name=\"rate_t\""), TrackerError::NoTimes),
-        (PIXELS.replace(">33.333333333333336<", ">0<"), TrackerError::NoTimes),
+        (
+            PIXELS.replace("\"startframe\" type=\"int\">0", "\"startframe\" type=\"int\">9"),
+            TrackerError::NoMass { film: false },
+        ),
         (PIXELS.replace(">11.0<", ">1l.0<"), TrackerError::Damaged),
         (PIXELS.replace("\"[1]\"", "\"[one]\""), TrackerError::Damaged),
         (PIXELS.replace("<property name=\"red\"", "<script name=\"red\""), TrackerError::Damaged),

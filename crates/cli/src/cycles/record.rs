@@ -2,8 +2,9 @@
 
 use crate::arguments::Cycles;
 use crate::assignments::Observe;
-use crate::data::{self, Measured};
+use crate::data::Measured;
 use crate::failure::Failure;
+use crate::limits::limits;
 use analysis::cycles;
 
 /// What was measured, and its cycles.
@@ -38,13 +39,10 @@ pub fn record<'a>(data: &'a Measured, arguments: &Cycles) -> Result<Record<'a>, 
     let table = &data.table;
     let time = table.columns.get(table.columns[column].independent);
     let time_unit = time.and_then(|time| time.unit.as_ref());
-    let bound =
-        |name: &str, text: &Option<String>| text.as_ref().map(|text| data::reading(name, text, time_unit)).transpose();
-    let from = bound("--from", &arguments.from)?.unwrap_or(f64::NEG_INFINITY);
-    let until = bound("--until", &arguments.until)?.unwrap_or(f64::INFINITY);
+    let part = limits(arguments.from.as_deref(), arguments.until.as_deref(), time_unit)?;
     let rows = time.map(|time| time.si(None)).unwrap_or_default().into_iter().zip(&table.columns[column].values);
     let (times, values): (Vec<f64>, Vec<f64>) = rows
-        .filter(|(time, value)| (from..=until).contains(time) && value.is_finite())
+        .filter(|(time, value)| part.contains(time) && value.is_finite())
         .map(|(time, value)| (time, *value))
         .unzip();
     let found = cycles::cycles(&times, &values).ok_or_else(|| {

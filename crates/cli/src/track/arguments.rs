@@ -50,7 +50,7 @@ pub struct Track {
     pub origin: Option<Point>,
 
     /// How many times slower the film plays than things happened [default: as the file says, or 1]
-    #[arg(long, value_name = "FACTOR")]
+    #[arg(long, value_name = "FACTOR", value_parser = factor, allow_hyphen_values = true)]
     pub rate: Option<f64>,
 
     /// Begin at this time of the film, in seconds or as '500 [ms]'; the points are those of the first frame from there on
@@ -62,11 +62,11 @@ pub struct Track {
     pub until: Option<String>,
 
     /// How long a rolling shutter takes from the first row to the last, in seconds [default: auto; 0 for bodies]
-    #[arg(long, value_name = "auto|S", value_parser = known, allow_hyphen_values = true)]
+    #[arg(long, value_name = "auto|S", value_parser = readout, allow_hyphen_values = true)]
     pub readout: Option<Given>,
 
     /// How long each frame was exposed, in seconds [default: auto]
-    #[arg(long, value_name = "auto|S", value_parser = known, conflicts_with = "body")]
+    #[arg(long, value_name = "auto|S", value_parser = exposure, allow_hyphen_values = true, conflicts_with = "body")]
     pub exposure: Option<Given>,
 
     /// Up to four resting marks, which correct for a camera that moves
@@ -188,8 +188,8 @@ fn places(text: &str, example: &str) -> Result<(Vec<Place>, Option<f64>), String
     let (mut places, mut radius) = (Vec::new(), None);
     for part in text.split_whitespace() {
         let (place, time) = part.split_once('@').map_or((part, None), |(place, time)| (place, Some(time)));
-        let no_time = || format!("{part}: a time is in seconds, as in @3.5, or has a unit, as in @3500[ms]");
-        let time = time.map(|time| seconds(time).ok_or_else(no_time)).transpose()?;
+        let no_time = |why| format!("{part}: {why}; a time is in seconds, as in @3.5, or has a unit, as in @3500[ms]");
+        let time = time.map(|time| seconds(time).map_err(no_time)).transpose()?;
         if !places.is_empty() && time.is_none() {
             return Err(format!("{part}: say at which time of the film it is there, such as {part}@3.5"));
         }
@@ -207,43 +207,76 @@ fn places(text: &str, example: &str) -> Result<(Vec<Place>, Option<f64>), String
 }
 
 fn scale(text: &str) -> Result<Ruler, String> {
-    let wrong = || "write two marks and their distance, such as '60,50,580,60=35 [cm]'".to_owned();
-    let (marks, length) = text.split_once('=').ok_or_else(wrong)?;
-    let (value, unit) = quantity(length).ok_or_else(wrong)?;
-    let typed = length.replace(['[', ']'], "").trim().to_owned();
-    let unit = unit.filter(|unit| unit.dimension == Dimension::LENGTH).ok_or_else(wrong)?;
-    let length = unit.to_si(value);
-    let marks = line(marks).map_err(|_| wrong())?;
-    if length > 0.0 { Ok(Ruler { marks, length, typed }) } else { Err(wrong()) }
+    let example = "write two marks and their distance, such as '60,50,580,60=35 [cm]'";
+    let (marks, length) = text.split_once('=').ok_or(example)?;
+    let marks = line(marks).map_err(|_| format!("{} is not two points: {example}", marks.trim()))?;
+    let (value, unit) = quantity(length).map_err(|why| format!("{why}: {example}"))?;
+    let unit = unit.ok_or_else(|| format!("the distance {value} has no unit: {example}"))?;
+    if unit.dimension != Dimension::LENGTH {
+        return Err(format!("{} is not a unit of length: {example}", unit.text));
+    }
+    let metres = unit.to_si(value);
+    if metres > 0.0 && metres.is_finite() {
+        Ok(Ruler { marks, length: metres, typed: length.replace(['[', ']'], "").trim().to_owned() })
+    } else {
+        Err(format!("the distance of two marks is greater than zero, not {value} {}: {example}", unit.text))
+    }
 }
+
+fn factor(text: &str) -> Result<f64, String> {
+    text.trim().parse().map_err(|_| "write a number without a unit, such as 8 for 240 frames/s played at 30".to_owned())
+}
+
+fn exposure(text: &str) -> Result<Given, String> {
+    let given = known(text)?;
+    match given.0 {
+        Known::Seconds(seconds) if seconds < 0.0 => Err(format!("no exposure is negative: {TIMES}")),
+        _ => Ok(given),
+    }
+}
+
+/// It may be negative: the rows of a camera that is held upside down are read from the last one to the first.
+fn readout(text: &str) -> Result<Given, String> {
+    known(text)
+}
+
+/// How times of the camera are written.
+const TIMES: &str = "write auto, or a time such as 0.02 or '20 [ms]'";
 
 fn known(text: &str) -> Result<Given, String> {
-    if text == "auto" {
+    if text.trim() == "auto" {
         return Ok(Given(Known::Estimated));
     }
-    let seconds = seconds(text).ok_or("write auto, or a time such as 0.02 or '20 [ms]'")?;
+    let seconds = seconds(text).map_err(|why| format!("{why}: {TIMES}"))?;
     // No camera exposes or reads a frame for longer.
-    if seconds.abs() < 10.0 { Ok(Given(Known::Seconds(seconds))) } else { Err("it is below 10 s".to_owned()) }
-}
-
-/// A time, in seconds where no unit is stated.
-fn seconds(text: &str) -> Option<f64> {
-    let (value, unit) = quantity(text)?;
-    match unit {
-        Some(unit) if unit.dimension == Dimension::TIME => Some(unit.to_si(value)),
-        None => Some(value),
-        Some(_) => None,
+    if seconds.abs() < 10.0 {
+        Ok(Given(Known::Seconds(seconds)))
+    } else {
+        Err(format!("no camera takes 10 s or more for a frame: {TIMES}"))
     }
 }
 
-/// A number, and its unit if there is one: `10 [cm]`, `10 cm`, `10`.
-fn quantity(text: &str) -> Option<(f64, Option<Unit>)> {
+/// A time, in seconds where no unit is stated; else what is wrong with it.
+fn seconds(text: &str) -> Result<f64, String> {
+    match quantity(text)? {
+        (value, Some(unit)) if unit.dimension == Dimension::TIME => Ok(unit.to_si(value)),
+        (value, None) => Ok(value),
+        (_, Some(unit)) => Err(format!("{} is not a unit of time", unit.text)),
+    }
+}
+
+/// A number, and its unit if there is one: `10 [cm]`, `10 cm`, `10`; else what is wrong with it.
+fn quantity(text: &str) -> Result<(f64, Option<Unit>), String> {
     let text = text.trim();
+    let finite = |value: f64| if value.is_finite() { Ok(value) } else { Err(format!("{text} is not a finite number")) };
+    if let Ok(value) = text.parse() {
+        return Ok((finite(value)?, None));
+    }
     let end = text.find(|c: char| c == '[' || c.is_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
     let (value, unit) = text.split_at(end);
-    let value = value.trim().parse().ok().filter(|value: &f64| value.is_finite())?;
+    let value = finite(value.trim().parse().map_err(|_| format!("`{text}` does not begin with a number"))?)?;
     let unit = unit.trim_matches(['[', ']', ' ']);
-    Some((value, if unit.is_empty() { None } else { Some(Unit::parse(unit).ok()?) }))
+    Ok((value, Some(Unit::parse(unit).map_err(|_| format!("`{unit}` is not a known unit"))?)))
 }
 
 #[cfg(test)]
@@ -271,9 +304,11 @@ mod tests {
         for wrong in ["1,2,3,4", "1,2,3,4=10", "1,2,3,4=10 [s]", "1,2,3,4=-1 [m]", "1,2,3=1 [m]"] {
             assert!(scale(wrong).is_err(), "{wrong}");
         }
-        for wrong in ["soon", "1 [m]", "99"] {
+        for wrong in ["soon", "1 [m]", "99", "inf", "NaN", "", "1 []"] {
             assert!(known(wrong).is_err(), "{wrong}");
         }
+        assert!(exposure("-0.01").is_err());
+        assert_eq!(readout("-10 [ms]"), Ok(Given(Known::Seconds(-0.01))));
         for wrong in ["1,2,-3", "", " ", "@2", "1,2 3,4", "1,2 3,4,5@2", "1,2@soon", "1,2@", "1,2@2@3", "1,2@1[kg"] {
             assert!(body(wrong).is_err() && surface(wrong).is_err(), "{wrong}");
         }

@@ -1,6 +1,7 @@
 //! What is refused before the first frame is decoded.
 
 use super::arguments::{Place, Point, Track as Arguments, TrackFormat};
+use super::clock;
 use super::opened::{Opened, refused_with};
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
@@ -43,6 +44,7 @@ pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
             ),
         ));
     }
+    clock::part(arguments)?;
     Ok(())
 }
 

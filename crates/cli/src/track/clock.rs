@@ -2,9 +2,10 @@
 
 use super::arguments::{Place, Track as Arguments};
 use super::opened::{Opened, refused, refused_with};
-use crate::data::reading;
 use crate::failure::Failure;
+use crate::limits::limits;
 use film::timing::{Finding, Intervals, TimeBase, slow_motion};
+use std::ops::RangeInclusive;
 use units::number::fixed;
 use units::{Words, words};
 
@@ -43,7 +44,10 @@ impl Clock {
         };
         let base = TimeBase::new(&film.times, factor).ok_or_else(|| {
             Failure::in_words(
-                words!("--rate {factor} is not possible", "--rate {factor} no es posible"),
+                words!(
+                    "--rate {factor} is not possible: the factor is greater than zero and finite",
+                    "--rate {factor} no es posible: el factor es mayor que cero y finito"
+                ),
                 words(
                     "write how many times slower the film plays than things happened, such as 8 for 240 frames/s played at 30",
                     "escribe cuántas veces más lenta se reproduce el vídeo que lo ocurrido, como 8 para 240 fotogramas/s reproducidos a 30",
@@ -57,12 +61,11 @@ impl Clock {
             )),
             (None, stated) => notes.extend(stated.map(|stated| stated.words())),
         }
-        let from = limit("--from", arguments.from.as_deref())?.unwrap_or(f64::NEG_INFINITY);
-        let until = limit("--until", arguments.until.as_deref())?.unwrap_or(f64::INFINITY);
+        let part = part(arguments)?;
         let rate = intervals.as_ref().map(|intervals| intervals.rate);
         // Two frames with one time cannot both be right, and the first one is kept.
         let doubled = intervals.map_or_else(Vec::new, |intervals| intervals.doubled);
-        let inside = |frame: &usize| film.times.get(*frame).is_some_and(|time| (from..=until).contains(time));
+        let inside = |frame: &usize| film.times.get(*frame).is_some_and(|time| part.contains(time));
         let frames: Vec<usize> =
             (0..film.times.len()).filter(|frame| doubled.binary_search(frame).is_err()).filter(inside).collect();
         if frames.is_empty() {
@@ -119,6 +122,27 @@ fn said(finding: &Finding) -> Words {
     }
 }
 
-fn limit(name: &str, text: Option<&str>) -> Result<Option<f64>, Failure> {
-    text.map(|text| reading(name, text, None)).transpose()
+/// The part of a film that a person asks for, in seconds of the film.
+///
+/// # Errors
+/// What is no part of any film.
+pub fn part(arguments: &Arguments) -> Result<RangeInclusive<f64>, Failure> {
+    let (from, until) = (arguments.from.as_deref(), arguments.until.as_deref());
+    let part = limits(from, until, None)?;
+    let given = [("--from", from, *part.start()), ("--until", until, *part.end())];
+    for (name, text, time) in given {
+        if let Some(text) = text.filter(|_| time < 0.0) {
+            return Err(Failure::in_words(
+                words!(
+                    "{name} {text} lies before the first frame: a film begins at 0 s",
+                    "{name} {text} es anterior al primer fotograma: un vídeo empieza en 0 s"
+                ),
+                words!(
+                    "write a time of the film as a player shows it, such as {name} 1.5, or leave {name} out",
+                    "escribe un tiempo del vídeo como lo muestra un reproductor, como {name} 1.5, o quita {name}"
+                ),
+            ));
+        }
+    }
+    Ok(part)
 }

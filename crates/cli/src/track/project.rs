@@ -2,7 +2,7 @@
 
 use super::opened::refused_with;
 use crate::failure::Failure;
-use analysis::tracker::{self, Film, Project};
+use analysis::tracker::{self, Film, Project, TrackerError};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -24,26 +24,43 @@ pub fn refusal(path: &Path) -> Option<Failure> {
         return None;
     }
     file.take(MOST_BYTES).read_to_end(&mut bytes).ok()?;
-    let project = tracker::read(bytes).ok().map(|opened| opened.project);
+    let read = tracker::read(bytes);
+    if let Err(error @ TrackerError::Tabs { .. }) = &read {
+        let hint = Words::each(|language| error.hint(language).to_owned());
+        return Some(refused_with(path, Words::each(|language| error.message(language)), hint));
+    }
+    let project = read.ok().map(|opened| opened.project);
     if project.is_none() && !is_text {
         return None;
     }
     let why = words("it is a project of Tracker, not a film", "es un proyecto de Tracker, no un vídeo");
-    Some(refused_with(path, why, hint(path, project)))
+    Some(refused_with(path, why, hint(path, project.as_ref())))
 }
 
-fn hint(path: &Path, project: Option<Project>) -> Words {
+fn hint(path: &Path, project: Option<&Project>) -> Words {
     let name = path.display();
-    let Some(Film { path: film, packed, .. }) = project.and_then(|project| project.film).filter(|film| !film.pictures)
-    else {
+    let Some(project) = project else {
+        return words("give the film itself", "indica el vídeo mismo");
+    };
+    let Some(Film { path: film, packed, .. }) = project.trackable() else {
+        let pictures = project.film.as_ref().filter(|film| !film.path.is_empty()).map(|film| &film.path);
+        let why = match pictures {
+            Some(pictures) => words!(
+                "it names pictures, `{pictures}`, and no film that can be tracked here",
+                "nombra imágenes, «{pictures}», y ningún vídeo que se pueda seguir aquí"
+            ),
+            None => words("it names no film", "no nombra ningún vídeo"),
+        };
         return words!(
-            "give the film itself; the positions of the project are read by `meniscus fit` and `meniscus cycles {name}`",
-            "indica el vídeo mismo; las posiciones del proyecto las leen «meniscus fit» y «meniscus cycles {name}»"
+            "{why}; `meniscus fit` and `meniscus cycles {name}` read its positions",
+            "{why}; «meniscus fit» y «meniscus cycles {name}» leen sus posiciones",
+            why = why,
+            name = Words::same(name.to_string())
         );
     };
     let beside = path.parent().unwrap_or_else(|| Path::new("")).join(film.replace('\\', "/"));
     if let Some(packed) = packed {
-        let inside = packed.name;
+        let inside = &packed.name;
         words!(
             "its film `{inside}` is in this archive: extract it (unzip {name} '{inside}') and track that",
             "su vídeo «{inside}» está en este archivo: extráelo (unzip {name} '{inside}') y sigue ese"

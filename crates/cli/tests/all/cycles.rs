@@ -154,7 +154,6 @@ fn what_cannot_be_read_is_refused_with_the_remedy() {
         &["has no column `z`", "its columns are t and y", "--observe z=COLUMN"],
     );
     refused(good.as_bytes(), &["--observe", "y=t"], &["t is what the others are measured against"]);
-    refused(good.as_bytes(), &["--from", "soon"], &["--from soon is no time", "--from 1.5"]);
     refused(good.as_bytes(), &["--from", "3.5"], &["does not oscillate", "(15 rows)"]);
     let done = meniscus(&["cycles", "no-such-file.txt"]);
     assert_eq!(done.code, 2);
@@ -264,4 +263,30 @@ fn clock_times_are_seconds_and_times_of_no_use_are_refused() {
     let still: String = rows().iter().map(|(_, y)| format!("12:00:00,{y}\n")).collect();
     let expected = ["y cannot be measured against t: its times are missing or all the same", "10:00:00.050"];
     refused(format!("t,y\n{still}").as_bytes(), &[], &expected);
+}
+
+#[test]
+fn limits_that_make_no_sense_are_refused() {
+    let cases: [(&[&str], &[&str]); 9] = [
+        (&["--from", "soon"], &["--from soon is not a number", "such as --from 1.5", "'1500 [ms]'"]),
+        (&["--from", "1 [kg]"], &["--from 1 [kg]: kg is not a unit of time", "such as --from 1.5"]),
+        (&["--until", "2 cm"], &["--until 2 cm: cm is not a unit of time"]),
+        (&["--from", "1 [parsec]"], &["--from 1 [parsec]: `parsec` is not a known unit"]),
+        (&["--until", "inf"], &["--until inf is not a finite number", "leave --until out"]),
+        (&["--from", "NaN"], &["--from NaN is not a finite number"]),
+        (&["--from", "1e999"], &["--from 1e999 is not a finite number"]),
+        (&["--from", "2", "--until", "1"], &["--until 1 is not after --from 2", "give --until a later time"]),
+        (&["--from", "1500 [ms]", "--until", "1.5"], &["--until 1.5 is not after --from 1500 [ms]"]),
+    ];
+    for (words, expected) in cases {
+        refused(text("t\ty", false).as_bytes(), words, expected);
+    }
+    // A record may begin before zero, as one that is synchronized at an event does.
+    let (_directory, path) = directory_with("run.txt", text("t\ty", false).as_bytes());
+    assert_eq!(cycles(&path, &["--from", "-1"]).code, 0);
+    let spanish = cycles(&path, &["--from", "1 [kg]", "--language", "es"]);
+    assert!(spanish.stderr.contains("kg no es una unidad de tiempo"), "{}", spanish.stderr);
+    // Against an angle.
+    let angles = rows().iter().fold("phi [deg],y\n".to_owned(), |text, (t, y)| format!("{text}{},{y}\n", t * 90.0));
+    refused(angles.as_bytes(), &["--from", "1 [s]"], &["in deg, and s is another kind of unit", "--from '1 [deg]'"]);
 }

@@ -58,6 +58,20 @@ fn a_fit_gives_values_in_declared_units_with_both_errors() {
 }
 
 #[test]
+fn a_best_value_at_an_end_of_its_range_is_in_doubt() {
+    let directory = tempfile::tempdir().unwrap();
+    let data = record(directory.path(), "run.txt", 0.4, 0.1);
+    let words = ["fit", COSINE, word(&data), "--observe", "y", "--bounds", "gamma=0..0.25"];
+    let doubt = "gamma = 0.25 1/s is in doubt: it stands at an end of the range in which it was searched";
+    let text = meniscus(&words);
+    assert!(text.code == 0 && text.stdout.contains(doubt), "{}", text.stdout);
+    let fit = object(&meniscus(&[&words[..], &["--format", "json"]].concat()));
+    assert_eq!(fit["parameters"]["gamma"]["at_bound"], true);
+    assert!(fit["remarks"][0].as_str().is_some_and(|remark| remark.starts_with(doubt)), "{}", fit["remarks"]);
+    assert!(!meniscus(&words[..5]).stdout.contains("is in doubt"));
+}
+
+#[test]
 fn what_the_data_cannot_determine_is_named() {
     let directory = tempfile::tempdir().unwrap();
     let data = record(directory.path(), "run.txt", 0.1, 0.02);

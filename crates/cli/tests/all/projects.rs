@@ -50,3 +50,39 @@ fn a_project_in_place_of_a_film_names_its_film() {
     let packed = written(&directory.path().join("a.trz"), &archive.finish());
     assert!(track(&packed).contains("extract it"), "{}", track(&packed));
 }
+
+#[test]
+fn a_project_without_a_film_or_with_pictures_is_not_sent_to_a_film() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let track = |name: &str, text: &str| {
+        let file = written(&directory.path().join(name), text.as_bytes());
+        let done = meniscus(&["track", &file, "--body", "10,10"]);
+        assert_eq!((done.code, done.stdout.as_str()), (2, ""));
+        done.stderr
+    };
+    let pictures = track("pictures.trk", STEADY);
+    assert!(
+        pictures.contains("it names pictures, `videos/a00.jpg`, and no film that can be tracked here"),
+        "{pictures}"
+    );
+    assert!(pictures.contains("read its positions"), "{pictures}");
+    let begin = STEADY.find("        <property name=\"video\"").expect("a film");
+    let end = STEADY.find("        <property name=\"startframe\"").expect("a clip");
+    let none = track("none.trk", &format!("{}{}", &STEADY[..begin], &STEADY[end..]));
+    assert!(none.contains("it names no film"), "{none}");
+    let tabs = "<object class=\"org.opensourcephysics.cabrillo.tracker.TFrame\"><property name=\"tabs\"><property name=\"[0]\">\
+                <property name=\"[0]\">/lab/a.trk</property><property name=\"[1]\">a.trk</property></property></property></object>";
+    let tabs = track("tabs.trk", tabs);
+    assert!(tabs.contains("a set of tabs of Tracker, and not a project; it names a.trk"), "{tabs}");
+    assert!(tabs.contains("open them one by one"), "{tabs}");
+}
+
+#[test]
+fn numbers_of_frames_are_not_taken_for_seconds() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let project = STEADY.replace("name=\"delta_t\"", "name=\"other\"");
+    let file = written(&directory.path().join("a.trk"), project.as_bytes());
+    let done = meniscus(&["cycles", &file, "--observe", "y"]);
+    assert_eq!(done.code, 2);
+    assert!(done.stderr.contains("`frames`, the unit of frame, is not a known unit"), "{}", done.stderr);
+}

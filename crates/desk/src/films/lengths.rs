@@ -1,5 +1,7 @@
 //! What a person says of lengths in a film.
 
+use crate::films::subject::Subject;
+
 /// What a person says of lengths: marks are pixels of the upright picture, lengths are texts with a unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CalibrationForm {
@@ -11,6 +13,27 @@ pub struct CalibrationForm {
     pub axis: Option<[f64; 2]>,
     /// Where the ruler is, if it is not where the motion is.
     pub parallax: Option<ParallaxForm>,
+}
+
+/// What a calibration lacks before a record of it can be compared with a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lacking {
+    /// A length: the record is in pixels.
+    Lengths,
+    /// The zero of the height: heights count from the bottom of the picture.
+    Origin,
+}
+
+impl CalibrationForm {
+    /// What is still to be clicked. A column in a tube needs its zero, since models count its height from the level of rest; a body
+    /// may start anywhere.
+    pub fn lacking(&self, subject: &Subject) -> Option<Lacking> {
+        if self.lengths == LengthsForm::Pixels {
+            return Some(Lacking::Lengths);
+        }
+        let needs_zero = matches!(subject, Subject::Surfaces(_)) && self.origin.is_none();
+        needs_zero.then_some(Lacking::Origin)
+    }
 }
 
 /// How lengths are found.

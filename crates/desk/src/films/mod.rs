@@ -28,7 +28,7 @@ pub(crate) mod work;
 pub use clip::Clip;
 pub use doubt::{Doubt, DoubtfulFrame};
 pub use identity::FilmIdentity;
-pub use lengths::{CalibrationForm, LengthsForm, ParallaxForm};
+pub use lengths::{CalibrationForm, Lacking, LengthsForm, ParallaxForm};
 pub use opening::FilmOpening;
 pub use project::ProjectFilm;
 pub use recipe::{CameraSettings, FILMED_SIZE, FilmRecipe};

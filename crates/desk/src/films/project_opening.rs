@@ -77,7 +77,7 @@ impl Desk {
         found.frames.dedup_by_key(|frame| frame.0);
         let ends = clip.ends(part);
         let step = own.project.clip.stretch().is_none().then_some(1000.0 * own.project.clip.interval);
-        let times = step.map(|milliseconds| Remark::FilmTimes { milliseconds });
+        let times = step.map(|step| Remark::FilmTimes { milliseconds: Some(step).filter(|step| step.is_finite()) });
         let note = Words::each(|language| times.as_ref().map(|times| times.text(language)).unwrap_or_default());
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
         open.notes.extend(times.is_some().then_some(note));
@@ -89,9 +89,15 @@ impl Desk {
     /// Writes the film's record in place of that of the project; what was said of the project and still holds stays.
     fn keep_remarks(&mut self, id: u32, times: Option<Remark>) -> Result<(), Refusal> {
         let of_project = |finding: &Finding| match finding {
-            Finding::Project(remark) => {
-                !matches!(remark, Remark::ConstantStep { .. } | Remark::ListedTimes { .. } | Remark::Calibration { .. })
-            }
+            Finding::Project(remark) => !matches!(
+                remark,
+                Remark::ConstantStep { .. }
+                    | Remark::FrameNumbers { .. }
+                    | Remark::NoClipControl { .. }
+                    | Remark::NoClip
+                    | Remark::ListedTimes { .. }
+                    | Remark::Calibration { .. }
+            ),
             _ => false,
         };
         let before: Vec<Finding> = times.map(Finding::Project).into_iter().collect();

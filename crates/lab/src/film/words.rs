@@ -89,7 +89,7 @@ table_of_words! {
     acts: "From film to record", "Del vídeo al registro";
     act_film: "Film", "Vídeo";
     act_follow: "Click what moves", "Haz clic en lo que se mueve";
-    act_lengths: "Click the ruler", "Haz clic en la regla";
+    act_lengths: "Click the ruler and the origin", "Haz clic en la regla y en el origen";
     act_record: "Record", "Registro";
     times: "Times and part", "Tiempos y parte";
     factor: "Slow motion, factor", "Cámara lenta, factor";
@@ -117,6 +117,7 @@ table_of_words! {
     hint_ruler: "Two marks and the length between them; without a ruler the record stays in pixels. The origin is the point at which the quantity of the model is zero.", "Dos marcas y la longitud entre ellas; sin regla, el registro queda en píxeles. El origen es el punto en el que la magnitud del modelo es cero.";
     click_ruler: "Two marks", "Dos marcas";
     set_origin: "Origin", "Origen";
+    lacks_origin: "The origin is missing: choose Origin and click the height that is zero in the model, such as the level of rest. Until then heights count from the bottom of the picture.", "Falta el origen: elige Origen y haz clic en la altura que es cero en el modelo, como el nivel de reposo. Hasta entonces las alturas se cuentan desde el borde inferior de la imagen.";
     set_axis: "x axis", "Eje x";
     length: "Length", "Longitud";
     intervals: "Marks divide it into", "Las marcas la dividen en";

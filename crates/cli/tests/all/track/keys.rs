@@ -114,7 +114,10 @@ fn clicks_that_the_film_does_not_have_are_refused() {
         ),
         (&["--body", "50,42 200,50@1"], ["--body 200,50 lies outside the picture", "160 pixels wide"]),
         (&["--body", "50,42 60,50"], ["60,50: say at which time of the film it is there", "60,50@3.5"]),
-        (&["--body", "50,42 60,50@soon"], ["60,50@soon: a time is in seconds", "@3500[ms]"]),
+        (
+            &["--body", "50,42 60,50@soon"],
+            ["60,50@soon: `soon` does not begin with a number; a time is in seconds", "@3500[ms]"],
+        ),
         (&["--surface", "50,42,7"], ["a surface has no radius", "255,130"]),
     ];
     for (words, expected) in cases {

@@ -277,6 +277,44 @@ fn what_cannot_be_tracked_is_refused_with_words() {
 }
 
 #[test]
+fn quantities_that_make_no_sense_are_refused() {
+    let (_folder, film) = tubes_film();
+    let cases: [(&[&str], &[&str]); 22] = [
+        (&["--from", "1 [kg]"], &["--from 1 [kg]: kg is not a unit of time", "such as --from 1.5"]),
+        (&["--until", "1 [m/s]"], &["--until 1 [m/s]: m/s is not a unit of time"]),
+        (&["--from", "-1"], &["--from -1 lies before the first frame", "a film begins at 0 s", "leave --from out"]),
+        (&["--until", "-500 [ms]"], &["--until -500 [ms] lies before the first frame"]),
+        (&["--until", "inf"], &["--until inf is not a finite number", "leave --until out"]),
+        (&["--from", "NaN"], &["--from NaN is not a finite number"]),
+        (&["--from", "1", "--until", "1"], &["--until 1 is not after --from 1: nothing lies between them"]),
+        (&["--from", "2 [s]", "--until", "1900 [ms]"], &["--until 1900 [ms] is not after --from 2 [s]"]),
+        (&["--exposure", "1 [kg]"], &["--exposure", "kg is not a unit of time: write auto, or a time"]),
+        (&["--exposure", "-0.01"], &["no exposure is negative: write auto"]),
+        (&["--exposure", "inf"], &["inf is not a finite number"]),
+        (&["--readout", "NaN"], &["NaN is not a finite number"]),
+        (&["--readout", "20 [mm]"], &["mm is not a unit of time"]),
+        (&["--readout", "60"], &["no camera takes 10 s or more for a frame"]),
+        (&["--rate", "-8"], &["--rate -8 is not possible: the factor is greater than zero and finite", "such as 8"]),
+        (&["--rate", "inf"], &["--rate inf is not possible"]),
+        (&["--rate", "8 [s]"], &["write a number without a unit, such as 8"]),
+        (&["--scale", "10,10,110,10=20"], &["the distance 20 has no unit: write two marks and their distance"]),
+        (&["--scale", "10,10,110,10=20 [s]"], &["s is not a unit of length"]),
+        (&["--scale", "10,10,110,10=-20 [cm]"], &["greater than zero, not -20 cm"]),
+        (&["--scale", "10,10,110,10=inf"], &["inf is not a finite number"]),
+        (&["--scale", "10,10,110=20 [cm]"], &["10,10,110 is not two points"]),
+    ];
+    for (words, expected) in cases {
+        let done = track(&film, &[&["--surface", "50,42"], words].concat());
+        assert_eq!((done.code, done.stdout.as_str()), (2, ""), "{words:?}");
+        for part in expected {
+            assert!(done.stderr.contains(part), "{words:?} lacks «{part}»:\n{}", done.stderr);
+        }
+    }
+    let spanish = track(&film, &["--surface", "50,42", "--from", "-1", "--language", "es"]);
+    assert!(spanish.stderr.contains("un vídeo empieza en 0 s"), "{}", spanish.stderr);
+}
+
+#[test]
 fn a_table_in_pixels_is_no_table_of_lengths() {
     let (folder, film) = tubes_film();
     let table = folder.path().join("tubes.csv");

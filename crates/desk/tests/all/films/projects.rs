@@ -138,6 +138,22 @@ fn the_film_has_positions_scale_and_part_of_the_project_and_its_own_times() {
 }
 
 #[test]
+fn a_project_without_a_duration_gets_the_times_of_its_film() {
+    let untimed = |text: String| text.replace("delta_t", "other_t");
+    let mut desk = laboratory();
+    desk.add_record("swing.trz", &packed(1, untimed)).unwrap();
+    let assumed =
+        |desk: &Desk| desk.records()[0].findings.iter().any(|finding| finding.contains("no duration is assumed"));
+    assert!(assumed(&desk), "{:?}", desk.records()[0].findings);
+    let film = desk.take_project_film().expect("its film is in the archive");
+    assert_eq!(desk.open_project_film(&film, identity("swing.mp4"), container(40)), Ok(FilmOpening::New));
+    assert!((columns(&desk)[0][0] - 1.0 / RATE).abs() < 1e-5 && !assumed(&desk), "{:?}", desk.records()[0].findings);
+    assert_eq!(desk.film().expect("it is open").factor(), 1.0);
+    let said = "Times are those of the frames of its film.";
+    assert!(desk.records()[0].findings.iter().any(|finding| finding == said), "{:?}", desk.records()[0].findings);
+}
+
+#[test]
 fn several_masses_are_bodies_with_key_frames() {
     let (desk, opening) = opened(2, |text| text);
     assert_eq!(opening, Ok(FilmOpening::New));

@@ -1,8 +1,8 @@
 //! Records of films beside others: their reports, their files, their errors.
 
-use super::{columns, laboratory, tracked};
+use super::{columns, laboratory, ruler, surface, tracked};
 use crate::support::followed;
-use desk::{Desk, ExportKind, Imprint};
+use desk::{CalibrationForm, Desk, ExportKind, FilmedBody, Imprint, Lacking, Subject};
 use figure::{Ink, Item, Settings};
 use play::PlotId;
 
@@ -93,4 +93,21 @@ fn errors_are_drawn_and_a_fit_says_where_some_are_missing() {
     let sentences = desk.fit_detail(desk.fits()[0].id).unwrap().sentences;
     let said = "swing.csv: 3 of 60 values of y have no standard error in the column `sigma_`";
     assert!(sentences.iter().any(|one| one.starts_with(said)), "{sentences:?}");
+}
+
+#[test]
+fn a_column_needs_its_zero_and_a_body_does_not() {
+    let body = Subject::Bodies(vec![FilmedBody { keys: Vec::new(), radius: None }]);
+    let complete = ruler();
+    let unset = CalibrationForm { origin: None, ..complete.clone() };
+    let cases = [
+        (&complete, surface(), None),
+        (&unset, surface(), Some(Lacking::Origin)),
+        (&unset, body.clone(), None),
+        (&CalibrationForm::default(), surface(), Some(Lacking::Lengths)),
+        (&CalibrationForm::default(), body, Some(Lacking::Lengths)),
+    ];
+    for (form, subject, expected) in cases {
+        assert_eq!(form.lacking(&subject), expected, "{form:?} {subject:?}");
+    }
 }

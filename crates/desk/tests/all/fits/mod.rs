@@ -57,3 +57,15 @@ fn fit(desk: &mut Desk) -> FitDetail {
     let last = desk.fits().iter().map(|fit| fit.id).max().unwrap();
     desk.fit_detail(last).unwrap()
 }
+
+#[test]
+fn a_best_value_at_an_end_of_its_range_is_in_doubt() {
+    for (damping, doubtful) in [(-0.1, true), (DAMPING, false)] {
+        let mut desk = Desk::open(theory("linear"));
+        // What grows has a negative damping, and the theory allows none.
+        desk.add_record("grows.txt", film(0.24, damping, 1).as_bytes()).unwrap();
+        let detail = fit(&mut desk);
+        let doubt = "gamma = 0 1/s is in doubt: it stands at an end of the range";
+        assert_eq!(detail.sentences.iter().any(|one| one.starts_with(doubt)), doubtful, "{:?}", detail.sentences);
+    }
+}

@@ -3,8 +3,9 @@
 use super::tool::{fold, tool_button};
 use crate::app::App;
 use crate::film::aim::Tool;
+use crate::film::state::Now;
 use crate::film::{calibrating, words};
-use desk::ParallaxForm;
+use desk::{Lacking, ParallaxForm};
 use view::views::*;
 
 /// The ruler, and what is asked more rarely.
@@ -49,12 +50,19 @@ pub fn view(app: App) -> View {
         Some(length) => View::from(note(format!("{} {length}.", words.ruler_is))),
         None => View::new(),
     });
+    let lacks_origin = memo(move || {
+        let lacking = |now: &Now| now.form.lacking(&now.subject) == Some(Lacking::Origin);
+        films.now.with(|now| now.as_deref().is_some_and(lacking))
+    });
     View::from((
         note(words.hint_ruler),
         ruler,
         tools,
         fields,
         p().class("film-scale").id("film-scale").role("status").child(text(scale)),
+        changing(move || {
+            if lacks_origin.get() { note(words.lacks_origin).id("film-lacks-origin").into() } else { View::new() }
+        }),
         fold(words.more_lengths).child(rectangle(app)).child(parallax(app)),
         pixels,
     ))

@@ -10,7 +10,6 @@ mod truth;
 
 use super::{camera, filming, opening, words};
 use crate::app::App;
-use desk::LengthsForm;
 use view::icons;
 use view::views::*;
 use web_sys::HtmlInputElement;
@@ -90,5 +89,5 @@ fn act(
 fn done(app: App) -> [bool; 4] {
     let now = app.films.now.get_clone();
     let Some(now) = now else { return [false; 4] };
-    [true, !now.subject.is_nothing(), now.form.lengths != LengthsForm::Pixels, now.record.is_some()]
+    [true, !now.subject.is_nothing(), now.form.lacking(&now.subject).is_none(), now.record.is_some()]
 }

@@ -26,6 +26,8 @@ pub fn film(app: App, recipe: FilmRecipe) {
     app.films.filming.set(Some([0, recipe.settings.frames()]));
     wasm_bindgen_futures::spawn_local(async move {
         let filmed = shoot(app, &recipe).await;
+        // The film is opened and shown in tasks of their own.
+        browser::breathe().await;
         let cancelled = app.films.filming.take().is_none();
         match filmed {
             _ if cancelled => {}
@@ -42,12 +44,16 @@ pub fn film(app: App, recipe: FilmRecipe) {
 /// The frames and the truth, or why there are none.
 async fn shoot(app: App, recipe: &FilmRecipe) -> Result<(Vec<Plane>, FilmTruth), String> {
     let words = crate::film::words::of(app);
+    // What has been clicked is shown first. Each step of the preparation is a task of its own.
+    browser::breathe().await;
     let play = app.with(|lab| {
         let desk = lab.desk.as_ref()?;
         Some(desk.filmed_play(recipe).map_err(|why| desk.refusal_text(&why)))
     });
     let mut play = play.flatten().unwrap_or_else(|| Err(words.no_document.to_owned()))?;
+    browser::breathe().await;
     let mut drawing = Drawing::of(&mut play).ok_or_else(|| words.not_drawn.to_owned())?;
+    browser::breathe().await;
     let settings = recipe.settings;
     let noise = Noise::new(settings.noise, u64::from(settings.seed));
     let mut clock = Slices::new();
@@ -70,6 +76,7 @@ async fn shoot(app: App, recipe: &FilmRecipe) -> Result<(Vec<Plane>, FilmTruth),
         let (begin, end) =
             (at(&mut play, time - settings.exposure / 2.0), at(&mut play, time + settings.exposure / 2.0));
         let middle = at(&mut play, time);
+        clock.breathe().await;
         let count = (DRAWINGS_PER_PIXEL * farthest(&begin, &end)).ceil().clamp(1.0, MOST_DRAWINGS) as usize;
         let mut exposure: Option<Exposure> = None;
         for instant in instants(time, settings.exposure, count) {
@@ -83,6 +90,7 @@ async fn shoot(app: App, recipe: &FilmRecipe) -> Result<(Vec<Plane>, FilmTruth),
             clock.breathe().await;
         }
         planes.extend(exposure.and_then(|exposure| exposure.develop(&noise, frame as u64)));
+        clock.breathe().await;
         truth.parts.iter_mut().zip(middle).for_each(|(part, place)| part.push(place));
         if app.films.filming.get_untracked().is_none() {
             return Err(String::new());

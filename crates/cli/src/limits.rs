@@ -1,0 +1,105 @@
+//! `--from` and `--until`: which part of a record or of a film is used.
+
+use crate::failure::Failure;
+use std::ops::RangeInclusive;
+use units::{Dimension, Unit, words};
+
+/// The part from `from` to `until` in SI units, unlimited where one is not stated. A number without a unit is in `unit`, that of the
+/// file, and in seconds where the file has none.
+///
+/// # Errors
+/// A limit that is no finite number, or in another kind of unit, and an end that is not after the beginning.
+pub fn limits(from: Option<&str>, until: Option<&str>, unit: Option<&Unit>) -> Result<RangeInclusive<f64>, Failure> {
+    let limit = |name: &'static str, text: Option<&str>| text.map(|text| reading(name, text, unit)).transpose();
+    let (begin, end) = (limit("--from", from)?, limit("--until", until)?);
+    if let (Some(begin), Some(end)) = (begin, end)
+        && end <= begin
+    {
+        let (from, until) = (from.unwrap_or_default(), until.unwrap_or_default());
+        return Err(Failure::in_words(
+            words!(
+                "--until {until} is not after --from {from}: nothing lies between them",
+                "--until {until} no es posterior a --from {from}: no hay nada entre ellos"
+            ),
+            words(
+                "give --until a later time than --from, or leave one of them out",
+                "da a --until un tiempo posterior al de --from, o quita uno de los dos",
+            ),
+        ));
+    }
+    Ok(begin.unwrap_or(f64::NEG_INFINITY)..=end.unwrap_or(f64::INFINITY))
+}
+
+/// A value of the independent variable: `1.5` in the unit of the file, `1500 ms` or `1500 [ms]` in its own. The answer is SI.
+fn reading(name: &'static str, text: &str, unit: Option<&Unit>) -> Result<f64, Failure> {
+    let text = text.trim();
+    let hint = || {
+        words!(
+            "write a number, such as {name} 1.5, or one with its unit, such as {name} '1500 [ms]'",
+            "escribe un número, como {name} 1.5, o uno con su unidad, como {name} '1500 [ms]'"
+        )
+    };
+    let end = text.find(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c))).unwrap_or(text.len());
+    let (number, rest) = text.split_at(end);
+    let Some(value) = number.trim().parse::<f64>().ok() else {
+        let infinite = text.parse::<f64>().is_ok();
+        return Err(if infinite { unbounded(name, text) } else { wrong(name, text, hint()) });
+    };
+    if !value.is_finite() {
+        return Err(unbounded(name, text));
+    }
+    let rest = rest.trim().trim_start_matches('[').trim_end_matches(']').trim();
+    if rest.is_empty() {
+        return Ok(unit.map_or(value, |unit| unit.to_si(value)));
+    }
+    let Ok(own) = Unit::parse(rest) else {
+        return Err(Failure::in_words(
+            words!("{name} {text}: `{rest}` is not a known unit", "{name} {text}: «{rest}» no es una unidad conocida"),
+            hint(),
+        ));
+    };
+    if own.dimension == unit.map_or(Dimension::TIME, |unit| unit.dimension) {
+        return Ok(own.to_si(value));
+    }
+    Err(match unit.filter(|unit| unit.dimension != Dimension::TIME) {
+        None => Failure::in_words(
+            words!("{name} {text}: {rest} is not a unit of time", "{name} {text}: {rest} no es una unidad de tiempo"),
+            hint(),
+        ),
+        Some(Unit { text: of_file, .. }) => Failure::in_words(
+            words!(
+                "{name} {text}: the file measures against a column in {of_file}, and {rest} is another kind of unit",
+                "{name} {text}: el archivo mide frente a una columna en {of_file}, y {rest} es otra clase de unidad"
+            ),
+            words!("write {name} '{number} [{of_file}]'", "escribe {name} '{number} [{of_file}]'"),
+        ),
+    })
+}
+
+fn wrong(name: &str, text: &str, hint: units::Words) -> Failure {
+    Failure::in_words(words!("{name} {text} is not a number", "{name} {text} no es un número"), hint)
+}
+
+fn unbounded(name: &'static str, text: &str) -> Failure {
+    Failure::in_words(
+        words!("{name} {text} is not a finite number", "{name} {text} no es un número finito"),
+        words!("leave {name} out to set no limit there", "quita {name} para no poner ahí ningún límite"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_have_the_unit_of_the_file_or_their_own() {
+        let milliseconds = Unit::parse("ms").ok();
+        let from = |text: &str, unit: Option<&Unit>| limits(Some(text), None, unit).ok().map(|limits| *limits.start());
+        assert_eq!(from("1.5", None), Some(1.5));
+        assert_eq!(from("1.5", milliseconds.as_ref()), Some(0.0015));
+        assert_eq!(from("-2e3 [ms]", None), Some(-2.0));
+        assert_eq!(from(" 2 s", milliseconds.as_ref()), Some(2.0));
+        assert_eq!(from("90 [deg]", Unit::parse("rad").ok().as_ref()), Some(std::f64::consts::FRAC_PI_2));
+        assert_eq!(limits(None, None, None).ok(), Some(f64::NEG_INFINITY..=f64::INFINITY));
+    }
+}

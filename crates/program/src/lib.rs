@@ -14,7 +14,6 @@ mod presets;
 mod program;
 mod prose;
 mod questions;
-mod quick;
 mod scene;
 mod speed;
 
@@ -35,6 +34,5 @@ pub use presets::{Assignment, Preset};
 pub use program::{Edition, Program};
 pub use prose::{Block, Section};
 pub use questions::{Question, QuestionText, Tolerance};
-pub use quick::{QuickHasher, QuickMap, QuickSet};
 pub use scene::{Attribute, Child, Drag, Dragged, Element, Piece, Scene, Template, Trail, write_attribute};
 pub use speed::Speed;

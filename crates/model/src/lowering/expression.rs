@@ -6,7 +6,8 @@ use crate::notation::quote;
 use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator, limits};
 use program::along;
 use program::functions::Function;
-use program::{Binary, Graph, Node, NodeId, QuickMap, Unary};
+use program::{Binary, Graph, Node, NodeId, Unary};
+use rustc_hash::FxHashMap;
 
 /// An unknown function as the graph sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,11 +52,11 @@ pub(crate) struct Lowered {
     /// The values of definitions; each is there before it is used.
     pub definitions: Vec<Option<NodeId>>,
     /// Derivatives that were already asked for.
-    derivatives: QuickMap<(Meaning, u32), NodeId>,
+    derivatives: FxHashMap<(Meaning, u32), NodeId>,
     /// How each state changes, once it was asked for.
-    rates: QuickMap<u32, NodeId>,
+    rates: FxHashMap<u32, NodeId>,
     /// Values at the start that were already asked for.
-    starts: QuickMap<NodeId, NodeId>,
+    starts: FxHashMap<NodeId, NodeId>,
     /// Where dry friction stands.
     pub frictions: Calls,
 }
@@ -238,7 +239,7 @@ impl Lowering<'_> {
 }
 
 /// The rate of change along a solution of the equations. `rates` are those of the states, once they were asked for.
-fn total_derivative(graph: &mut Graph, chains: &[Chain], rates: &mut QuickMap<u32, NodeId>, node: NodeId) -> NodeId {
+fn total_derivative(graph: &mut Graph, chains: &[Chain], rates: &mut FxHashMap<u32, NodeId>, node: NodeId) -> NodeId {
     let (one, unknown) = (graph.constant(1.0), graph.constant(f64::NAN));
     let unset = if rates.is_empty() { chains } else { &[] };
     for chain in unset {

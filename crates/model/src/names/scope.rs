@@ -1,8 +1,8 @@
 //! What each name of a model means.
 
 use crate::tables::TableFunction;
-use program::QuickMap;
 use program::functions::FUNCTIONS;
+use rustc_hash::FxHashMap;
 use std::collections::HashMap;
 use units::nearest;
 
@@ -26,7 +26,7 @@ pub(crate) enum Meaning {
 pub(crate) struct Scope {
     /// The name of the independent variable.
     pub independent: String,
-    meanings: QuickMap<String, Meaning>,
+    meanings: FxHashMap<String, Meaning>,
     /// In the order of declaration, so that offers do not depend on the hash.
     names: Vec<String>,
     /// The functions of the author's own.
@@ -62,7 +62,7 @@ impl Scope {
     pub fn new(independent: &str) -> Self {
         let mut scope = Self {
             independent: independent.to_owned(),
-            meanings: QuickMap::default(),
+            meanings: FxHashMap::default(),
             names: Vec::new(),
             functions: Vec::new(),
             tables: HashMap::new(),

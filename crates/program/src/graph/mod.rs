@@ -15,7 +15,7 @@ pub(crate) use differentiate::differentiate_through;
 pub use differentiate::{Variable, along, differentiate, differentiate_all};
 pub use interpolation::{Course, Interpolation, OfDrawing};
 
-use crate::QuickMap;
+use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -156,7 +156,7 @@ struct Written {
 #[serde(try_from = "Written", into = "Written")]
 pub struct Graph {
     nodes: Vec<Node>,
-    known: QuickMap<Node, NodeId>,
+    known: FxHashMap<Node, NodeId>,
     systems: Vec<LinearSystem>,
     interpolations: Vec<Arc<Interpolation>>,
 }

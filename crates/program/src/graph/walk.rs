@@ -1,7 +1,8 @@
 //! Going through a graph. Operands have smaller numbers than the node that uses them, so every pass is one loop over
 //! numbers: no recursion, however deep an expression is.
 
-use crate::{Graph, Node, NodeId, QuickMap, QuickSet};
+use crate::{Graph, Node, NodeId};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A set of less than this part of the nodes is found without going through all of them.
 const SMALL_PART: usize = 32;
@@ -42,7 +43,7 @@ impl Graph {
         for root in roots {
             needed[root.0 as usize] = true;
         }
-        let mut systems = QuickSet::default();
+        let mut systems = FxHashSet::default();
         for number in (0..needed.len()).rev() {
             if !needed[number] {
                 continue;
@@ -63,8 +64,8 @@ impl Graph {
         if roots.len() > most {
             return None;
         }
-        let mut found: QuickSet<NodeId> = QuickSet::default();
-        let mut systems = QuickSet::default();
+        let mut found: FxHashSet<NodeId> = FxHashSet::default();
+        let mut systems = FxHashSet::default();
         let mut waiting = roots.to_vec();
         while let Some(id) = waiting.pop() {
             if !found.insert(id) || matches!(self.node(id), Node::Solution { system, .. } if !systems.insert(system)) {
@@ -127,8 +128,8 @@ fn rebuild(
     roots: &[NodeId],
     mut replace: impl FnMut(&mut Graph, NodeId, Node) -> Option<NodeId>,
 ) -> Vec<NodeId> {
-    let mut rebuilt: QuickMap<NodeId, NodeId> = QuickMap::default();
-    let mut systems: QuickMap<u32, u32> = QuickMap::default();
+    let mut rebuilt: FxHashMap<NodeId, NodeId> = FxHashMap::default();
+    let mut systems: FxHashMap<u32, u32> = FxHashMap::default();
     for id in source.unwrap_or(target).reachable(roots) {
         let node = match source.unwrap_or(target).node(id) {
             input

@@ -1,5 +1,6 @@
 //! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
 
+use crate::extent::Extent;
 use model::{Compiler, Diagnostic, Expression, ExpressionKind, Functions, Places, Span, StatedUnit, StatementKind};
 use program::{Assignment, Choices, Compiled, Graph, Kind, Model, Node};
 use std::collections::BTreeMap;
@@ -397,30 +398,4 @@ pub fn dimension_error(
     Diagnostic::error("dimension-mismatch", message, found.0)
         .saying(describe(found.1))
         .with_label(expected.0, describe(expected.1))
-}
-
-/// How large an expression is.
-#[derive(Default)]
-struct Extent {
-    nodes: usize,
-    /// How many levels it has.
-    depth: usize,
-    /// Whether something in it could not be read.
-    has_gap: bool,
-}
-
-impl Extent {
-    fn of(expression: &Expression) -> Self {
-        let mut extent = Self::default();
-        extent.add(expression, 1);
-        extent
-    }
-
-    /// Counts what stands at this level and below.
-    fn add(&mut self, expression: &Expression, level: usize) {
-        self.nodes += 1;
-        self.depth = self.depth.max(level);
-        self.has_gap |= matches!(expression.kind, ExpressionKind::Error);
-        expression.for_each_operand(|operand| self.add(operand, level + 1));
-    }
 }

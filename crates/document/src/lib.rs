@@ -16,6 +16,7 @@ pub mod drawing;
 pub mod edit;
 mod edition;
 mod expressions;
+mod extent;
 mod fences;
 mod findings;
 pub mod form;

@@ -246,7 +246,7 @@ impl Finding {
                         "all lengths share the standard error of the film's scale, {percent} %, which fits take into account"
                     ),
                     format!(
-                        "todas las longitudes comparten el error típico de la escala del vídeo, {percent} %, que los ajustes tienen \
+                        "todas las longitudes comparten el error estándar de la escala del vídeo, {percent} %, que los ajustes tienen \
                          en cuenta"
                     ),
                 )

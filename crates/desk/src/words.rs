@@ -82,7 +82,7 @@ pub(crate) fn missing_errors(language: Language, record: &str, name: &str, (miss
              values equally. Complete the column or remove these rows."
         ),
         format!(
-            "{record}: {missing} de {rows} valores de {name} no tienen error típico en la columna `sigma_`, así que el ajuste \
+            "{record}: {missing} de {rows} valores de {name} no tienen error estándar en la columna `sigma_`, así que el ajuste \
              pondera todos los valores por igual. Completa la columna o quita esas filas."
         ),
     )
@@ -136,12 +136,12 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
         ),
         FitError::BadScaleError(_) => language.pick(
             "The standard error of the film's scale is not greater than 0.",
-            "El error típico de la escala del vídeo no es mayor que 0.",
+            "El error estándar de la escala del vídeo no es mayor que 0.",
         ),
         FitError::BadErrors { count, .. } => {
             return language.pick(
                 format!("{count} values have a standard error that is missing or not greater than 0."),
-                format!("{count} valores tienen un error típico que falta o no es mayor que 0."),
+                format!("{count} valores tienen un error estándar que falta o no es mayor que 0."),
             );
         }
         FitError::RecordEmpty(_) => language.pick(

@@ -4,7 +4,7 @@
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from "@codemirror/commands";
 import { bracketMatching } from "@codemirror/language";
-import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { diagnosticCount, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState } from "@codemirror/state";
 import {
@@ -22,10 +22,10 @@ import { language } from "./language.js";
 import { spanish } from "./phrases.js";
 import { theme } from "./theme.js";
 
-/** So many milliseconds after the last key a text is checked, unless it is short. */
+/** So many milliseconds after the last key a text is checked, unless that is quick. */
 const REST = 150;
-/** A text with no more letters is checked at once. */
-const SHORT = 8000;
+/** Where a check takes no longer than so many milliseconds, each key has its own. */
+const QUICK = 100;
 /** Who never rests has the text checked after so many. */
 const LONGEST = 2000;
 
@@ -38,6 +38,8 @@ globalThis.meniscusEditor = (changed, propose, moved) => {
   let file = 0;
   let timer = 0;
   let since = 0;
+  /** How long the last check took, on this machine and with this text. */
+  let took = 0;
   const words = new Compartment();
   let phrases = [];
 
@@ -51,13 +53,15 @@ globalThis.meniscusEditor = (changed, propose, moved) => {
     timer = since = 0;
     const files = [...unchecked];
     unchecked.clear();
+    const begun = performance.now();
     for (const number of files) changed(number, state(number).doc.toString());
+    took = performance.now() - begun;
   };
   const later = (number) => {
     unchecked.add(number);
     since ||= Date.now();
     clearTimeout(timer);
-    const rest = state(number).doc.length <= SHORT ? 0 : REST;
+    const rest = took <= QUICK ? 0 : REST;
     timer = setTimeout(flush, Math.max(0, Math.min(rest, since + LONGEST - Date.now())));
   };
   let resting = 0;
@@ -130,7 +134,7 @@ globalThis.meniscusEditor = (changed, propose, moved) => {
     mark(found) {
       const most = view.state.doc.length;
       const within = found.map((one) => ({ ...one, from: Math.min(one.from, most), to: Math.min(one.to, most) }));
-      view.dispatch(setDiagnostics(view.state, within));
+      if (within.length || diagnosticCount(view.state)) view.dispatch(setDiagnostics(view.state, within));
     },
     /** Changes the text shown: `{ from, to, insert }`. One that has not been checked since its last change is checked instead. */
     change(changes) {

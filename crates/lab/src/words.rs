@@ -124,11 +124,12 @@ table_of_words! {
     fit_apply: "Show", "Mostrar";
     fit_open: "Open", "Abrir";
     fit_remove: "Remove the fit", "Quitar el ajuste";
+    fit_open_theory: "open in this page", "abierta en esta página";
     fit_varied: "Found", "Hallado";
     fit_all_records: "All records", "Todos los registros";
     save_report: "Report", "Informe";
     fit_all: "All of them", "Todos";
-    fit_errors: "The standard errors allow for autocorrelated residuals.", "Los errores típicos tienen en cuenta que los residuos pueden estar autocorrelacionados.";
+    fit_errors: "The standard errors allow for autocorrelated residuals.", "Los errores estándar tienen en cuenta que los residuos pueden estar autocorrelacionados.";
 
     // Writing.
     tab_write: "Write", "Escribir";

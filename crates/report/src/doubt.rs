@@ -22,7 +22,7 @@ fn at_end(one: &Estimate, task: &Task, language: Language) -> String {
         language.pick::<&str>(
             " is in doubt: it stands at an end of the range in which it was searched, and a better value may lie beyond. It has no \
              standard error, and those of the other parameters take it for exact. Widen its range, or check the theory and the units.",
-            " es dudoso: está en un extremo del intervalo en que se buscó, y puede haber un valor mejor más allá. No tiene error típico, \
+            " es dudoso: está en un extremo del intervalo en que se buscó, y puede haber un valor mejor más allá. No tiene error estándar, \
              y los de los demás parámetros lo toman por exacto. Amplíe su intervalo o revise la teoría y las unidades.",
         ),
     ]

@@ -97,7 +97,7 @@ fn curves(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
         }
         headers.push(heading(report, trace.record, &fit.name, &fit.unit.text));
         columns.push(trace.values.iter().map(|si| fit.unit.from_si(*si)).collect());
-        let name = [&fit.name, language.pick::<&str>(" standard error", " error típico")].concat();
+        let name = [&fit.name, language.pick::<&str>(" standard error", " error estándar")].concat();
         headers.push(heading(report, trace.record, &name, &fit.unit.text));
         columns.push(trace.stderr.iter().map(|si| size(&fit.unit, *si)).collect());
     }
@@ -113,10 +113,10 @@ pub fn results(report: &Report<'_>) -> Sheet {
             language.pick("Quantity", "Magnitud"),
             language.pick("Record", "Registro"),
             language.pick("Value", "Valor"),
-            language.pick("Standard error", "Error típico"),
+            language.pick("Standard error", "Error estándar"),
             language.pick(
                 "Standard error if residuals were independent",
-                "Error típico si los residuos fueran independientes",
+                "Error estándar si los residuos fueran independientes",
             ),
             language.pick("Unit", "Unidad"),
             language.pick("Rounded", "Redondeado"),

@@ -86,7 +86,7 @@ pub fn errors(page: &mut Page, report: &Report<'_>) {
             "The digits in parentheses are the standard error (68 %) in units of the last digits. It allows for residuals that \
              are correlated in time: it is the larger of the error of Newey and West and that of an autoregressive process of \
              order one.",
-            "Las cifras entre paréntesis son el error típico (68 %) en unidades de las últimas cifras. Tiene en cuenta que los \
+            "Las cifras entre paréntesis son el error estándar (68 %) en unidades de las últimas cifras. Tiene en cuenta que los \
              residuos están correlacionados en el tiempo: es el mayor entre el error de Newey y West y el de un proceso \
              autorregresivo de orden uno.",
         )
@@ -128,7 +128,7 @@ pub fn residuals(page: &mut Page, report: &Report<'_>) {
             &fixed(runs.expected, 0, style),
             " (",
             &fixed(runs.z, 1, style),
-            language.pick::<&str>(" standard deviations)", " desviaciones típicas)"),
+            language.pick::<&str>(" standard deviations)", " desviaciones estándar)"),
         ];
         page.pair(language.pick("Signs", "Signos"), &value.concat());
     }

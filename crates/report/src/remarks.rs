@@ -36,7 +36,7 @@ fn scales(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
             &plain(scale.prior, 2, language.style()),
             language.pick::<&str>(
                 "); the standard errors of lengths include it.",
-                "); los errores típicos de las longitudes lo incluyen.",
+                "); los errores estándar de las longitudes lo incluyen.",
             ),
         ]
         .concat()
@@ -79,7 +79,7 @@ fn loss(outcome: &Outcome, language: Language) -> Option<String> {
             language.pick(" changes most, by ", " es lo que más cambia, en "),
             sign,
             &fixed(most.abs(), 1, style),
-            language.pick(" standard errors.", " errores típicos."),
+            language.pick(" standard errors.", " errores estándar."),
         ]);
     }
     text.push_str(language.pick(
@@ -154,7 +154,7 @@ fn short(outcome: &Outcome, language: Language) -> Option<String> {
             language
                 .pick(
                     "The errors cannot be told from a random walk in so short a record: take the standard errors for lower limits.",
-                    "En un registro tan corto los errores no se distinguen de un paseo aleatorio: tome los errores típicos por \
+                    "En un registro tan corto los errores no se distinguen de un paseo aleatorio: tome los errores estándar por \
                      límites inferiores.",
                 )
                 .to_owned(),
@@ -172,7 +172,7 @@ fn short(outcome: &Outcome, language: Language) -> Option<String> {
         &fixed(outcome.independent, 0, style),
         language.pick(
             " independent ones. The standard errors are uncertain themselves: an interval of 95 % reaches up to ",
-            " independientes. Los propios errores típicos son inciertos: un intervalo del 95 % llega hasta ",
+            " independientes. Los propios errores estándar son inciertos: un intervalo del 95 % llega hasta ",
         ),
         &fixed(factor, 1, style),
         language.pick(" of them to either side (Student's t).", " de ellos a cada lado (t de Student)."),

@@ -78,7 +78,7 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
         language.pick("Quantity", "Magnitud"),
         language.pick("#Value", "#Valor"),
         language.pick("Unit", "Unidad"),
-        language.pick("#Standard error", "#Error típico"),
+        language.pick("#Standard error", "#Error estándar"),
         language.pick("#if residuals were independent", "#si los residuos fueran independientes"),
     ];
     if !profiles.is_empty() {

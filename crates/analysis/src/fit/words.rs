@@ -39,7 +39,7 @@ impl Outcome {
                  allow for it."
             }
             (Verdict::Structured, Spanish) => {
-                "Los residuos están autocorrelacionados: al modelo, o a la medición, le falta algo. Use los errores típicos que \
+                "Los residuos están autocorrelacionados: al modelo, o a la medición, le falta algo. Use los errores estándar que \
                  lo tienen en cuenta."
             }
             (Verdict::Unknown, English) => "There are too few values to judge the residuals.",

@@ -181,7 +181,10 @@ const MEANINGS: &[Entry] = &[
     ("hypot", ("sqrt(a^2 + b^2)", "sqrt(a^2 + b^2)")),
     ("coulomb", ("dry friction: coulomb(v, F)", "rozamiento seco: coulomb(v, F)")),
     ("uniform", ("a random number between two values", "un número al azar entre dos valores")),
-    ("normal", ("a random number with mean and standard deviation", "un número al azar con media y desviación típica")),
+    (
+        "normal",
+        ("a random number with mean and standard deviation", "un número al azar con media y desviación estándar"),
+    ),
     ("exponential", ("a random number with this mean", "un número al azar con esta media")),
     ("poisson", ("a random whole number with this mean", "un entero al azar con esta media")),
     (

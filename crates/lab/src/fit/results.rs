@@ -26,7 +26,9 @@ pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View
     let any = memo(move || listed.with(|(fits, _)| !fits.is_empty()));
     let rows = move || {
         let (fits, shown) = listed.get_clone();
-        each(fits, |fit| row(app, fit, shown, chosen))
+        // Where several theories were fitted, the row of the one that the page shows says so.
+        let several = fits.iter().any(|fit| fit.theory != fits[0].theory);
+        each(fits, |fit| row(app, fit, (shown, several), chosen))
     };
     let detail = move || match detailed.get() {
         (Some(id), several) => detail(app, id, several),
@@ -43,12 +45,15 @@ fn table(app: App, rows: View) -> HtmlDiv {
     table_in("table fits", words.fit_results, Some(head), tbody().child(rows)).id("fit-results")
 }
 
-fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) -> HtmlTr {
+fn row(app: App, fit: FitView, (shown, several): (Option<u32>, bool), chosen: Signal<Option<u32>>) -> HtmlTr {
     let words = app.words();
     let (id, selected) = (fit.id, shown == Some(fit.id));
     let records = fit.records.join(" + ");
     let name = format!("{}, {records}", fit.theory);
     let mut remarks = vec![records, format!("{}: {} / {}", words.fit_counts, fit.counts.0, fit.counts.1)];
+    if several && fit.applicable {
+        remarks.insert(0, words.fit_open_theory.to_owned());
+    }
     if !fit.predicted.is_empty() {
         remarks.push(format!("{}: {}", words.fit_predicted, fit.predicted));
     }

@@ -120,7 +120,7 @@ fn row(app: App, refusal: Refusal, choices: Choices, choice: ChoiceView, several
     let known = |known: &KnownView| value(app, refusal, choices, &choice, known);
     let known = (!choice.values.is_empty()).then(|| div().class("known").each(&choice.values, known));
     let same = choice.same.map(|same| common(app, &choice, same));
-    div().class("choice").child(varied).maybe(same).maybe(known).into()
+    div().class("varied").child(varied).maybe(same).maybe(known).into()
 }
 
 /// Whether something is one number for all records.

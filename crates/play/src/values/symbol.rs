@@ -1,4 +1,4 @@
-//! Names as plain text writes them: `omega_0` as ω₀, `y''` as y″.
+//! Names as plain text writes them: `omega_0` as ω₀, `y''` as y″, `e[j]` as e_j.
 
 use units::alphabet::greek_letter;
 
@@ -12,7 +12,10 @@ pub fn symbol(text: &str) -> String {
         } else if first == '\'' {
             rest.find(|character| character != '\'').unwrap_or(rest.len())
         } else if first == '[' {
-            member(rest).unwrap_or(1)
+            let is_behind_name = out.ends_with(char::is_alphanumeric);
+            member(rest).or_else(|| named_member(rest).filter(|_| is_behind_name)).unwrap_or(1)
+        } else if first == '.' && is_component(rest) && ends_in_symbol(&out) {
+            2
         } else {
             first.len_utf8()
         };
@@ -20,7 +23,15 @@ pub fn symbol(text: &str) -> String {
         rest = tail;
         match first {
             '\'' => out.push_str(&primes(length)),
+            '[' if length > 1 && member(piece).is_none() => {
+                out.push('_');
+                out.push_str(&name(&piece[1..length - 1]));
+            }
             '[' if length > 1 => out.extend(piece.chars().filter_map(lowered)),
+            '.' if length > 1 => {
+                out.push('_');
+                out.push_str(&piece[1..]);
+            }
             '*' => out.push('·'),
             '-' => out.push('−'),
             _ => out.push_str(&name(piece)),
@@ -37,6 +48,25 @@ fn member(text: &str) -> Option<usize> {
         !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
     };
     numbers.split(',').all(is_number).then_some(numbers.len() + 2)
+}
+
+/// How long the index of a member of a family is, with its brackets, where that is a name: `[j]`.
+fn named_member(text: &str) -> Option<usize> {
+    let (index, _) = text.strip_prefix('[')?.split_once(']')?;
+    let is_name = index.starts_with(|letter: char| letter.is_ascii_alphabetic());
+    (is_name && index.bytes().all(|byte| byte.is_ascii_alphanumeric())).then_some(index.len() + 2)
+}
+
+/// Whether a text ends in a letter with or without index, and not in a word such as the name of an event.
+fn ends_in_symbol(text: &str) -> bool {
+    (1..=3).contains(&text.chars().rev().take_while(|letter| letter.is_alphanumeric()).count())
+}
+
+/// Whether a text begins with a component of a vector: `.x`.
+fn is_component(text: &str) -> bool {
+    let mut letters = text.chars().skip(1);
+    let is_axis = letters.next().is_some_and(|axis| ('x'..='z').contains(&axis));
+    is_axis && !letters.next().is_some_and(|next| next.is_alphanumeric() || next == '_')
 }
 
 /// The lowered form of a digit; of brackets none.
@@ -87,6 +117,11 @@ mod tests {
             ("Delta_rho", "Δ_ρ"),
             ("x[12]''", "x₁₂″"),
             ("u[0,-1]", "u₀,₋₁"),
+            ("e[j]", "e_j"),
+            ("x[i]' - x[i+1]", "x_i′ − x[i+1]"),
+            ("r.x", "r_x"),
+            ("v_1.y'", "v₁_y′"),
+            ("landing.x + 2.5", "landing.x + 2.5"),
             ("1 [m]", "1 [m]"),
             ("a_", "a"),
             ("", ""),

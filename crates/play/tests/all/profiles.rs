@@ -42,7 +42,7 @@ fn a_profile_shows_all_members_at_the_moment() {
         play.scrub(time);
         let (head, rows) = table(&mut play, 0);
         let shown = format!("{time:.2}");
-        assert_eq!(head, format!("i·a (t = {shown} s) [m],x[i] (t = {shown} s) [cm]"));
+        assert_eq!(head, format!("i·a (t = {shown} s) [m],x_i (t = {shown} s) [cm]"));
         assert_eq!(rows.len(), 13);
         for (i, row) in rows.iter().enumerate() {
             let expected = 100.0 * libm::sin(PI * i as f64 / 6.0) * libm::cos(omega * time);
@@ -50,11 +50,11 @@ fn a_profile_shows_all_members_at_the_moment() {
         }
         let svg = play.plot_svg(PlotId::at(0), &SETTINGS, &Palette::LIGHT);
         assert!(svg.contains(&format!("Shape (t = {shown} s)")), "{svg}");
-        assert!(svg.contains("Shape: Displacement (x[i]) against i·a."), "{svg}");
+        assert!(svg.contains("Shape: Displacement (x_i) against i·a."), "{svg}");
     }
     play.set_language("es");
     let csv = play.plot_csv(PlotId::at(0));
-    assert!(csv.contains("\"i·a (t = 0,40 s) [m]\";\"x[i] (t = 0,40 s) [cm]\""), "{csv}");
+    assert!(csv.contains("\"i·a (t = 0,40 s) [m]\";\"x_i (t = 0,40 s) [cm]\""), "{csv}");
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn the_axes_of_a_profile_grow_with_the_run_and_stay_while_it_is_scrubbed() {
 fn two_curves_and_points_stand_in_profiles_and_are_read() {
     let mut play = chain(11);
     let (head, rows) = table(&mut play, 1);
-    assert_eq!(head, "i (t = 0.00 s),x[i] (t = 0.00 s) [cm],i (t = 0.00 s),x[i]·1 [1/s] (t = 0.00 s) [cm/s]");
+    assert_eq!(head, "i (t = 0.00 s),x_i (t = 0.00 s) [cm],i (t = 0.00 s),x_i·1 [1/s] (t = 0.00 s) [cm/s]");
     assert!(rows.iter().all(|row| row.len() == 4 && row[1] == row[3]), "{rows:?}");
     let legend = play.plot_legend(PlotId::at(1));
     assert_eq!(legend.len(), 2);
@@ -99,7 +99,7 @@ fn two_curves_and_points_stand_in_profiles_and_are_read() {
     let at = figure.place(0, 50.0, 0.0).unwrap();
     let readout = play.hover_plot(PlotId::at(2), Point { x: at.x, y: at.y }).unwrap();
     assert!(
-        readout.heading.starts_with("x[i] = 50") && readout.samples[0].text.starts_with("x[i]′ = 0"),
+        readout.heading.starts_with("x_i = 50") && readout.samples[0].text.starts_with("x_i′ = 0"),
         "{readout:?}"
     );
 }
@@ -109,13 +109,13 @@ fn histograms_count_every_member_and_every_row() {
     let mut play = chain(150);
     go_on(&mut play, [0.5]);
     let (head, rows) = table(&mut play, 3);
-    assert_eq!(head, "x[i] (t = 0.50 s) [cm],Count (t = 0.50 s)");
+    assert_eq!(head, "x_i (t = 0.50 s) [cm],Count (t = 0.50 s)");
     assert_eq!(rows.iter().map(|row| row[1]).sum::<f64>(), 150.0);
     // A sine is most often near its turning points.
     let highest = rows.iter().map(|row| row[1]).fold(0.0, f64::max);
     assert!(rows[0][1] == highest || rows[rows.len() - 1][1] == highest, "{rows:?}");
     let svg = play.plot_svg(PlotId::at(3), &SETTINGS, &Palette::LIGHT);
-    assert!(svg.contains("Histogram of Displacement (x[i]) at the moment shown.") && svg.contains("Count"), "{svg}");
+    assert!(svg.contains("Histogram of Displacement (x_i) at the moment shown.") && svg.contains("Count"), "{svg}");
     let (_, rows) = table(&mut play, 4);
     assert_eq!(rows.iter().map(|row| row[1]).sum::<f64>(), 51.0, "0.5 s in steps of 0.01 s, with both ends");
     play.scrub(0.2);

@@ -15,6 +15,7 @@ mod questions;
 mod tools;
 mod translation;
 mod typing;
+mod unfolded;
 mod version_list;
 mod versions;
 mod view;

@@ -1,6 +1,7 @@
 //! What stands above the editor: which file is shown, new documents, saving.
 
 use super::draft::flush;
+use super::unfolded::Unfolded;
 use super::{kept, version_list};
 use crate::app::App;
 use crate::visited::Visited;
@@ -11,36 +12,6 @@ use view::browser;
 use view::views::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent, MouseEvent};
-
-/// What is unfolded below the tools: one at a time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unfolded {
-    /// What a document can begin from.
-    New,
-    /// The versions to go back to.
-    Versions,
-}
-
-impl Unfolded {
-    /// The id of the button that unfolds it.
-    fn id(self) -> &'static str {
-        match self {
-            Self::New => "new-document",
-            Self::Versions => "versions",
-        }
-    }
-
-    /// The button that unfolds it and folds it up again.
-    pub fn button(self, unfolded: Signal<Option<Self>>, controls: &'static str, title: &'static str) -> HtmlButton {
-        button()
-            .class("quiet outlined")
-            .id(self.id())
-            .attr("aria-controls", controls)
-            .attr("aria-expanded", move || (unfolded.get() == Some(self)).to_string())
-            .when(events::click, move |_| unfolded.update(|now| *now = (*now != Some(self)).then_some(self)))
-            .child(title)
-    }
-}
 
 /// The tools.
 pub fn view(app: App) -> HtmlDiv {

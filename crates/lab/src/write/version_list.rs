@@ -1,6 +1,6 @@
 //! The list of versions of what is written, and how to go back to one.
 
-use super::tools::Unfolded;
+use super::unfolded::Unfolded;
 use super::versions::{self, Version};
 use super::{changes, draft};
 use crate::app::App;

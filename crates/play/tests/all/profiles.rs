@@ -98,10 +98,7 @@ fn two_curves_and_points_stand_in_profiles_and_are_read() {
     assert!(dots, "each mass is a point of the phase plane");
     let at = figure.place(0, 50.0, 0.0).unwrap();
     let readout = play.hover_plot(PlotId::at(2), Point { x: at.x, y: at.y }).unwrap();
-    assert!(
-        readout.heading.starts_with("x_i = 50") && readout.samples[0].text.starts_with("x_i′ = 0"),
-        "{readout:?}"
-    );
+    assert!(readout.heading.starts_with("x_i = 50") && readout.samples[0].text.starts_with("x_i′ = 0"), "{readout:?}");
 }
 
 #[test]

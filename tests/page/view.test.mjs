@@ -91,6 +91,11 @@ visit("controls are put under headings, which are moved, named and removed", asy
   const group = lab.page.getByRole("group", { name: "Spring" });
   await eventually(async () => assert.equal(await group.locator(".parameter").count(), controls.length - 1));
   await lab.tab("Write");
+  // In the forms of the model it is a row among the parameters.
+  await lab.page.getByRole("tab", { name: "Model", exact: true }).click();
+  await field(lab, "Group").fill("Spring and damper");
+  await now(lab, /group "Spring and damper"\nparameter/);
+  await lab.page.getByRole("tab", { name: "View", exact: true }).click();
   await lab.press("Move up: Group");
   await eventually(async () => assert.deepEqual(await words(), ["Group", ...controls]));
   await lab.press("Remove the group; its controls stay");

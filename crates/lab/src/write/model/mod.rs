@@ -55,7 +55,7 @@ pub fn view(app: App) -> View {
 /// A heading with what stands under it, and a button that adds more.
 fn section_of(forms: Forms, section: Section, parts: Vec<(usize, Shape)>) -> HtmlSection {
     let id = format!("form-{section:?}").to_lowercase();
-    let is_row = |shape: &Shape| shape.cells.first() == Some(&CellKind::Name);
+    let is_row = |shape: &Shape| shape.cells.first() != Some(&CellKind::Text);
     let (rows, others): (Vec<_>, Vec<_>) = parts.into_iter().partition(|(_, shape)| is_row(shape));
     let rows = (!rows.is_empty()).then(|| table::view(forms, section, rows));
     tags::section()

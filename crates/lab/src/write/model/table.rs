@@ -66,7 +66,7 @@ fn row(forms: Forms, section: Section, number: usize, shape: &Shape) -> View {
         let name = field(forms, number, CellKind::Label, app.words().group.to_owned(), refusal);
         let name = td()
             .role("cell")
-            .class("of-label")
+            .class("of-group")
             .attr("colspan", span.to_string())
             .attr("data-title", app.words().group)
             .child(name);

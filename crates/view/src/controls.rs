@@ -36,14 +36,12 @@ fn parameter_group(app: App, (number, group): (usize, ParameterGroup)) -> View {
     if group.name.is_empty() {
         return each(group.parameters, control);
     }
-    let id = format!("parameter-group-{number}");
-    div()
-        .class("parameter-group")
-        .role("group")
-        .attr("aria-labelledby", id.clone())
-        .child(h4().id(id).child(group.name))
-        .each(group.parameters, control)
-        .into()
+    headed("parameter-group", format!("parameter-group-{number}"), group.name).each(group.parameters, control).into()
+}
+
+/// A group under its heading, which has this id.
+fn headed(class: &'static str, id: String, name: String) -> HtmlDiv {
+    div().class(class).role("group").attr("aria-labelledby", id.clone()).child(h4().id(id).child(name))
 }
 
 /// Controls that a page with locked values shows and does not obey. The buttons of the document are none: what they change is the run.
@@ -100,12 +98,7 @@ fn presets(app: App) -> View {
     let group = |(number, group): (usize, PresetGroup)| {
         let id = format!("presets-{number}");
         let name = if group.name.is_empty() { words.presets.to_owned() } else { group.name };
-        div()
-            .class("preset-group")
-            .role("group")
-            .attr("aria-labelledby", id.clone())
-            .child(h4().id(id).child(name))
-            .child(div().class("chips").each(group.presets, choose))
+        headed("preset-group", id, name).child(div().class("chips").each(group.presets, choose))
     };
     div()
         .class("block presets")

@@ -9,9 +9,8 @@ mod vocabulary;
 pub(crate) use names::independent;
 pub use suggestion::{Completion, Explanation, Suggestion, SuggestionKind};
 
-use crate::source::trim;
 use crate::{Outline, scene};
-use model::{Span, Statement};
+use model::Span;
 use names::{dimension, names};
 pub(crate) use place::word_at;
 use place::{Place, attribute_around, attribute_at, place};
@@ -77,13 +76,8 @@ pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> O
 
 /// The statement of the model in which `offset` lies, as `<math>` elements; empty where there is none.
 pub fn typeset_at(outline: &Outline, offset: usize) -> String {
-    let statements: Vec<Statement> = outline.blocks().iter().flat_map(|block| &block.statements).cloned().collect();
-    let holds = |statement: &Statement| {
-        let written = trim(outline.source(), statement.span.range());
-        written.start <= offset && offset <= written.end
-    };
-    let number = statements.iter().position(holds);
-    number.map_or_else(String::new, |number| model::typeset_one(&statements, number).concat())
+    let number = crate::form::places(outline).at(offset).map(|(number, _)| number);
+    number.map_or_else(String::new, |number| model::typeset_one(&crate::form::statements(outline), number).concat())
 }
 
 /// A word that can be a name.

@@ -46,9 +46,7 @@ pub struct Part {
 /// Reads the form of a document. Every statement has a part, also one that has errors.
 pub fn read(outline: &Outline) -> Form {
     let mut parts = structure(outline);
-    let statements: Vec<model::Statement> =
-        outline.blocks().iter().flat_map(|block| &block.statements).cloned().collect();
-    let typeset = model::typeset_each(&statements, &str::to_owned);
+    let typeset = model::typeset_each(&statements(outline), &str::to_owned);
     for (part, typeset) in parts.iter_mut().zip(typeset) {
         part.typeset = typeset.concat();
     }
@@ -58,6 +56,11 @@ pub fn read(outline: &Outline) -> Form {
 /// The same without typeset equations, for who looks for a place.
 pub fn places(outline: &Outline) -> Form {
     Form { parts: structure(outline) }
+}
+
+/// The statements that the parts show.
+pub(crate) fn statements(outline: &Outline) -> Vec<model::Statement> {
+    outline.blocks().iter().flat_map(|block| &block.statements).cloned().collect()
 }
 
 /// The parts without typeset equations.

@@ -1,9 +1,9 @@
-//! A step that is too long for a method is told, and none that is not.
+//! A step that is too long for a method is reported, and none that is not.
 
 use crate::support::{U_TUBE, model, parameter, run, setup};
 use engine::{Method, Notice, NoticeKind, Run};
 
-fn told(text: &str, method: Method, step: f64, rows: usize) -> Vec<Notice> {
+fn notices(text: &str, method: Method, step: f64, rows: usize) -> Vec<Notice> {
     let model = model(text);
     run(&model, setup(&model, method, step), rows).notices()
 }
@@ -14,18 +14,18 @@ fn too_long(time: f64) -> Vec<Notice> {
 
 /// Where each method becomes unstable along the negative real axis: Hairer & Wanner II, section IV.2.
 #[test]
-fn what_decays_faster_than_the_method_can_follow_is_told() {
+fn what_decays_faster_than_the_method_can_follow_is_reported() {
     let decay = "y' = -100 [1/s]*y\ny(0) = 1";
     for (method, limit) in [(Method::Euler, 2.0), (Method::EulerRichardson, 2.0), (Method::RungeKutta4, 2.785_29)] {
-        assert_eq!(told(decay, method, 0.999 * limit / 100.0, 20), [], "{method}");
-        assert_eq!(told(decay, method, 1.001 * limit / 100.0, 20), too_long(0.0), "{method}");
+        assert_eq!(notices(decay, method, 0.999 * limit / 100.0, 20), [], "{method}");
+        assert_eq!(notices(decay, method, 1.001 * limit / 100.0, 20), too_long(0.0), "{method}");
     }
     for method in [Method::DormandPrince, Method::Rosenbrock] {
-        assert_eq!(told(decay, method, 1.0, 3), [], "{method}");
+        assert_eq!(notices(decay, method, 1.0, 3), [], "{method}");
     }
 }
 
-/// The numbers do what is told of them: beyond the limit they grow, below they decay.
+/// The notice is right: beyond the limit they grow, below they decay.
 #[test]
 fn the_limit_is_where_the_numbers_begin_to_grow() {
     let text = "y' = -100 [1/s]*y\ny(0) = 1";
@@ -39,13 +39,13 @@ fn the_limit_is_where_the_numbers_begin_to_grow() {
 }
 
 #[test]
-fn an_oscillation_of_few_steps_is_told_whatever_its_units() {
+fn an_oscillation_of_few_steps_is_reported_whatever_its_units() {
     for (unit, k) in [("m", 1.0), ("nm", 1.0), ("km", 1.0), ("m", 1e8), ("nm", 1e-8)] {
         let text = format!("x'' = -{k:e} [1/s^2]*x\nx(0) = 1 [{unit}]\nx'(0) = 0");
         let omega = f64::sqrt(k);
         for (method, limit) in [(Method::VelocityVerlet, 2.0), (Method::RungeKutta4, 2.785_29)] {
-            assert_eq!(told(&text, method, 0.9 * limit / omega, 30), [], "{method}, {text}");
-            assert_eq!(told(&text, method, 1.1 * limit / omega, 30), too_long(0.0), "{method}, {text}");
+            assert_eq!(notices(&text, method, 0.9 * limit / omega, 30), [], "{method}, {text}");
+            assert_eq!(notices(&text, method, 1.1 * limit / omega, 30), too_long(0.0), "{method}, {text}");
         }
     }
 }
@@ -55,8 +55,8 @@ fn an_oscillation_of_few_steps_is_told_whatever_its_units() {
 fn the_fastest_mode_of_a_chain_decides() {
     let text = "size N = 100\nx[0] = 0 [m]\nx[N+1] = 0 [m]\nx[i]'' = 100 [1/s^2]*(x[i-1] - 2*x[i] + x[i+1]) for i in 1..N\n\
                 x[i](0) = 1 [cm]*sin(pi*i/(N + 1)) for i in 1..N\nx[i]'(0) = 0 for i in 1..N";
-    assert_eq!(told(text, Method::VelocityVerlet, 0.09, 300), []);
-    assert!(!told(text, Method::VelocityVerlet, 0.11, 300).is_empty());
+    assert_eq!(notices(text, Method::VelocityVerlet, 0.09, 300), []);
+    assert!(!notices(text, Method::VelocityVerlet, 0.11, 300).is_empty());
 }
 
 #[test]
@@ -68,12 +68,12 @@ fn what_falls_freely_grows_or_rests_is_no_reason() {
         "y' = 1 [1/s]\ny(0) = 0",
     ] {
         for method in [Method::Euler, Method::RungeKutta4] {
-            assert_eq!(told(text, method, 0.1, 600), [], "{method}, {text}");
+            assert_eq!(notices(text, method, 0.1, 600), [], "{method}, {text}");
         }
     }
 }
 
-/// Damping is raised during the run and taken back: the notice tells from when on, and going back before it takes it away.
+/// Damping is raised during the run and taken back: the notice says from when on, and going back before it takes it away.
 #[test]
 fn a_parameter_that_is_changed_is_looked_at_at_once() {
     let model = model(U_TUBE);

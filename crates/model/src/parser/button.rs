@@ -3,7 +3,7 @@
 use super::cursor::Cursor;
 use super::statement::{Salvaged, nothing};
 use crate::lexer::TokenKind;
-use crate::{BinaryOperator, Diagnostic, EventExtras, Expression, Quoted, Span, Statement, StatementKind};
+use crate::{BinaryOperator, Diagnostic, EventExtras, Expression, Span, Statement, StatementKind};
 use units::{Words, words};
 
 /// How a button is written.
@@ -19,7 +19,7 @@ impl Cursor<'_> {
     /// `button "Kick" as kick { x' = x' + 1 [m/s] }`
     pub(super) fn button(&mut self) -> Salvaged {
         let start = self.advance();
-        let TokenKind::Text(text) = self.peek().clone() else {
+        let Some(title) = self.label() else {
             let wrong = words!(
                 "the title of the button is expected here in quotation marks, not {found}",
                 "aquí se espera el título del botón entre comillas, no {found}",
@@ -28,7 +28,6 @@ impl Cursor<'_> {
             let told = self.fail(Diagnostic::error("button-title", wrong, self.span()).with_hint(BUTTON_FORM));
             return (nothing(start), told);
         };
-        let title = Quoted { text, span: self.advance() };
         if title.text.trim().is_empty() {
             let wrong = words("the button has no title", "el botón no tiene título");
             self.say(Diagnostic::error("button-title", wrong, title.span).with_hint(BUTTON_FORM));

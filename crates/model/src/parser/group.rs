@@ -3,7 +3,7 @@
 use super::cursor::Cursor;
 use super::statement::{Salvaged, nothing};
 use crate::lexer::TokenKind;
-use crate::{Diagnostic, Quoted, Statement, StatementKind};
+use crate::{Diagnostic, Statement, StatementKind};
 use units::{Words, words};
 
 const GROUP_FORM: Words = words("the form is: group \"NAME\"", "la forma es: group \"NOMBRE\"");
@@ -23,7 +23,7 @@ impl Cursor<'_> {
     /// `group "Circuit"`
     pub(super) fn group(&mut self) -> Salvaged {
         let start = self.advance();
-        let TokenKind::Text(text) = self.peek().clone() else {
+        let Some(name) = self.label() else {
             let wrong = words!(
                 "the name of the group is expected here in quotation marks, not {found}",
                 "aquí se espera el nombre del grupo entre comillas, no {found}",
@@ -33,7 +33,6 @@ impl Cursor<'_> {
             let told = self.fail(Diagnostic::error("group-name", wrong, place).with_hint(GROUP_FORM));
             return (nothing(start), told);
         };
-        let name = Quoted { text, span: self.advance() };
         if name.text.trim().is_empty() {
             let wrong = words("the group has no name", "el grupo no tiene nombre");
             self.say(Diagnostic::error("group-name", wrong, name.span).with_hint(GROUP_FORM));

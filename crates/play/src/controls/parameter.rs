@@ -64,18 +64,14 @@ impl Play {
 
     /// All parameters by the groups of the document, in the order of the text.
     pub fn parameter_groups(&self) -> Vec<ParameterGroup> {
-        let mut groups: Vec<(Option<&str>, ParameterGroup)> = Vec::new();
-        for (parameter, view) in self.model().parameters.iter().zip(self.parameters()) {
-            let group = parameter.group.as_deref();
-            match groups.last_mut() {
-                Some((last, known)) if *last == group => known.parameters.push(view),
-                _ => {
-                    let name = group.map_or("", |group| self.text(group)).to_owned();
-                    groups.push((group, ParameterGroup { name, parameters: vec![view] }));
-                }
-            }
-        }
-        groups.into_iter().map(|(_, group)| group).collect()
+        let mut views = self.parameters().into_iter();
+        let groups = self.model().parameters.chunk_by(|one, next| one.group == next.group);
+        groups
+            .map(|group| {
+                let name = group.first().and_then(|first| first.group.as_deref()).map_or("", |name| self.text(name));
+                ParameterGroup { name: name.to_owned(), parameters: views.by_ref().take(group.len()).collect() }
+            })
+            .collect()
     }
 
     /// One parameter.

@@ -1,26 +1,29 @@
 //! Names as plain text writes them: `omega_0` as ω₀, `y''` as y″, `e[j]` as e_j.
 
 use units::alphabet::greek_letter;
+use units::mathml::is_word;
 
 /// A name, or every name in a short expression, with Greek letters, lowered digits and primes as characters.
 pub fn symbol(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
+    // The name to which an index or a component may belong.
+    let mut bearer = None;
     while let Some(first) = rest.chars().next() {
         let length = if first.is_ascii_alphabetic() {
             rest.find(|character: char| !(character.is_ascii_alphanumeric() || character == '_')).unwrap_or(rest.len())
         } else if first == '\'' {
             rest.find(|character| character != '\'').unwrap_or(rest.len())
         } else if first == '[' {
-            let is_behind_name = out.ends_with(char::is_alphanumeric);
-            member(rest).or_else(|| named_member(rest).filter(|_| is_behind_name)).unwrap_or(1)
-        } else if first == '.' && is_component(rest) && ends_in_symbol(&out) {
+            member(rest).or_else(|| named_member(rest).filter(|_| bearer.is_some())).unwrap_or(1)
+        } else if first == '.' && is_component(rest) && bearer.is_some_and(|name| !is_word(name)) {
             2
         } else {
             first.len_utf8()
         };
         let (piece, tail) = rest.split_at(length);
         rest = tail;
+        bearer = if first.is_ascii_alphabetic() { Some(piece) } else { bearer.filter(|_| first == '[' && length > 1) };
         match first {
             '\'' => out.push_str(&primes(length)),
             '[' if length > 1 && member(piece).is_none() => {
@@ -55,11 +58,6 @@ fn named_member(text: &str) -> Option<usize> {
     let (index, _) = text.strip_prefix('[')?.split_once(']')?;
     let is_name = index.starts_with(|letter: char| letter.is_ascii_alphabetic());
     (is_name && index.bytes().all(|byte| byte.is_ascii_alphanumeric())).then_some(index.len() + 2)
-}
-
-/// Whether a text ends in a letter with or without index, and not in a word such as the name of an event.
-fn ends_in_symbol(text: &str) -> bool {
-    (1..=3).contains(&text.chars().rev().take_while(|letter| letter.is_alphanumeric()).count())
 }
 
 /// Whether a text begins with a component of a vector: `.x`.
@@ -120,6 +118,7 @@ mod tests {
             ("e[j]", "e_j"),
             ("x[i]' - x[i+1]", "x_i′ − x[i+1]"),
             ("r.x", "r_x"),
+            ("r[1].x", "r₁_x"),
             ("v_1.y'", "v₁_y′"),
             ("landing.x + 2.5", "landing.x + 2.5"),
             ("1 [m]", "1 [m]"),

@@ -268,10 +268,13 @@ visit("a browser that refuses to store anything is reported once", async (lab) =
     Storage.prototype.setItem = () => { throw new DOMException("full", "QuotaExceededError"); };
   });
   await lab.page.reload();
+  // An error stays in the line until it is dismissed. What is spoken does not: the record may be read before or after.
+  const reports = () => lab.page.locator("#messages .error").filter({ hasText: "does not let this page store anything" }).count();
   await drop(lab, { name: "film.csv", text: film() });
-  await eventually(async () => assert.match(await lab.told(), /does not let this page store anything/));
+  await eventually(async () => assert.equal(await reports(), 1));
+  await lab.page.locator("#messages .error").getByRole("button", { name: "Dismiss" }).click();
   await drop(lab, { name: "other.csv", text: film(0.3, 3) });
   await eventually(async () => assert.equal(await records(lab).count(), 2));
   await lab.page.waitForTimeout(600);
-  assert.doesNotMatch(await lab.told(), /does not let this page store anything/);
+  assert.equal(await reports(), 0);
 });

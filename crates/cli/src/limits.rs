@@ -15,19 +15,23 @@ pub fn limits(from: Option<&str>, until: Option<&str>, unit: Option<&Unit>) -> R
     if let (Some(begin), Some(end)) = (begin, end)
         && end <= begin
     {
-        let (from, until) = (from.unwrap_or_default(), until.unwrap_or_default());
-        return Err(Failure::in_words(
-            words!(
-                "--until {until} is not after --from {from}: nothing lies between them",
-                "--until {until} no es posterior a --from {from}: no hay nada entre ellos"
-            ),
-            words(
-                "give --until a later time than --from, or leave one of them out",
-                "da a --until un tiempo posterior al de --from, o quita uno de los dos",
-            ),
-        ));
+        return Err(nothing_between(from.unwrap_or_default(), until.unwrap_or_default()));
     }
     Ok(begin.unwrap_or(f64::NEG_INFINITY)..=end.unwrap_or(f64::INFINITY))
+}
+
+/// `--until` is not after `--from`: both as they were typed.
+pub fn nothing_between(from: &str, until: &str) -> Failure {
+    Failure::in_words(
+        words!(
+            "--until {until} is not after --from {from}: nothing lies between them",
+            "--until {until} no es posterior a --from {from}: no hay nada entre ellos"
+        ),
+        words(
+            "give --until a later time than --from, or leave one of them out",
+            "da a --until un tiempo posterior al de --from, o quita uno de los dos",
+        ),
+    )
 }
 
 /// A value of the independent variable: `1.5` in the unit of the file, `1500 ms` or `1500 [ms]` in its own. The answer is SI.

@@ -4,6 +4,7 @@ use super::arguments::Common;
 use crate::assignments::Assignment;
 use crate::data::Measured;
 use crate::failure::Failure;
+use crate::limits::nothing_between;
 use crate::load::{self, Loaded, Sources};
 use crate::settings::{Reader, positive, unknown};
 use crate::terminal::Terminal;
@@ -95,9 +96,10 @@ pub fn task(
     task.from = moment("--from", &arguments.from)?;
     task.until = moment("--until", &arguments.until)?;
     if let (Some(from), Some(until)) = (task.from, task.until)
-        && from > until
+        && until <= from
     {
-        return Err(Failure::request("--from lies after --until: no part of the record is left"));
+        let typed = |text: &Option<String>| text.clone().unwrap_or_default();
+        return Err(nothing_between(&typed(&arguments.from), &typed(&arguments.until)));
     }
     Ok(task)
 }

@@ -206,7 +206,8 @@ fn given_errors_that_are_none_are_refused_where_they_count() {
         (vec!["--error", "y=0"], "--error y must be greater than 0"),
         (vec!["--error", "y=t"], "and what is observed is in m"),
         (vec!["--fix", "b=1,2"], "--fix b: 2 values for 1 record"),
-        (vec!["--from", "3", "--until", "2"], "--from lies after --until"),
+        (vec!["--from", "3", "--until", "2"], "--until 2 is not after --from 3: nothing lies between them"),
+        (vec!["--from", "2", "--until", "2"], "--until 2 is not after --from 2: nothing lies between them"),
         (vec!["--start", "a=1/0"], "--start a"),
     ] {
         let done = meniscus(&[&["fit", word(&line), word(&good), "--observe", "y"], &words[..]].concat());

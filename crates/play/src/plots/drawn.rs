@@ -9,7 +9,7 @@ use super::sweep::Swept;
 use super::traces::CurveColumns;
 use crate::{Play, words};
 use figure::{Axis, Interval, Plot, Series, Style, View};
-use program::Curve;
+use program::{Curve, Drawing};
 use units::Unit;
 
 impl Play {
@@ -75,7 +75,7 @@ impl Play {
             view: state.view.clone(),
             ordered: independent,
             steady: false,
-            equal: self.is_path(index),
+            equal: self.has_equal_axes(index),
         })
     }
 
@@ -89,7 +89,7 @@ impl Play {
             x: Axis { label: &labels.x.0, unit: &labels.x.1, include: None },
             y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
             view: state.view.clone(),
-            equal: self.is_path(index),
+            equal: self.has_equal_axes(index),
             ..Plot::default()
         })
     }
@@ -132,7 +132,7 @@ impl Play {
         Some(plot)
     }
 
-    /// The members at the moment shown. Displacements against places stand on axes of their own: equal ones would flatten them.
+    /// The members at the moment shown.
     fn profile_figure<'a>(&'a self, index: usize, profile: &'a Snapshot, style: Style) -> Option<Plot<'a>> {
         let mut plot = self.empty_figure(index)?;
         let curves = self.columns.plot(index)?.curves.len();
@@ -147,7 +147,6 @@ impl Play {
         }
         plot.ordered = style == Style::Line && plot.series.iter().all(|series| series.x.is_sorted());
         plot.steady = true;
-        plot.equal = self.program.plots.get(index)?.equal;
         Some(plot)
     }
 
@@ -159,14 +158,19 @@ impl Play {
         plot.series = vec![Series { style: Style::Bars, width: bins.width, ..series }];
         plot.x.include = Some(histogram.across());
         plot.y.iter_mut().for_each(|axis| axis.include = Some(histogram.along()));
-        (plot.ordered, plot.steady, plot.equal) = (true, true, false);
+        (plot.ordered, plot.steady) = (true, true);
         Some(plot)
     }
 
-    /// Whether lengths are drawn against a length, or the document asks for equal axes.
-    fn is_path(&self, index: usize) -> bool {
+    /// Whether a unit has the same length on both axes: where lengths are drawn against a length, or the document asks for it.
+    /// Displacements of members against their places would be flattened by it.
+    pub(super) fn has_equal_axes(&self, index: usize) -> bool {
         let is_length = |curve: &Curve| curve.value.unit.dimension == units::Dimension::LENGTH;
-        self.program.plots.get(index).is_some_and(|plot| plot.equal || plot.expressions().all(is_length))
+        self.program.plots.get(index).is_some_and(|plot| match plot.drawing {
+            Drawing::Histogram(_) => false,
+            Drawing::Profile(_) => plot.equal,
+            _ => plot.equal || plot.expressions().all(is_length),
+        })
     }
 
     /// What a zoomed plot of the document against the independent variable shows of it; `None` where none is zoomed.

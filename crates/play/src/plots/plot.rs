@@ -49,6 +49,8 @@ pub struct PlotView {
     pub offered: bool,
     /// Whether it stands apart from the other plots.
     pub apart: bool,
+    /// Whether a unit has the same length on both axes, so that its height limits its width.
+    pub equal: bool,
 }
 
 /// What is chosen for a plot, and what is kept of it from frame to frame.

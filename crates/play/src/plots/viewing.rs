@@ -17,6 +17,7 @@ impl Play {
             automatic: plot.view.is_automatic(),
             offered: plot.added.as_ref().is_none_or(|added| added.offered),
             apart: plot.added.as_ref().is_some_and(|added| added.apart),
+            equal: self.has_equal_axes(index),
         };
         self.plots.iter().enumerate().map(view).collect()
     }

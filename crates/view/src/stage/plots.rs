@@ -114,8 +114,9 @@ pub fn figure(app: App, id: PlotId, shown: Box<dyn Fn() -> bool>) -> HtmlFigure 
         .child(legend::view(app, id))
         .child(progress(app, id))
         .child(plot_tools::view(app, id, node));
+    let equal = app.plot(id).is_some_and(|plot| plot.equal);
     figure
-        .class("plot")
+        .class(if equal { "plot equal" } else { "plot" })
         .hidden(move || !shown())
         .attr("aria-labelledby", format!("plot-{id}"))
         .child(caption)

@@ -167,16 +167,16 @@ impl RunError {
             Cause::Infinite(index, _) => {
                 let name = state(index);
                 words!(
-                    "{name} grows beyond all numbers after {moment}",
-                    "{name} deja de ser un número finito después de {moment}",
+                    "{name} exceeds the largest number after {moment}",
+                    "{name} supera el mayor número representable después de {moment}",
                     moment = moment
                 )
             }
             Cause::NotANumber(index, _) => {
                 let name = state(index);
                 words!(
-                    "{name} is not a number any more after {moment}",
-                    "{name} deja de ser un número después de {moment}",
+                    "{name} has no defined value after {moment}",
+                    "{name} no tiene un valor definido después de {moment}",
                     moment = moment
                 )
             }
@@ -226,7 +226,7 @@ impl RunError {
             Cause::WrongStart(..) => words("give one value for each state", "da un valor para cada estado"),
             Cause::StepNotPositive => words("the usual step is 0.05 s", "el paso habitual es 0,05 s"),
             Cause::BadTolerance => words("the usual tolerance is 1e-6", "la tolerancia habitual es 1e-6"),
-            Cause::NotSecondOrder(_) => words("use the method `rk4`", "usa el método `rk4`"),
+            Cause::NotSecondOrder(_) => words("use the method Runge-Kutta (rk4)", "usa el método de Runge-Kutta (rk4)"),
             Cause::InitialNotFinite(_) => {
                 words("change the parameters it depends on", "cambia los parámetros de los que depende")
             }
@@ -240,12 +240,12 @@ impl RunError {
                 "busca en las ecuaciones una división entre cero o la raíz de un número negativo",
             ),
             Cause::Infinite(_, Method::DormandPrince) | Cause::NotANumber(_, Method::DormandPrince) => words(
-                "if nothing is divided by zero there, the method `rosenbrock` may help",
-                "si allí no se divide entre cero, puede ayudar el método `rosenbrock`",
+                "check the equations for a division by zero; if there is none, try the method Rosenbrock",
+                "busca en las ecuaciones una división entre cero; si no la hay, prueba el método de Rosenbrock",
             ),
             Cause::Infinite(..) | Cause::NotANumber(..) => words(
-                "if nothing is divided by zero there, a smaller step may help",
-                "si allí no se divide entre cero, puede ayudar un paso menor",
+                "check the equations for a division by zero; if there is none, try a smaller step or the method Dormand-Prince",
+                "busca en las ecuaciones una división entre cero; si no la hay, prueba un paso menor o el método de Dormand-Prince",
             ),
             Cause::StepTooSmall => words(
                 "the solution is not smooth there, or grows beyond all bounds",
@@ -256,8 +256,8 @@ impl RunError {
                 "puede ayudar una tolerancia mayor o filas más próximas",
             ),
             Cause::TooManySteps(..) => words(
-                "if the equations are stiff, the method `rosenbrock` is made for them",
-                "si las ecuaciones son rígidas, el método `rosenbrock` está hecho para ellas",
+                "if the equations are stiff, use the method Rosenbrock",
+                "si las ecuaciones son rígidas, usa el método de Rosenbrock",
             ),
             Cause::TooManyEvents(..) => words(
                 "the events follow one another ever faster, like the last bounces of a ball; let an event end the \

@@ -81,10 +81,9 @@ impl Notice {
                 moment = moment
             ),
             NoticeKind::StepTooLong => words!(
-                "the step is too long from {moment} on: something changes faster than the method can follow, and the numbers \
-                 may grow although nothing grows",
-                "desde {moment} el paso es demasiado largo: algo cambia más deprisa de lo que el método puede seguir, y los \
-                 números pueden crecer aunque nada crezca",
+                "the step is too long from {moment} on: the method is unstable, and values can grow without a physical cause",
+                "desde {moment} el paso es demasiado largo: el método es inestable, y los valores pueden crecer sin causa \
+                 física",
                 moment = moment
             ),
         }
@@ -98,8 +97,8 @@ impl Notice {
                 words("a smaller step helps", "ayuda un paso menor")
             }
             NoticeKind::StepTooLong => words(
-                "choose a smaller step, or a method that chooses its own: `dormand-prince`, or `rosenbrock` for what decays fast",
-                "elige un paso menor o un método que elija el suyo: `dormand-prince`, o `rosenbrock` para lo que decae deprisa",
+                "choose a smaller step or a method that adapts its step: Dormand-Prince, or Rosenbrock for stiff equations",
+                "elige un paso menor o un método que adapte su paso: Dormand-Prince, o Rosenbrock para ecuaciones rígidas",
             ),
         }
     }

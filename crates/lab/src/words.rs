@@ -198,7 +198,7 @@ table_of_words! {
     panel_questions: "Questions", "Preguntas";
     questions_none: "This document asks no question yet.", "Este documento aún no hace ninguna pregunta.";
     question_answer: "Answer", "Respuesta";
-    question_supposes: "Supposes", "Supone";
+    question_supposes: "Assumes", "Supone";
     question_follows: "Appears after question", "Aparece tras la pregunta";
     question_follows_previous: "Show it when the question before is answered", "Mostrarla cuando se responda la pregunta anterior";
     question_unlocks: "Hidden until answered", "Oculto hasta responder";

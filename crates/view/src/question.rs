@@ -136,11 +136,8 @@ fn setup(app: App, index: usize) -> View {
 pub fn supposed(values: Vec<(String, String)>) -> View {
     let one = |(place, (name, value)): (usize, (String, String))| {
         let before = if place == 0 { "" } else { ", " };
-        View::from((
-            before,
-            span().class("symbol").inner_html(units::mathml::typeset_name(&name)),
-            format!(" = {value}"),
-        ))
+        let symbol = span().class("symbol").inner_html(units::mathml::typeset_name(&name));
+        View::from((before, span().class("unbroken").child(symbol).child(format!(" = {value}"))))
     };
     each(values.into_iter().enumerate(), one)
 }

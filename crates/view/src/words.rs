@@ -228,7 +228,7 @@ table_of_words! {
     hint: "Hint", "Pista";
     reveal: "Show the answer", "Mostrar la respuesta";
     right_answer: "Answer", "Respuesta";
-    supposes: "This question supposes", "Esta pregunta supone";
+    supposes: "This question assumes", "Esta pregunta supone";
     set_up: "Set these values", "Fijar estos valores";
     is_set_up: "set", "fijados";
 }

@@ -67,7 +67,7 @@ impl Tube {
 
     /// Runs the document over 100 s and compares every row.
     fn agrees(self, settings: &[&str], tolerance: f64) {
-        let mut words = vec!["run", "simulations/utube.md", "--columns", "t,y"];
+        let mut words = vec!["run", "simulations/utube.md", "--method", "rk4", "--columns", "t,y"];
         words.extend(settings.iter().flat_map(|setting| ["--set", setting]));
         let done = meniscus(&words);
         assert_eq!(done.code, 0, "{}", done.stderr);

@@ -62,18 +62,19 @@ impl Play {
                 places.filter_map(|(place, _)| plot.curves.get(place).zip(curves.get(place))).collect();
             (self.axis_title(&here), number::unit_text(&unit.text))
         });
-        let mut all_across: Vec<String> = plot.abscissas().map(|x| symbol(&x.expression)).collect();
+        let mut abscissas: Vec<(&Curve, String)> = plot.abscissas().map(|x| (x, symbol(&x.expression))).collect();
+        abscissas.dedup_by(|one, other| one.1 == other.1);
+        let abscissas: Vec<(&Curve, &String)> = abscissas.iter().map(|(x, name)| (*x, name)).collect();
         let across = (0..curves.len()).map(|curve| match plot.others.is_empty() {
             true => String::new(),
             false => symbol(&plot.x_of(curve).expression),
         });
         let across = across.collect();
-        all_across.dedup();
         Some(Labels {
             axes: axes.collect(),
             description: format!("{title}: {description}"),
             title,
-            x: (all_across.join(", "), number::unit_text(&plot.x.value.unit.text)),
+            x: (self.axis_title(&abscissas), number::unit_text(&plot.x.value.unit.text)),
             curves,
             legend,
             across,

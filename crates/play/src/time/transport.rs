@@ -245,11 +245,13 @@ impl Play {
         if unit.text.is_empty() { number } else { format!("{number} {}", number::unit_text(&unit.text)) }
     }
 
-    /// How times are written that would need more than six decimals: in a unit with a prefix.
+    /// How times are written that would need more than six decimals, or are all short of a tenth of their unit: in a unit with a
+    /// prefix.
     pub(crate) fn small_times(&self) -> Option<number::Group> {
-        let longest = || self.program.until.unwrap_or_else(|| self.horizon());
+        let longest = self.program.until.unwrap_or_else(|| self.horizon());
         let unit = &self.model().independent.unit;
-        (self.step_decimals() > 6).then(|| number::Group::of_scale(unit, longest(), 4, self.style))
+        let is_small = self.step_decimals() > 6 || unit.from_si(longest) < 0.1;
+        is_small.then(|| number::Group::of_scale(unit, longest, 4, self.style))
     }
 
     /// As many decimals of a time as the step has, from two to six.

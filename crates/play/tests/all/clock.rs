@@ -213,7 +213,7 @@ fn a_run_that_fails_says_so_and_shows_the_last_good_moment() {
     let told: Vec<_> = std::iter::from_fn(|| play.take_announcement()).collect();
     assert!(told.contains(&Announcement::Failed), "{told:?}");
     play.set_language("es");
-    assert_eq!(play.problem().unwrap().message, "y deja de ser un número finito después de t = 0,55 s.");
+    assert_eq!(play.problem().unwrap().message, "y supera el mayor número representable después de t = 0,55 s.");
     // Back, and on with a value that holds.
     play.scrub(0.2);
     assert_eq!((play.status(), play.problem()), (Status::Paused, None));

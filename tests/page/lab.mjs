@@ -14,7 +14,27 @@ const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
 export const program = process.env.MENISCUS ?? join(root, "target", "debug", "meniscus");
 export const labPage = process.env.PAGE ?? join(root, "target", "page", "meniscus.html");
 
+/** What of the browser has no part in a page. Each window would begin two pages for the suggestions of its address bar, which take as
+    much of the processor as ours; the rest is what Playwright turns off, whose list this one replaces. */
+const FEATURES = [
+  "WebUIOmniboxPopup",
+  "WebUIOmniboxAimPopup",
+  "AimEnabled",
+  "AvoidUnnecessaryBeforeUnloadCheckSync",
+  "DestroyProfileOnBrowserClose",
+  "HttpsFirstBalancedModeAutoEnable",
+  "HttpsUpgrades",
+  "LensOverlay",
+  "MediaRouter",
+  "NetworkTimeServiceQuerying",
+  "OptimizationHints",
+  "PaintHolding",
+  "PreconnectToSearch",
+  "ThirdPartyStoragePartitioning",
+];
+
 const SWITCHES = [
+  `--disable-features=${FEATURES}`,
   "--no-sandbox",
   "--disable-gpu",
   "--disable-quic",

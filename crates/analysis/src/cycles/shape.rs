@@ -39,9 +39,18 @@ pub(super) fn cycles(times: &[f64], values: &[f64]) -> Vec<Cycle> {
     for place in 2..crossings.len().saturating_sub(1) {
         let cycle = cycle(&crossings[place - 2..place + 2], &turns[place - 1..place + 2]);
         let near = cycle.as_ref().is_some_and(|cycle| (0.7..1.4).contains(&(cycle.period.value / period)));
-        cycles.extend(cycle.filter(|_| near));
+        // Lobes a period apart have others between them, which noise has hidden.
+        let whole =
+            found.swings.lobes[place - 2..=place + 2].windows(2).all(|pair| pair[1].time - pair[0].time < period);
+        cycles.extend(cycle.filter(|_| near && whole));
     }
     cycles
+}
+
+/// The size of noise that no row of a record exceeds: the expected greatest one of so many normal values grows as the root of
+/// twice the logarithm of their number, and scatters by less than one standard deviation.
+fn greatest_noise(values: &[f64]) -> f64 {
+    scatter(values) * (1.0 + (2.0 * libm::log(values.len().max(1) as f64)).sqrt())
 }
 
 /// The swings of a record about its middle.
@@ -58,8 +67,8 @@ fn about_middle(points: Points) -> Option<Found> {
     if !(size > 0.0 && size.is_finite()) {
         return None;
     }
-    // As in the estimate: three standard deviations of noise make no crossing; neither does a hundredth of the range.
-    let threshold = (3.0 * scatter(points.values)).clamp(0.02 * size, 0.3 * size);
+    // Neither noise makes a crossing nor a hundredth of the range.
+    let threshold = greatest_noise(points.values).max(0.02 * size);
     let mut middle = points.values.iter().sum::<f64>() / points.values.len() as f64;
     let mut found = swings(points, middle, threshold);
     for _ in 0..2 {

@@ -27,30 +27,59 @@ const REACH: f64 = 0.75;
 /// An amplitude below so many standard errors is noise.
 const CLEAR: f64 = 4.0;
 
+/// White noise has a correlation of neighbouring rows of so many standard deviations at most.
+const BEYOND_NOISE: f64 = 3.0;
+
 /// Periods of sinusoids that are so many standard errors from those between crossings belong to another shape.
-const OFF: f64 = 2.0;
+const OFF: f64 = 3.0;
 
 /// Measures each cycle. A damped sinusoid with an offset of its own is fitted to the three half-cycles around each turning
 /// point; errors are those of least squares, from the scatter of the residuals. Where the shape is no sinusoid, crossings of the
 /// middle and turning points are measured instead: where these have the smaller errors, or their periods contradict those of
 /// the sinusoids. Rows one turning point apart share two thirds of their data; those three apart share none. `None` where
-/// there is no oscillation of at least three turning points.
+/// there is no oscillation of at least three turning points above the noise.
 pub fn cycles(times: &[f64], values: &[f64]) -> Option<Cycles> {
     let (times, values): (Vec<f64>, Vec<f64>) = without_gaps(times, values).into_iter().unzip();
+    if is_white_noise(&values) {
+        return None;
+    }
     let estimate = estimate(&times, &values)?;
     let mut result = sinusoids(&times, &values, estimate)?;
     let crossings = shape::cycles(&times, &values);
     if is_another_shape(&result.cycles, &crossings) {
-        result = Cycles { estimate, cycles: crossings, lost: None, sinusoidal: false };
+        let lost = lost(&times, &crossings);
+        result = Cycles { estimate, cycles: crossings, lost, sinusoidal: false };
     }
     (!result.cycles.is_empty()).then_some(result)
 }
 
-/// Whether the cycles between crossings are to be believed, and not those of sinusoids.
+/// Whether neighbouring rows are uncorrelated. In an oscillation with the rows that a cycle needs they are not.
+fn is_white_noise(values: &[f64]) -> bool {
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let products: f64 = values.windows(2).map(|pair| (pair[0] - mean) * (pair[1] - mean)).sum();
+    let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
+    products <= BEYOND_NOISE / count.sqrt() * squares
+}
+
+/// When cycles between crossings end, if the record goes on for longer than two of them.
+fn lost(times: &[f64], crossings: &[Cycle]) -> Option<f64> {
+    let (cycle, last) = (crossings.last()?, times.last()?);
+    let end = cycle.time.value + cycle.period.value;
+    (end + cycle.period.value < *last).then_some(end)
+}
+
+/// Whether the cycles between crossings are to be believed, and not those of sinusoids, which reach further down into the
+/// noise: both are compared where there are crossings.
 fn is_another_shape(sinusoids: &[Cycle], crossings: &[Cycle]) -> bool {
+    let end = crossings.last().map_or(f64::NEG_INFINITY, |last| last.time.value + 0.25 * last.period.value);
+    let common = &sinusoids[..sinusoids.partition_point(|cycle| cycle.time.value <= end)];
+    if common.is_empty() {
+        return sinusoids.is_empty() && !crossings.is_empty();
+    }
     let usual = |cycles: &[Cycle]| median(cycles.iter().map(|cycle| cycle.period.error).collect());
-    if sinusoids.is_empty() || crossings.is_empty() || usual(crossings) < usual(sinusoids) {
-        return !crossings.is_empty();
+    if usual(crossings) < usual(common) {
+        return true;
     }
     // Each third row shares no data with the one before.
     let mean = |cycles: &[Cycle]| {
@@ -59,7 +88,7 @@ fn is_another_shape(sinusoids: &[Cycle], crossings: &[Cycle]) -> bool {
         let error = independent.iter().map(|one| one.error * one.error).sum::<f64>().sqrt() / count;
         Measured { value: independent.iter().map(|one| one.value).sum::<f64>() / count, error }
     };
-    let (one, other) = (mean(sinusoids), mean(crossings));
+    let (one, other) = (mean(common), mean(crossings));
     (one.value - other.value).abs() > OFF * libm::hypot(one.error, other.error)
 }
 

@@ -3,13 +3,14 @@
 use super::estimate::Estimate;
 use super::identify::Undetermined;
 use super::outcome::Outcome;
-use super::verdict::Verdict;
+use super::verdict::{Size, Verdict};
 use units::Language::{self, English, Spanish};
 
 impl Outcome {
-    /// What the residuals say of the model, in one or two sentences.
+    /// What the residuals say of the model, in some sentences.
     pub fn verdict_text(&self, language: Language) -> String {
-        let text = match (self.verdict(), language) {
+        let verdict = self.verdict();
+        let text = match (verdict, language) {
             (Verdict::Exact, English) => {
                 "The fit is exact: the residuals are less than a billionth of the scatter of the values. AICc and BIC are those \
                  of residuals of that size."
@@ -42,10 +43,38 @@ impl Outcome {
                 "Los residuos están autocorrelacionados: al modelo, o a la medición, le falta algo. Use los errores estándar que \
                  lo tienen en cuenta."
             }
+            (Verdict::Alternating, English) => {
+                "Neighbouring residuals tend to have opposite signs (negative autocorrelation): the model, or the measurement, \
+                 misses something that changes from one value to the next. Use the larger one of the two standard errors."
+            }
+            (Verdict::Alternating, Spanish) => {
+                "Los residuos vecinos tienden a tener signos opuestos (autocorrelación negativa): al modelo, o a la medición, le \
+                 falta algo que cambia de un valor al siguiente. Usa el mayor de los dos errores estándar."
+            }
+            (Verdict::Nothing, English) => {
+                "The residuals look random, but the curve explains no more of the data than chance would: a constant fits as \
+                 well. Its parameters mean nothing."
+            }
+            (Verdict::Nothing, Spanish) => {
+                "Los residuos parecen aleatorios, pero la curva no explica de los datos más que el azar: una constante ajusta \
+                 igual de bien. Sus parámetros no significan nada."
+            }
             (Verdict::Unknown, English) => "There are too few values to judge the residuals.",
             (Verdict::Unknown, Spanish) => "Hay muy pocos valores para juzgar los residuos.",
         };
-        text.to_owned()
+        // Where the verdict itself is not about their size.
+        let size = match verdict {
+            Verdict::Structured | Verdict::Alternating | Verdict::Nothing => self.size(),
+            _ => None,
+        };
+        let of_size = match (size, language) {
+            (None, _) => "",
+            (Some(Size::Larger), English) => " They are larger than the given errors, too.",
+            (Some(Size::Larger), Spanish) => " También son mayores que los errores dados.",
+            (Some(Size::Smaller), English) => " They are smaller than the given errors: these are too large.",
+            (Some(Size::Smaller), Spanish) => " Son menores que los errores dados: estos son demasiado grandes.",
+        };
+        [text, of_size].concat()
     }
 }
 

@@ -233,3 +233,48 @@ fn words_say_a_change_only_where_there_is_one() {
     assert!(english.contains("0.4911 s in the first third of the cycles, 0.4905 s in the last"), "{english}");
     assert!(spanish.contains("0.4911 s en el primer tercio de los ciclos, 0.4905 s en el último"), "{spanish}");
 }
+
+/// A damped cosine of the period 0.65 s in white noise that hides it long before the record ends, or a little: rows a second,
+/// seconds, and the noise. The method stays that of sinusoids, and the table ends where nothing is to be seen.
+#[test]
+fn a_tail_of_noise_changes_nothing() {
+    use analysis::cycles::{Constancy, Quantity};
+    let (truth, damping) = (0.65, 0.3);
+    let swing = |t: f64| 50.0 * libm::exp(-damping * t) * libm::cos(core::f64::consts::TAU * t / truth);
+    for (rate, duration, noise, records) in [(100, 60, 0.5, 50), (5_000, 20, 0.5, 1), (10_000, 20, 1.0, 1)] {
+        let (mut random, mut sinusoidal, mut same) = (Noise::new(8), 0, 0);
+        for _ in 0..records {
+            let times: Vec<f64> = (0..rate * duration).map(|row| f64::from(row) / f64::from(rate)).collect();
+            let values: Vec<f64> = times.iter().map(|time| swing(*time) + noise * random.normal()).collect();
+            let found = cycles(&times, &values).expect("it oscillates");
+            let last = found.cycles.last().expect("a cycle").time.value;
+            // Where the amplitude is a tenth of the noise.
+            let hidden = libm::log(50.0 / (0.1 * noise)) / damping;
+            assert!(found.cycles.len() >= 30 && last < hidden, "{rate}: {} until {last}", found.cycles.len());
+            assert!(found.lost.is_some_and(|lost| lost > last) || duration == 20, "{rate}: {:?}", found.lost);
+            assert!(found.cycles.is_sorted_by(|one, other| one.time.value < other.time.value), "{rate}");
+            let measured = period(&found.cycles[..15]);
+            assert!((measured.value - truth).abs() < 4.0 * measured.error, "{rate}: {measured:?}");
+            let constancy = Constancy::of(&found.cycles, Quantity::AngularFrequency);
+            sinusoidal += i32::from(found.sinusoidal);
+            same += i32::from(matches!(constancy, Some(Constancy::Same { .. })));
+        }
+        println!("{rate} rows a second: sinusoidal {sinusoidal}, the same frequency {same} of {records}");
+        assert!(sinusoidal * 100 >= 96 * records && same * 100 >= 88 * records, "{rate}: {sinusoidal} {same}");
+    }
+}
+
+#[test]
+fn noise_has_no_cycles() {
+    let mut random = Noise::new(9);
+    for count in [30, 100, 1_000, 6_000] {
+        let times: Vec<f64> = (0..count).map(|row| f64::from(row) / 100.0).collect();
+        // About a level, and about a slow drift.
+        for drift in [0.0, 5.0] {
+            let length = f64::from(count) / 100.0;
+            let mut record = || times.iter().map(|t| drift * t / length + random.normal()).collect::<Vec<f64>>();
+            let found = (0..20).filter(|_| cycles(&times, &record()).is_some()).count();
+            assert!(found <= 1, "{count} {drift}: {found}");
+        }
+    }
+}

@@ -47,7 +47,7 @@ pub fn record<'a>(data: &'a Measured, arguments: &Cycles) -> Result<Record<'a>, 
         .unzip();
     let found = cycles::cycles(&times, &values).ok_or_else(|| {
         Failure::with_hint(
-            format!("{}: {name} does not oscillate so that cycles could be told ({} rows)", data.name, times.len()),
+            format!("{}: {name} does not oscillate clearly above the noise ({} rows)", data.name, times.len()),
             "a cycle needs three turning points, clear of the noise, with eight rows about them; choose another column \
              with --observe NAME=COLUMN, or another part with --from and --until",
         )

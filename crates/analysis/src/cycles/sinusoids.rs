@@ -15,7 +15,7 @@ pub struct Cycles {
     pub estimate: Estimate,
     /// One entry for each turning point that has both of its neighbours.
     pub cycles: Vec<Cycle>,
-    /// From here on the noise hides the oscillation.
+    /// From here on the noise hides the oscillation, or it does not cross its middle clearly.
     pub lost: Option<f64>,
     /// Whether they are those of a sinusoid; else periods are those between crossings of the middle, and amplitudes those of
     /// the turning points.
@@ -53,13 +53,13 @@ pub fn cycles(times: &[f64], values: &[f64]) -> Option<Cycles> {
     (!result.cycles.is_empty()).then_some(result)
 }
 
-/// Whether neighbouring rows are uncorrelated. In an oscillation with the rows that a cycle needs they are not.
+/// Whether neighbouring rows are uncorrelated.
 fn is_white_noise(values: &[f64]) -> bool {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
     let products: f64 = values.windows(2).map(|pair| (pair[0] - mean) * (pair[1] - mean)).sum();
     let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
-    products <= BEYOND_NOISE / count.sqrt() * squares
+    products.abs() <= BEYOND_NOISE / count.sqrt() * squares
 }
 
 /// When cycles between crossings end, if the record goes on for longer than two of them.

@@ -51,7 +51,12 @@ pub fn table(record: &Record) -> String {
         wrapped(&mut out, "", &change(record, quantity));
     }
     if let Some(lost) = record.found.lost {
-        wrapped(&mut out, "", &format!("From {lost:.2} s on the noise hides the oscillation."));
+        let end = if record.found.sinusoidal {
+            "the noise hides the oscillation"
+        } else {
+            "the oscillation does not cross its middle level clearly: by more than the noise and a hundredth of its range"
+        };
+        wrapped(&mut out, "", &format!("From {} on {end}.", seconds(lost)));
     }
     out
 }
@@ -63,11 +68,17 @@ fn heading(record: &Record) -> String {
     let what = if column == record.name { column } else { format!("{} ({column})", record.name) };
     let (first, last) = (record.times.first().copied().unwrap_or(0.0), record.times.last().copied().unwrap_or(0.0));
     format!(
-        "{}: {what} against {}, {} rows from {first:.2} s to {last:.2} s\n",
+        "{}: {what} against {}, {} rows from {} to {}\n",
         record.data.name,
         record.data.called(against),
-        record.times.len()
+        record.times.len(),
+        seconds(first),
+        seconds(last)
     )
+}
+
+fn seconds(time: f64) -> String {
+    format!("{} s", number::fixed(time, 2, Style::POINT))
 }
 
 /// One column of the table: a heading, and values with errors, all with the same decimals.

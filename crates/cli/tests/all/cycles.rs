@@ -290,3 +290,33 @@ fn limits_that_make_no_sense_are_refused() {
     let angles = rows().iter().fold("phi [deg],y\n".to_owned(), |text, (t, y)| format!("{text}{},{y}\n", t * 90.0));
     refused(angles.as_bytes(), &["--from", "1 [s]"], &["in deg, and s is another kind of unit", "--from '1 [deg]'"]);
 }
+
+/// A film whose time zero lies between two frames begins a little before 0.
+#[test]
+fn no_time_is_less_than_nothing() {
+    let rows: String = rows().iter().map(|(t, y)| format!("{:.6}\t{y:.6}\n", t - 0.00097)).collect();
+    let (_directory, path) = directory_with("run.txt", format!("t\ty\n{rows}").as_bytes());
+    let out = cycles(&path, &[]).stdout;
+    assert!(out.contains("120 rows from 0.00 s to 3.97 s"), "{out}");
+}
+
+/// An oscillation in noise that goes on for a minute, and noise alone.
+#[test]
+fn noise_ends_the_table_or_refuses_it() {
+    let mut state = 1_u32;
+    let mut chance = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 8) / f64::from(1 << 24) - 0.5
+    };
+    let mut scatter = || 0.5 * (0..12).map(|_| chance()).sum::<f64>();
+    let mut record = |size: f64| {
+        let times = (0..6_000).map(|row| f64::from(row) / 100.0);
+        let value = |t: f64| size * libm::exp(-0.3 * t) * libm::cos(9.666 * t);
+        times.fold("t [s]\ty [mm]\n".to_owned(), |text, t| format!("{text}{t}\t{:.4}\n", value(t) + scatter()))
+    };
+    let (_directory, path) = directory_with("run.txt", record(50.0).as_bytes());
+    let out = cycles(&path, &[]).stdout;
+    assert!(out.contains("s on the noise hides the oscillation."), "{out}");
+    assert!(!out.contains("not a damped sinusoid"), "{out}");
+    refused(record(0.0).as_bytes(), &[], &["y does not oscillate clearly above the noise (6000 rows)"]);
+}

@@ -4,8 +4,9 @@ use crate::support::Noise;
 use crate::support::fitting::{
     DAMPED_COSINE, DAMPED_COSINE_NAMES, fitted, model, observation, parameter, record, task,
 };
-use analysis::fit::{Outcome, Varied, Verdict, rank};
+use analysis::fit::{Fit, Outcome, Varied, Verdict, rank};
 use program::Model;
+use units::Language;
 
 const LINE: &str = "parameter a = 2 [m]\nparameter s = -0.3 [m/s]\ny = a + s*t";
 const SIGMA: f64 = 5e-4;
@@ -234,5 +235,80 @@ fn numbers_of_another_record_do_not_change_the_errors() {
         let alone = alone[estimate.record.unwrap()].estimate(&estimate.name).unwrap();
         let ratio = estimate.stderr_hac.unwrap() / alone.stderr_hac.unwrap();
         assert!((ratio - 1.0).abs() < 1e-3, "{} {:?}: {ratio}", estimate.name, estimate.record);
+    }
+}
+
+/// Residuals of one sign have no test of runs; that is no lack of values.
+#[test]
+fn residuals_of_one_sign_are_autocorrelated() {
+    let model = model("parameter a = 0.5 [m] in 0..1\ny = a + 0*t*1[m/s]");
+    let times = frames(300);
+    let values = noisy(&times, &mut Noise::new(41), 0.0, |_| 1.02);
+    let mut observed = observation(&model, "y", 0, &times, &values);
+    observed.errors = Some(vec![2e-3; times.len()]);
+    let outcome = fitted(&model, task(&model, record(vec![observed]), &["a"]));
+    assert_eq!((outcome.runs, outcome.verdict()), (None, Verdict::Structured));
+    let text = outcome.verdict_text(Language::English);
+    assert!(text.contains("autocorrelated") && text.ends_with("larger than the given errors, too."), "{text}");
+}
+
+#[test]
+fn neighbours_of_opposite_signs_are_not_random() {
+    let model = model(LINE);
+    let times = frames(300);
+    let mut noise = Noise::new(42);
+    for _ in 0..20 {
+        let values = noisy(&times, &mut noise, -0.5, |time| 2.0 - 0.3 * time);
+        let outcome = fit(&model, &["a", "s"], &times, &values);
+        assert_eq!(outcome.verdict(), Verdict::Alternating, "{}", outcome.durbin_watson);
+        assert!(outcome.verdict_text(Language::Spanish).contains("el mayor de los dos errores"));
+    }
+    // Many numbers for few values make neighbours differ by themselves.
+    let swing_model = self::model(DAMPED_COSINE);
+    let times = frames(30);
+    let verdicts: Vec<Verdict> = (0..100)
+        .map(|_| fit(&swing_model, &DAMPED_COSINE_NAMES, &times, &noisy(&times, &mut noise, 0.0, swing)).verdict())
+        .collect();
+    let random = verdicts.iter().filter(|verdict| **verdict == Verdict::Compatible).count();
+    assert!(random >= 97, "{random} of 100: {verdicts:?}");
+}
+
+/// Given errors that are wrong are part of the verdict, however few values there are.
+#[test]
+fn chi_square_judges_few_values_too() {
+    let model = model(LINE);
+    let times = frames(8);
+    let values = noisy(&times, &mut Noise::new(43), 0.0, |time| 2.0 - 0.3 * time);
+    let verdict = |error: f64| {
+        let mut observed = observation(&model, "y", 0, &times, &values);
+        observed.errors = Some(vec![error; times.len()]);
+        fitted(&model, task(&model, record(vec![observed]), &["a", "s"])).verdict()
+    };
+    let found = [0.05, 1.0, 1e3].map(|of_sigma| verdict(of_sigma * SIGMA));
+    assert_eq!(found, [Verdict::TooLarge, Verdict::Unknown, Verdict::Unknown]);
+}
+
+#[test]
+fn a_curve_through_noise_explains_nothing() {
+    let (swing_model, line) = (model(DAMPED_COSINE), model(LINE));
+    let mut noise = Noise::new(44);
+    for count in [60, 400] {
+        let times = frames(count);
+        for (model, names) in [(&swing_model, &DAMPED_COSINE_NAMES[..]), (&line, &["a", "s"])] {
+            let mut verdict = || {
+                let values = noisy(&times, &mut noise, 0.0, |_| 2e-3);
+                let observed = record(vec![observation(model, "y", 0, &times, &values)]);
+                // A search through noise need not come to its end.
+                let mut fit = Fit::new(model, task(model, observed, names)).unwrap();
+                fit.complete();
+                fit.outcome().unwrap().verdict()
+            };
+            let nothing = (0..20).filter(|_| verdict() == Verdict::Nothing).count();
+            assert!(nothing >= 18, "{count} {names:?}: {nothing} of 20");
+        }
+        // An amplitude as large as the noise is seen.
+        let weak = |time: f64| SIGMA * libm::cos(9.6 * time + 0.5);
+        let outcome = fit(&swing_model, &DAMPED_COSINE_NAMES, &times, &noisy(&times, &mut noise, 0.0, weak));
+        assert_eq!(outcome.verdict(), Verdict::Compatible, "{count}: {}", outcome.r2);
     }
 }

@@ -70,6 +70,21 @@ pub enum Finding {
         /// The number: `1,295`.
         text: String,
     },
+    /// All points or commas between the digits of a column's numbers have three digits behind them, and the file's decimal sign is
+    /// the other one; they were taken to group digits.
+    GroupSign {
+        /// The line of the first.
+        line: usize,
+        /// The number: `1.295`.
+        text: String,
+    },
+    /// A column has the other decimal sign than the rest of the file, and was read with its own.
+    OtherSign {
+        /// The column.
+        column: String,
+        /// Whether its numbers have a point, and the others a comma.
+        point: bool,
+    },
     /// Clock times or dates were read as seconds from the first row.
     Clock {
         /// The column.
@@ -203,6 +218,35 @@ impl Finding {
                         "line {line}: the comma of `{text}` is taken for a decimal sign: {decimal}, not {thousands}"
                     ),
                     format!("línea {line}: la coma de «{text}» se toma como signo decimal: {decimal}, no {thousands}"),
+                )
+            }
+            Self::GroupSign { line, text } => {
+                let [decimal, thousands] = readings(text, language);
+                say(
+                    format!(
+                        "line {line}: `{text}` is read as {thousands} and not as {decimal}, as other numbers of the file have the other sign for their decimals"
+                    ),
+                    format!(
+                        "línea {line}: «{text}» se lee como {thousands} y no como {decimal}, pues otros números del archivo tienen el otro signo decimal"
+                    ),
+                )
+            }
+            Self::OtherSign { column, point } => {
+                let column = called(column, language);
+                let (english, spanish) = if *point {
+                    (["point", "comma"], ["punto decimal", "coma decimal"])
+                } else {
+                    (["comma", "point"], ["coma decimal", "punto decimal"])
+                };
+                say(
+                    format!(
+                        "{column} has a decimal {}, other columns have a decimal {}; each is read with its own sign",
+                        english[0], english[1]
+                    ),
+                    format!(
+                        "{column} tiene {}, otras columnas tienen {}; cada una se lee con su propio signo",
+                        spanish[0], spanish[1]
+                    ),
                 )
             }
             Self::Clock { column, days, wrapped, minutes } => clock(column, *days, *wrapped, *minutes, language),

@@ -29,6 +29,11 @@ impl Format {
         Signs { decimal: self.decimal, thousands: self.thousands }
     }
 
+    /// Those of a column that has the other decimal sign.
+    pub(super) fn other_signs(&self) -> Signs {
+        Signs::plain(if self.decimal == b',' { b'.' } else { b',' })
+    }
+
     /// In words: `tabs, decimal comma, 2 header lines`.
     pub fn text(&self, language: Language) -> String {
         let (english, other) = match self.delimiter {

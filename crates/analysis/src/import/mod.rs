@@ -9,6 +9,7 @@ mod format;
 mod header;
 mod label;
 mod lines;
+mod mixed;
 mod number;
 mod others;
 mod refusal;
@@ -130,11 +131,12 @@ impl<'a> Importer<'a> {
         let format = Format { delimiter, decimal: signs.decimal, thousands: signs.thousands, header_lines: 0 };
         let found = first::row(&text, &format).and_then(|first| {
             let format = Format { header_lines: first.line, ..format };
-            Ok((first, separators::settle(&text, first, format, &mut findings)?))
+            let format = separators::settle(&text, first, format, &mut findings)?;
+            Ok((first, format, mixed::columns(&text, first, &format, &mut findings)?))
         });
         match found {
-            Ok((first, format)) => {
-                let rows = Rows::of(&text[first.offset..]);
+            Ok((first, format, mixed)) => {
+                let rows = Rows::of(&text[first.offset..], mixed);
                 Ok(Self { text, original, format, first, rows, findings, read: 0 })
             }
             Err(error) => Err((error, text)),
@@ -186,6 +188,9 @@ impl<'a> Importer<'a> {
         runs::side_by_side(&mut table, &rows.repeats);
         let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));
         findings.extend(clocks.iter().filter_map(|clock| Some(clock_finding(clock, label(clock.column)?))));
+        let other_sign =
+            |column: &usize| Some(Finding::OtherSign { column: label(*column)?, point: format.decimal == b',' });
+        findings.extend(rows.mixed.iter().filter_map(other_sign));
         findings.extend(rows.findings(label));
         findings.extend(runs_finding(&table));
         Ok((Import { table, findings, format }, original.unwrap_or(text)))

@@ -1,8 +1,8 @@
 //! What cells hold that are neither plain numbers nor gaps: words, times of day, numbers with a unit behind them.
 
 use super::clock::{self, Reading};
-use super::format::Format;
-use super::{number, unit_words};
+use super::number::{self, Signs};
+use super::unit_words;
 
 /// What the cells of a column hold besides plain numbers and gaps.
 #[derive(Debug, Default)]
@@ -30,11 +30,11 @@ pub(super) enum Other {
 }
 
 impl Other {
-    pub fn of(text: &str, format: &Format) -> Self {
+    pub fn of(text: &str, signs: Signs) -> Self {
         if let Some(reading) = clock::read(text) {
             return Self::Clock(reading);
         }
-        match number::with_unit(text, format.signs()) {
+        match number::with_unit(text, signs) {
             Some((value, unit)) if unit_words::read(unit).is_some() => Self::WithUnit(value, unit.to_owned()),
             _ => Self::Word,
         }

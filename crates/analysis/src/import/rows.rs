@@ -24,6 +24,8 @@ pub(super) struct Rows {
     lines: usize,
     bytes: usize,
     line: usize,
+    /// The columns with the other decimal sign than the file.
+    pub mixed: Vec<usize>,
     /// How many cells hold a number.
     numbers: usize,
     /// What else the cells hold, by column.
@@ -64,10 +66,10 @@ pub(super) fn excerpt(text: &str) -> String {
 }
 
 impl Rows {
-    /// None yet, of a text of this length.
-    pub fn of(text: &str) -> Self {
+    /// None yet, of a text of this length, with columns that have the other decimal sign.
+    pub fn of(text: &str, mixed: Vec<usize>) -> Self {
         let lines = text.bytes().filter(|byte| *byte == b'\n').count() + 1;
-        Self { lines, bytes: text.len(), ..Self::default() }
+        Self { lines, bytes: text.len(), mixed, ..Self::default() }
     }
 
     /// Reads the lines in about `budget` bytes of `text`, which goes on where the last reading ended. Lines of the header may
@@ -140,13 +142,14 @@ impl Rows {
         let mut others: Vec<(usize, &str, Other)> = Vec::new();
         let (mut width, mut is_row) = (0, false);
         for (column, text) in Cells::of(line, format.delimiter).enumerate().take(COLUMNS) {
-            let (value, other) = match number::cell(text, format.signs()) {
+            let signs = if self.mixed.contains(&column) { format.other_signs() } else { format.signs() };
+            let (value, other) = match number::cell(text, signs) {
                 Cell::Number(value) => {
                     is_row = true;
                     (value, None)
                 }
                 Cell::Gap => (f64::NAN, None),
-                Cell::Word => (f64::NAN, Some(Other::of(text, format))),
+                Cell::Word => (f64::NAN, Some(Other::of(text, signs))),
             };
             row.push(value);
             let Some(other) = other else { continue };

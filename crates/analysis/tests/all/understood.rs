@@ -197,6 +197,41 @@ const SEPARATORS: &[Case] = &[
 1:y [] not stated: 1454 1234567.5 880",
     ),
     (
+        "a column with decimal points among columns with decimal commas",
+        "t [s];y [cm];v\n0.960;5,000;-1,5\n0.980;4,885;0\n1.000;-0,556;2,5\n1.020;4,5;1.234,5\n",
+        "*t [s] header: 0.96 0.98 1 1.02
+1:y [cm] header: 5 4.885 -0.556 4.5
+1:v [] not stated: -1.5 0 2.5 1234.5
+! t has a decimal point, other columns have a decimal comma; each is read with its own sign",
+    ),
+    (
+        "a column with decimal commas among columns with decimal points, and one without either",
+        "t\ty\tn\n0.5\t0,960\t1\n0.6\t1,040\t2\n0.75\t1,060\t3\n",
+        "*t [] not stated: 0.5 0.6 0.75
+1:y [] not stated: 0.96 1.04 1.06
+1:n [] not stated: 1 2 3
+! y has a decimal comma, other columns have a decimal point; each is read with its own sign",
+    ),
+    (
+        "a column with both decimal signs, and a number that may have either",
+        "t;y\n0,5;0.960\n0,6;1.040\n0,7;1.060\n0,75;1.080\n0,9;1.100\n1,0;1,5\n",
+        "refused: line 3: column 2: `1.040` can be 1.040 or 1040, as `0.960` stands in the same column",
+    ),
+    (
+        "one decimal point among decimal commas",
+        "t;y\n0,5;0.960\n0,6;0,5\n0,75;0,5\n",
+        "*t [] not stated: 0.5 0.6 0.75
+1:y [] not stated: · 0.5 0.5 (1 words, `0.960` in line 2)
+! line 2, column y: `0.960` is not a number and became a gap",
+    ),
+    (
+        "points that nothing shows to be those of thousands",
+        "t;y\n1.040;4,8\n1.060;4,5\n",
+        "*t [] not stated: 1040 1060
+1:y [] not stated: 4.8 4.5
+! line 2: `1.040` is read as 1040 and not as 1.040, as other numbers of the file have the other sign for their decimals",
+    ),
+    (
         "semicolons and decimal points",
         "t;y\n0.5;1.25\n1;2.5\n",
         "*t [] not stated: 0.5 1

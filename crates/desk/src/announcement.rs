@@ -20,8 +20,8 @@ pub enum Announcement {
     RecordRemoved(String),
     /// The fit of this theory was removed.
     FitRemoved(String),
-    /// The fit, or the last of several, is finished.
-    FitFinished,
+    /// The fit, or the last of several, is finished; why its numbers are not in the sliders, where there is a doubt about them.
+    FitFinished(Option<String>),
     /// Theories that could not be fitted, each with the reason.
     TheoriesLeftOut(String),
     /// A fit has found nothing.

@@ -40,6 +40,19 @@ pub(crate) fn not_converged(language: Language) -> &'static str {
     language.pick("The search did not come to its end.", "La búsqueda no llegó a su fin.")
 }
 
+/// Of a fit without a finite curve.
+pub(crate) fn not_finite(language: Language) -> &'static str {
+    language.pick("The fitted curve is not finite.", "La curva ajustada no es finita.")
+}
+
+/// Of numbers that stand at an end of their range.
+pub(crate) fn stopped(language: Language, names: &str) -> String {
+    language.pick(
+        format!("The search has stopped at an end of the range: {names}."),
+        format!("La búsqueda se ha detenido en un extremo del intervalo: {names}."),
+    )
+}
+
 /// At which reading of a record's clock initial values hold, and how many values lie before it.
 pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) -> String {
     let mut text = language.pick(
@@ -202,7 +215,12 @@ impl Desk {
             Announcement::RecordCancelled(name) => with("Not read: {}", "No se ha leído: {}", name),
             Announcement::RecordRemoved(name) => with("Record removed: {}", "Registro quitado: {}", name),
             Announcement::FitRemoved(theory) => with("Fit removed: {}", "Ajuste quitado: {}", theory),
-            Announcement::FitFinished => say("The fit is finished", "El ajuste ha terminado"),
+            Announcement::FitFinished(None) => say("The fit is finished", "El ajuste ha terminado"),
+            Announcement::FitFinished(Some(doubt)) => with(
+                "The fit is finished, and the parameters keep their values. {} Press Show in the results to see the curve.",
+                "El ajuste ha terminado y los parámetros conservan sus valores. {} Pulsa Mostrar en los resultados para ver la curva.",
+                doubt,
+            ),
             Announcement::TheoriesLeftOut(which) => with("Not fitted: {}", "Sin ajustar: {}", which),
             Announcement::FitFailed => say(
                 "The model has no finite curve at any start: nothing was found",

@@ -103,7 +103,7 @@ impl Desk {
             }
         });
         let count = self.play.model().parameters.len();
-        let zeros = words::zeros(self.play.language()).into_iter().zip(self.fits.setup.zeros).enumerate();
+        let zeros = words::zeros(self.play.language()).into_iter().zip(self.varied_zeros()).enumerate();
         let zeros = zeros.map(|(place, (label, varied))| ChoiceView {
             index: count + place,
             name: String::new(),
@@ -141,16 +141,13 @@ impl Desk {
         let Some(name) = self.choice_name(choice) else { return };
         let parameters = self.play.model().parameters.len();
         let setup = &mut self.fits.setup;
-        let place = match choice.checked_sub(parameters) {
-            Some(zero) => setup.zeros.get_mut(zero),
-            None => setup.varied.get_mut(choice),
-        };
-        if let Some(place) = place {
-            *place = varied;
-            // The usual choice for a varied number is not that for a fixed one.
-            setup.same.remove(&name);
-            self.revision.fits += 1;
+        match choice.checked_sub(parameters) {
+            Some(zero) => setup.zeros.iter_mut().skip(zero).take(1).for_each(|place| *place = Some(varied)),
+            None => setup.varied.iter_mut().skip(choice).take(1).for_each(|place| *place = varied),
         }
+        // The usual choice for a varied number is not that for a fixed one.
+        setup.same.remove(&name);
+        self.revision.fits += 1;
     }
 
     /// Makes something one number for all records, or each record's own.
@@ -202,7 +199,9 @@ impl Desk {
         let targets = setup.varied.iter().enumerate().filter(|(_, varied)| **varied);
         let mut targets: Vec<(Target, String)> =
             targets.map(|(index, _)| (Target::Parameter(index), self.choice_name(index).unwrap_or_default())).collect();
-        for ((varied, target), name) in setup.zeros.into_iter().zip([Target::Origin, Target::Offset(0)]).zip(ZEROS) {
+        for ((varied, target), name) in
+            self.varied_zeros().into_iter().zip([Target::Origin, Target::Offset(0)]).zip(ZEROS)
+        {
             targets.extend(varied.then(|| (target, name.to_owned())));
         }
         let shared = |name: &str| setup.is_same(name, true);

@@ -9,6 +9,7 @@ mod results;
 pub(crate) mod setup;
 pub(crate) mod state;
 mod task;
+mod zero;
 
 pub use choices::{ChoiceView, FitRecordView, KnownView};
 pub use queue::FitProgress;

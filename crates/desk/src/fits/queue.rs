@@ -143,20 +143,21 @@ impl Desk {
         }
         if let Some(Running { job, task, mut fit }) = self.fits.running.take() {
             let again = job.found.is_some();
+            let mut doubt = None;
             match fit.outcome() {
                 Some(mut outcome) => {
                     if let Some(found) = &job.found {
                         found.complete(&mut outcome);
                     }
                     let traces = fit.traces(POINTS_OF_A_CURVE);
-                    self.take_outcome(job, task, outcome, traces);
+                    doubt = self.take_outcome(job, task, outcome, traces);
                 }
                 None if again => {}
                 None => self.announce(Announcement::FitFailed),
             }
             let _ = self.next_fit();
             if !again && self.fit_progress().is_none() {
-                self.announce(Announcement::FitFinished);
+                self.announce(Announcement::FitFinished(doubt));
             }
         }
         self.revision.fits += 1;

@@ -66,15 +66,23 @@ pub struct FitDetail {
 }
 
 impl Desk {
-    pub(crate) fn take_outcome(&mut self, job: Job, task: Task, outcome: Outcome, traces: Vec<Trace>) {
+    /// Keeps what has come of a fit. That of the open document is shown, unless there is a doubt about it, which is the answer.
+    pub(crate) fn take_outcome(
+        &mut self,
+        job: Job,
+        task: Task,
+        outcome: Outcome,
+        traces: Vec<Trace>,
+    ) -> Option<String> {
         let id = self.fits.issued;
         let Job { definition, document, own, found } = job;
         let fitted = Fitted { id, definition, document, task, traces, outcome };
         let same = |fit: &Fitted| fit.is_same(&fitted);
         // What is made again does not replace what has been made meanwhile.
         if found.is_some() && self.fits.finished.iter().any(same) {
-            return;
+            return None;
         }
+        let doubt = self.doubt(&fitted.outcome).filter(|_| own);
         self.fits.issued += 1;
         // The same theory of the same values with the same numbers varied replaces the earlier fit.
         self.fits.finished.retain(|fit| !same(fit));
@@ -83,9 +91,24 @@ impl Desk {
         }
         self.fits.finished.push(fitted);
         self.forget_applied();
-        if own {
+        if own && doubt.is_none() {
             self.apply_fit(id);
         }
+        doubt
+    }
+
+    /// Why what a fit has found is not to be shown by itself: the run could be any.
+    fn doubt(&self, outcome: &Outcome) -> Option<String> {
+        let language = self.play.language();
+        if !outcome.rmse.is_finite() {
+            return Some(words::not_finite(language).to_owned());
+        }
+        if !outcome.converged {
+            return Some(words::not_converged(language).to_owned());
+        }
+        let stopped = outcome.parameters.iter().filter(|one| one.at_bound && one.determined);
+        let names: Vec<String> = stopped.map(|one| play::symbol(&one.name)).collect();
+        (!names.is_empty()).then(|| words::stopped(language, &names.join(", ")))
     }
 
     /// The finished fits: those of the same values together, the best of them first.

@@ -10,8 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) struct Setup {
     /// Whether each parameter of the document is varied.
     pub varied: Vec<bool>,
-    /// Whether the zero of the clock and that of the scale are.
-    pub zeros: [bool; 2],
+    /// Whether the zero of the clock and that of the scale are, where a person has said so.
+    pub zeros: [Option<bool>; 2],
     /// By name of a parameter or of a zero, where a person has said so: whether it is one number for all records.
     pub same: BTreeMap<String, bool>,
     /// The record that is looked at; the last one where it does not exist.

@@ -137,8 +137,12 @@ impl Store {
                 None => Some(message),
             },
             // What has come of a fit is brought into sight where it was begun.
-            Announcement::FitFinished if self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::FIT) => None,
-            Announcement::FitFinished => Some(message.leading_to("fit-results".to_owned())),
+            Announcement::FitFinished(None)
+                if self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::FIT) =>
+            {
+                None
+            }
+            Announcement::FitFinished(_) => Some(message.leading_to("fit-results".to_owned())),
             own if own.can_be_undone() => Some(message.undone_by(desk.undo_number())),
             _ => Some(message),
         };

@@ -67,5 +67,13 @@ fn a_best_value_at_an_end_of_its_range_is_in_doubt() {
         let detail = fit(&mut desk);
         let doubt = "gamma = 0 1/s is in doubt: it stands at an end of the range";
         assert_eq!(detail.sentences.iter().any(|one| one.starts_with(doubt)), doubtful, "{:?}", detail.sentences);
+        // What is in doubt does not stand in the sliders by itself, and the message says why.
+        let length = |desk: &Desk| desk.play().course().parameters()[place(desk, "L")];
+        assert_eq!(length(&desk) == 0.2, doubtful);
+        let said = std::iter::from_fn(|| desk.take_announcement()).last().unwrap();
+        let why = desk.announcement_text(&said);
+        assert_eq!(why.contains("The search has stopped at an end of the range: γ."), doubtful, "{why}");
+        desk.apply_fit(desk.fits()[0].id);
+        assert_ne!(length(&desk), 0.2);
     }
 }

@@ -22,6 +22,8 @@ impl Lexer<'_> {
             self.change();
         } else if rest.starts_with('?') {
             self.choice();
+        } else if rest.starts_with('|') {
+            return self.bars();
         } else {
             return rest.starts_with('.') && self.member();
         }
@@ -63,6 +65,22 @@ impl Lexer<'_> {
         };
         self.diagnostics.push(diagnostic);
         self.push(TokenKind::Symbol(Symbol::Equals), start);
+    }
+
+    /// `|y|`. Whether there is a second bar.
+    fn bars(&mut self) -> bool {
+        let line = self.rest().split(['\n', '#']).next().unwrap_or_default();
+        let inside = line[1..].split_once('|').map(|(inside, _)| inside).filter(|inside| !inside.trim().is_empty());
+        let Some(inside) = inside else { return false };
+        let start = self.at;
+        self.at += inside.len() + 2;
+        let span = Span::new(start, self.at);
+        let wrong =
+            words!("`|{inside}|` is written `abs({inside})` here", "`|{inside}|` se escribe aquí `abs({inside})`");
+        let diagnostic = Diagnostic::error("foreign-operator", wrong, span);
+        self.diagnostics.push(diagnostic.with_fix(span, format!("abs({inside})")));
+        self.push(TokenKind::Unknown, start);
+        true
     }
 
     /// `a > b ? x : y`. What was meant by the rest of the line cannot be read without its beginning.

@@ -2,6 +2,7 @@
 //! diagnostic has said so.
 
 mod component;
+mod derivative;
 mod foreign;
 mod token;
 
@@ -186,6 +187,9 @@ impl<'a> Lexer<'a> {
     }
 
     fn name(&mut self) {
+        if self.textbook_derivative() {
+            return;
+        }
         let start = self.at;
         let (mut text, mut foreign) = self.letters();
         // `landing.x`, what an event remembers.
@@ -286,10 +290,15 @@ impl<'a> Lexer<'a> {
         }
         self.at = inside_start + inside.trim_end().len();
         let wrong = words("this `[` is not closed", "este `[` no se cierra");
-        self.diagnostics.push(
-            Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1))
-                .with_hint(words("end the unit with ]", "termina la unidad con ]")),
-        );
+        let diagnostic = Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1))
+            .with_hint(words("end the unit with ]", "termina la unidad con ]"));
+        self.diagnostics.push(match unit_at_start(inside) {
+            Some(length) => {
+                let end = inside_start + length;
+                diagnostic.with_fix(Span::new(end, end), "]")
+            }
+            None => diagnostic,
+        });
         self.push(TokenKind::Unknown, start);
     }
 
@@ -381,6 +390,15 @@ fn strange_character(character: char, span: Span) -> Diagnostic {
         }
         _ => diagnostic,
     }
+}
+
+/// The length of the longest unit at the start of a text; the word `in` is not taken for inches.
+fn unit_at_start(text: &str) -> Option<usize> {
+    let text = text.split(" in ").next().unwrap_or_default();
+    let ends = text.char_indices().filter(|(_, c)| !c.is_alphanumeric()).map(|(end, _)| end).chain([text.len()]);
+    ends.filter(|&end| end > 0 && units::Unit::parse(&text[..end]).is_ok())
+        .map(|end| text[..end].trim_end().len())
+        .last()
 }
 
 /// All blanks but the end of the line; a carriage return belongs to that.

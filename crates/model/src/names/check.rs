@@ -20,6 +20,8 @@ pub(crate) struct NameCheck<'a> {
     /// Names without a meaning that have been reported elsewhere.
     reported: Vec<&'a str>,
     unknown: Vec<Unknown<'a>>,
+    /// Where names stand of which a diagnostic has said what to write instead.
+    told: Vec<Span>,
     diagnostics: Vec<Diagnostic>,
     /// What has a meaning only in the function that is looked at: arguments, indices and sizes.
     local: Vec<&'a str>,
@@ -38,7 +40,7 @@ struct Unknown<'a> {
 impl<'a> NameCheck<'a> {
     /// An empty check. The names in `reported` are not reported again.
     pub fn new(scope: &'a Scope, reported: Vec<&'a str>) -> Self {
-        Self { scope, reported, unknown: Vec::new(), diagnostics: Vec::new(), local: Vec::new() }
+        Self { scope, reported, unknown: Vec::new(), told: Vec::new(), diagnostics: Vec::new(), local: Vec::new() }
     }
 
     /// Looks at one expression.
@@ -51,6 +53,7 @@ impl<'a> NameCheck<'a> {
                 self.alternative(left, right);
                 self.alternative(right, left);
             }
+            ExpressionKind::Binary(BinaryOperator::Power, base, exponent) => self.power(base, exponent, part.span),
             _ => {}
         });
     }
@@ -68,6 +71,21 @@ impl<'a> NameCheck<'a> {
         self.local.clear();
     }
 
+    /// `e^(-x)`, unless `e` is a name of the model.
+    fn power(&mut self, base: &Expression, exponent: &Expression, span: Span) {
+        let is_e = matches!(&base.kind, ExpressionKind::Name { name, order: 0 } if name == "e");
+        if !is_e || self.local.contains(&"e") || self.scope.meaning("e").is_some() {
+            return;
+        }
+        let ours = format!("exp({})", quote(exponent));
+        let message =
+            words!("the power of `e` is written `{ours}` here", "la potencia de `e` se escribe aquí `{ours}`");
+        let diagnostic = Diagnostic::error("foreign-power", message, span);
+        let is_shortened = ours.contains("...");
+        self.diagnostics.push(if is_shortened { diagnostic } else { diagnostic.with_fix(span, ours) });
+        self.told.push(base.span);
+    }
+
     /// `liquid == "Watr"` is never true.
     fn alternative(&mut self, name: &Expression, text: &Expression) {
         let (ExpressionKind::Name { name, order: 0 }, ExpressionKind::Text(word)) = (&name.kind, &text.kind) else {
@@ -82,7 +100,7 @@ impl<'a> NameCheck<'a> {
     }
 
     fn name(&mut self, name: &'a str, order: u32, span: Span) {
-        if self.local.contains(&name) {
+        if self.local.contains(&name) || self.told.contains(&span) {
             return;
         }
         let (what, value) = match self.scope.meaning(name) {
@@ -152,7 +170,7 @@ impl<'a> NameCheck<'a> {
         }
         if let Some(function) = Function::named(&name.text) {
             if !function.takes(arguments.len()) {
-                self.wrong_count(function, arguments.len(), name.span);
+                self.wrong_count(function, arguments, name.span);
             }
             return;
         }
@@ -176,6 +194,7 @@ impl<'a> NameCheck<'a> {
                     "`{text}` alone is its value at `{name}`",
                     "`{text}` solo es ya su valor en `{name}`"
                 ));
+                diagnostic = diagnostic.with_fix(span, text.as_str());
             } else if let [argument] = arguments {
                 diagnostic = diagnostic
                     .with_hint(words!(
@@ -196,8 +215,8 @@ impl<'a> NameCheck<'a> {
         self.diagnostics.push(diagnostic);
     }
 
-    fn wrong_count(&mut self, function: &Function, given: usize, span: Span) {
-        let message = match (function.name, function.arity(), given) {
+    fn wrong_count(&mut self, function: &Function, arguments: &[Expression], span: Span) {
+        let message = match (function.name, function.arity(), arguments.len()) {
             (name, takes, 1) => {
                 words!("`{name}` takes {takes}, and 1 was given", "`{name}` toma {takes}, y se dio 1", takes = takes)
             }
@@ -207,7 +226,13 @@ impl<'a> NameCheck<'a> {
                 takes = takes
             ),
         };
-        self.diagnostics.push(Diagnostic::error("wrong-argument-count", message, span));
+        let diagnostic = Diagnostic::error("wrong-argument-count", message, span);
+        self.diagnostics.push(match decimal_comma(arguments) {
+            Some(comma) => diagnostic
+                .with_hint(words("a number has a decimal point", "los números llevan punto decimal"))
+                .with_fix(comma, "."),
+            None => diagnostic,
+        });
     }
 
     /// Everything that was found.
@@ -217,6 +242,17 @@ impl<'a> NameCheck<'a> {
         self.diagnostics.extend(self.unknown.iter().map(|unknown| unknown_name(self.scope, unknown)));
         self.diagnostics
     }
+}
+
+/// The comma between two arguments that are one number with a decimal comma: `sin(0,5)`.
+fn decimal_comma(arguments: &[Expression]) -> Option<Span> {
+    let is_number = |argument: &Expression| matches!(argument.kind, ExpressionKind::Number { .. });
+    arguments.windows(2).find_map(|pair| {
+        let [before, after] = pair else { return None };
+        let comma = Span::new(before.span.end, after.span.start);
+        let touches = comma.end == comma.start + 1;
+        (touches && is_number(before) && is_number(after)).then_some(comma)
+    })
 }
 
 /// Only names so short are taken for products.

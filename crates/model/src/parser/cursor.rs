@@ -202,7 +202,11 @@ impl<'a> Cursor<'a> {
                 "por ejemplo, in [m/s]; los intervalos son para los parámetros",
             );
             let at = if self.at_line_end() { keyword } else { span };
-            return self.fail(Diagnostic::error("missing-unit", wrong, at).with_hint(hint));
+            let diagnostic = Diagnostic::error("missing-unit", wrong, at).with_hint(hint);
+            return self.fail(match self.bare_unit() {
+                Some(unit) => diagnostic.with_fix(unit.span, format!("[{}]", unit.text)),
+                None => diagnostic,
+            });
         };
         self.advance();
         let unit = self.unit(inside).ok();

@@ -5,7 +5,7 @@ use super::statement::{Salvaged, nothing};
 use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Assignment, Bounds, Diagnostic, Edit, ParameterForm, ParameterStatement, Span, StatedUnit, StatementKind};
-use units::{Unit, Words, words};
+use units::{Words, words};
 
 impl Cursor<'_> {
     /// `parameter b = 50 [kg/s] in 0..20000 step 1`
@@ -46,8 +46,8 @@ impl Cursor<'_> {
         let start = self.span();
         let value = self.signed_number().map(|value| self.divided(value));
         parameter.value_span = start.to(self.last_span());
-        if value.is_some() {
-            self.refuse_round_unit()?;
+        if value.is_some() && *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis) && self.bare_unit().is_some() {
+            return self.refuse_bare_unit(parameter.value_span);
         }
         let goes_on = matches!(
             self.peek(),
@@ -81,20 +81,7 @@ impl Cursor<'_> {
         if let TokenKind::Name { .. } = self.peek()
             && !self.at_word("step")
         {
-            let place = self.span();
-            let unit = &self.source[place.range()];
-            let wrong = words!(
-                "`{unit}` cannot stand directly after a number",
-                "`{unit}` no puede ir justo después de un número"
-            );
-            let hint = words!(
-                "a unit stands in brackets: {} [{unit}]",
-                "una unidad va entre corchetes: {} [{unit}]",
-                &self.source[parameter.value_span.range()]
-            );
-            let bracketed = format!("[{unit}]");
-            let diagnostic = Diagnostic::error("unit-without-brackets", wrong, place).with_hint(hint);
-            return self.fail(diagnostic.with_fix(place, bracketed));
+            return self.refuse_bare_unit(parameter.value_span);
         }
         if let TokenKind::Brackets(inside) = self.peek().clone() {
             let span = self.advance();
@@ -108,21 +95,11 @@ impl Cursor<'_> {
         self.parameter_limits(parameter)
     }
 
-    /// `0.5 (kg)`
-    fn refuse_round_unit(&mut self) -> Read<()> {
-        let start = self.span().start;
-        let inside = self.source[start..].strip_prefix('(').and_then(|rest| rest.split_once(')'));
-        let Some((unit, _)) = inside else {
-            return Ok(());
-        };
-        if Unit::parse(unit).is_err() {
-            return Ok(());
-        }
-        let wrong = words!("the unit `{unit}` stands in round brackets", "la unidad `{unit}` va entre paréntesis");
-        let place = Span::new(start, start + unit.len() + 2);
-        let diagnostic = Diagnostic::error("unit-without-brackets", wrong, place);
-        let hint = words!("a unit stands in square brackets: [{unit}]", "una unidad va entre corchetes: [{unit}]");
-        self.fail(diagnostic.with_hint(hint).with_fix(place, format!("[{unit}]")))
+    /// `0.5 kg` and `0.5 foo`
+    fn refuse_bare_unit<T>(&mut self, number: Span) -> Read<T> {
+        let unit = self.bare_unit().unwrap_or_else(|| self.bare_name());
+        let diagnostic = unit.after(&self.source[number.range()]);
+        self.fail(diagnostic)
     }
 
     /// `from 0.1 to 2`
@@ -131,7 +108,7 @@ impl Cursor<'_> {
         self.advance();
         let low = self.signed_number();
         let (end, to) = (self.last_span().end, self.span());
-        let is_to = ["to", "until", "a", "hasta"].iter().any(|word| self.at_word(word));
+        let is_to = self.at_range_word();
         let wrong = words("a range is not written with words", "un intervalo no se escribe con palabras");
         let diagnostic = Diagnostic::error("parameter-range", wrong, from).with_hint(range_form());
         self.advance();
@@ -142,6 +119,11 @@ impl Cursor<'_> {
         } else {
             diagnostic
         })
+    }
+
+    /// Whether a word comes next that stands between the ends of a range elsewhere.
+    fn at_range_word(&self) -> bool {
+        ["to", "until", "a", "hasta"].iter().any(|word| self.at_word(word))
     }
 
     fn parameter_limits(&mut self, parameter: &mut ParameterStatement) -> Read<()> {
@@ -194,6 +176,9 @@ impl Cursor<'_> {
         };
         self.refuse_unit(&words("a range", "un intervalo"))?;
         if self.take(Symbol::Dots).is_none() {
+            if *self.peek() == TokenKind::Symbol(Symbol::Comma) && self.is_between_digits(self.span()) {
+                return self.decimal_comma();
+            }
             let wrong = words!(
                 "`..` is expected in this range, not {found}",
                 "en este intervalo se espera `..`, no {found}",
@@ -201,8 +186,12 @@ impl Cursor<'_> {
             );
             let place = if self.at_line_end() { start.to(self.last_span()) } else { self.span() };
             let diagnostic = Diagnostic::error("parameter-range", wrong, place).with_hint(form.clone());
-            let meant =
-                *self.peek() == TokenKind::Symbol(Symbol::Minus) && matches!(self.peek_ahead(1), TokenKind::Number(_));
+            let is_separator = self.at_range_word()
+                || matches!(
+                    self.peek(),
+                    TokenKind::Symbol(Symbol::Minus | Symbol::Comma | Symbol::Colon | Symbol::Semicolon)
+                );
+            let meant = is_separator && matches!(self.peek_ahead(1), TokenKind::Number(_));
             return self.fail(if meant { diagnostic.with_fix(place, "..") } else { diagnostic });
         }
         let Some(high) = self.signed_number() else {

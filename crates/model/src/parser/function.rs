@@ -47,13 +47,15 @@ impl Cursor<'_> {
             );
             return self.fail(Diagnostic::error("function-form", wrong, open.to(self.span())).with_hint(hint));
         }
+        let mut separators = Vec::new();
         loop {
             function.parameters.push(self.plain_name(&words("an argument", "un argumento"))?);
-            if self.take(Symbol::Comma).is_none() && self.take(Symbol::Semicolon).is_none() {
-                break;
-            }
+            let separator = self.take(Symbol::Comma).or_else(|| self.take(Symbol::Semicolon));
+            let Some(separator) = separator else { break };
+            separators.push(separator);
         }
-        self.close(open)?;
+        let end = self.close(open)?;
+        self.check_separators(&function.name, &separators, end);
         if self.take(Symbol::Equals).is_none() {
             let wrong = words!(
                 "`=` is expected after the arguments of `{name}`, not {found}",

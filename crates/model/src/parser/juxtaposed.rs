@@ -2,7 +2,7 @@
 
 use super::cursor::Cursor;
 use crate::lexer::{Symbol, TokenKind};
-use crate::{Diagnostic, Expression, ExpressionKind, Span};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
 use program::functions::Function;
 use units::words;
 
@@ -22,8 +22,50 @@ impl Cursor<'_> {
         self.span().to(self.span_ahead(last))
     }
 
+    /// The parenthesis that opens with the next token, with what stands in it.
+    fn parenthesis_ahead(&self) -> Option<Span> {
+        let mut depth = 0_usize;
+        for ahead in 0.. {
+            match self.peek_ahead(ahead) {
+                TokenKind::Symbol(Symbol::LeftParenthesis) => depth += 1,
+                TokenKind::Symbol(Symbol::RightParenthesis) => depth = depth.saturating_sub(1),
+                TokenKind::Newline | TokenKind::End => return None,
+                _ => {}
+            }
+            if depth == 0 {
+                return (ahead > 0).then(|| self.span().to(self.span_ahead(ahead)));
+            }
+        }
+        None
+    }
+
+    /// `sin^2(x)`, `sin^2 x` and `sin^-1(x)`
+    fn power_before_argument(&mut self, power: &PowerOfFunction) {
+        let PowerOfFunction { function, span, exponent } = power;
+        let source = self.source;
+        let argument = self.parenthesis_ahead();
+        let end = argument.unwrap_or_else(|| self.product_ahead());
+        let argument = match argument {
+            Some(argument) => source[argument.range()].to_owned(),
+            None => format!("({})", &source[end.range()]),
+        };
+        let is_inverse = is_minus_one(exponent);
+        let ours = if is_inverse && ["sin", "cos", "tan"].contains(function) {
+            format!("a{function}{argument}")
+        } else {
+            format!("{function}{argument}{}", &source[span.end..exponent.span.end])
+        };
+        let place = span.to(end);
+        let written = &source[place.range()];
+        let wrong = words!("`{written}` is written `{ours}` here", "`{written}` se escribe aquí `{ours}`");
+        self.say(Diagnostic::error("foreign-power", wrong, place).with_fix(place, ours));
+    }
+
     /// Says what is missing between an expression and the operand that follows it.
     pub(super) fn missing_operator(&mut self, left: &Expression) {
+        if let Some(power) = power_of_function(left) {
+            return self.power_before_argument(&power);
+        }
         let source = self.source;
         let next = self.span();
         // Only the operands next to the gap, not all of the expression before it.
@@ -46,10 +88,6 @@ impl Cursor<'_> {
             let diagnostic = diagnostic.with_hint(words!("write {before}({now})", "escribe {before}({now})"));
             return self.say(diagnostic.with_fix(span, format!("{before}({now})")));
         }
-        let wrong = words!(
-            "an operator is missing between `{before}` and `{now}`",
-            "falta un operador entre `{before}` y `{now}`"
-        );
         let is_call = *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftParenthesis);
         let rest = match now {
             "(" => "...)",
@@ -57,22 +95,58 @@ impl Cursor<'_> {
             _ if is_call => "(...)",
             _ => "",
         };
-        let hint = words!(
+        let product = words!(
             "a product is written with *: {before}*{now}{rest}",
             "un producto se escribe con *: {before}*{now}{rest}"
         );
-        let mut diagnostic = Diagnostic::error("missing-operator", wrong, place).with_hint(hint).with_fix(gap, "*");
         let is_number = matches!(last.kind, ExpressionKind::Number { unit: None, .. });
-        let is_name = matches!(self.peek(), TokenKind::Name { order: 0, .. });
-        if is_number && is_name && units::Unit::parse(now).is_ok() {
-            diagnostic = diagnostic
-                .with_hint(words!(
-                    "a unit stands in brackets: {before} [{now}]",
-                    "una unidad va entre corchetes: {before} [{now}]"
-                ))
-                .with_fix(gap.to(next), format!(" [{now}]"));
+        let unit = self.bare_unit().filter(|_| is_number);
+        if let Some(unit) = unit.as_ref().filter(|unit| unit.is_certain) {
+            return self.say(unit.after(before).with_hint(product).with_fix(gap, "*"));
+        }
+        let wrong = words!(
+            "an operator is missing between `{before}` and `{now}`",
+            "falta un operador entre `{before}` y `{now}`"
+        );
+        let mut diagnostic = Diagnostic::error("missing-operator", wrong, place).with_hint(product).with_fix(gap, "*");
+        if let Some(unit) = unit {
+            diagnostic = unit.with_brackets(diagnostic, before);
         }
         self.say(diagnostic);
+    }
+}
+
+/// `-1` and `⁻¹`
+fn is_minus_one(expression: &Expression) -> bool {
+    match &expression.kind {
+        ExpressionKind::Unary(UnaryOperator::Negate, one) => {
+            matches!(one.kind, ExpressionKind::Number { value: 1.0, unit: None })
+        }
+        _ => matches!(expression.kind, ExpressionKind::Number { value: -1.0, unit: None }),
+    }
+}
+
+/// `sin^2`
+struct PowerOfFunction<'e> {
+    function: &'e str,
+    /// Where the function stands.
+    span: Span,
+    exponent: &'e Expression,
+}
+
+/// A function without argument that is raised at the end of an expression.
+fn power_of_function(expression: &Expression) -> Option<PowerOfFunction<'_>> {
+    match &expression.kind {
+        ExpressionKind::Binary(BinaryOperator::Power, base, exponent) => match &base.kind {
+            ExpressionKind::Name { name, order: 0 } if Function::named(name).is_some() => {
+                Some(PowerOfFunction { function: name, span: base.span, exponent })
+            }
+            _ => None,
+        },
+        ExpressionKind::Binary(_, _, last) | ExpressionKind::Unary(_, last) if last.span.end == expression.span.end => {
+            power_of_function(last)
+        }
+        _ => None,
     }
 }
 

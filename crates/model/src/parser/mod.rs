@@ -55,8 +55,10 @@
 //! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is reported
 //! once. Nesting is bounded, so that no text can exhaust the stack, here or in what walks the tree later.
 
+mod bare_unit;
 mod button;
 mod choice;
+mod comma;
 mod cursor;
 mod declaration;
 mod discrete;

@@ -89,6 +89,7 @@ impl Cursor<'_> {
             return self.derivative_call(&name, order, span, parenthesis);
         }
         let mut arguments = Vec::new();
+        let mut separators = Vec::new();
         if *self.peek() != TokenKind::Symbol(Symbol::RightParenthesis) {
             loop {
                 arguments.push(self.expression()?);
@@ -96,12 +97,13 @@ impl Cursor<'_> {
                 if self.at_for() {
                     return self.reduction(name, arguments, parenthesis);
                 }
-                if self.take(Symbol::Comma).is_none() && self.take(Symbol::Semicolon).is_none() {
-                    break;
-                }
+                let separator = self.take(Symbol::Comma).or_else(|| self.take(Symbol::Semicolon));
+                let Some(separator) = separator else { break };
+                separators.push(separator);
             }
         }
         let end = self.close(parenthesis)?;
+        self.check_separators(&name, &separators, end);
         self.refuse_prime()?;
         if name.text == "log" {
             let diagnostic = Diagnostic::error(
@@ -139,7 +141,8 @@ impl Cursor<'_> {
             "{written}(0) es el valor inicial; {written} solo, el actual"
         ));
         let diagnostic = match argument.expression.kind {
-            ExpressionKind::Number { .. } | ExpressionKind::Name { .. } => diagnostic,
+            ExpressionKind::Number { .. } => diagnostic,
+            ExpressionKind::Name { .. } => diagnostic.with_fix(parenthesis.to(end), ""),
             _ => diagnostic.with_hint(words!(
                 "a product is written with *: {written}*(...)",
                 "un producto se escribe con *: {written}*(...)"
@@ -170,32 +173,6 @@ impl Cursor<'_> {
                 .with_label(open, words("closes this `(`", "cierra este `(`"))
         };
         self.fail(diagnostic.with_fix(self.last_span().after(), ")"))
-    }
-
-    /// A comma where none can stand; if it stands between digits, it was meant as a decimal point.
-    pub(super) fn decimal_comma<T>(&mut self) -> Read<T> {
-        let comma = self.span();
-        let digit = |at: Option<&u8>| at.is_some_and(u8::is_ascii_digit);
-        let bytes = self.source.as_bytes();
-        let before = comma.start.checked_sub(1).and_then(|at| bytes.get(at));
-        let diagnostic = if digit(before) && digit(bytes.get(comma.end)) {
-            Diagnostic::error(
-                "decimal-comma",
-                words(
-                    "a number has a decimal point here, not a comma",
-                    "aquí los números llevan punto decimal, no coma",
-                ),
-                comma,
-            )
-            .with_fix(comma, ".")
-        } else {
-            Diagnostic::error(
-                "unexpected-token",
-                words("a comma cannot stand here", "aquí no puede haber una coma"),
-                comma,
-            )
-        };
-        self.fail(diagnostic)
     }
 
     /// `(a + b)'`

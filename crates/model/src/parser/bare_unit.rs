@@ -1,0 +1,87 @@
+//! Units without their brackets: `20 N/m`, `9.81 (m/s^2)`, `F = -k*y in N`.
+
+use super::cursor::Cursor;
+use crate::lexer::{Symbol, TokenKind};
+use crate::{Diagnostic, Span};
+use units::{Unit, words};
+
+/// The tokens from the next one on that together read as a unit.
+pub(super) struct BareUnit<'a> {
+    /// The unit, without the parentheses around it.
+    pub(super) text: &'a str,
+    pub(super) span: Span,
+    is_round: bool,
+    /// Whether the names can hardly be factors of a product: none of them is multiplied, and the term ends here unless it is a quotient.
+    pub(super) is_certain: bool,
+}
+
+impl<'a> Cursor<'a> {
+    /// The longest unit that the tokens from the next one on can be.
+    pub(super) fn bare_unit(&self) -> Option<BareUnit<'a>> {
+        let first = self.peek();
+        if !matches!(first, TokenKind::Name { order: 0, .. } | TokenKind::Symbol(Symbol::LeftParenthesis)) {
+            return None;
+        }
+        let source = self.source;
+        let start = self.span().start;
+        let ends =
+            (0..).take_while(|&ahead| self.can_be_in_unit(ahead)).map(|ahead| (ahead, self.span_ahead(ahead).end));
+        let is_unit = |&(_, end): &(usize, usize)| Unit::parse(&source[start..end]).is_ok();
+        let (last, end) = ends.filter(is_unit).last()?;
+        let whole = &source[start..end];
+        let inside = whole.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
+        let inside = inside.filter(|inside| Unit::parse(inside).is_ok());
+        let text = inside.unwrap_or(whole);
+        let is_product = text.contains(|c: char| c.is_whitespace() || matches!(c, '*' | '·'));
+        let goes_on = matches!(
+            self.peek_ahead(last + 1),
+            TokenKind::Name { .. }
+                | TokenKind::Number(_)
+                | TokenKind::Raised(_)
+                | TokenKind::Symbol(Symbol::Star | Symbol::Slash | Symbol::Caret | Symbol::LeftParenthesis)
+        );
+        let is_certain = text.contains('/') || !is_product && !goes_on;
+        Some(BareUnit { text, span: Span::new(start, end), is_round: inside.is_some(), is_certain })
+    }
+
+    /// The next token, taken for a unit.
+    pub(super) fn bare_name(&self) -> BareUnit<'a> {
+        let span = self.span();
+        BareUnit { text: &self.source[span.range()], span, is_round: false, is_certain: false }
+    }
+
+    fn can_be_in_unit(&self, ahead: usize) -> bool {
+        use Symbol::{Caret, LeftParenthesis, Minus, RightParenthesis, Slash, Star};
+        matches!(
+            self.peek_ahead(ahead),
+            TokenKind::Name { order: 0, .. }
+                | TokenKind::Number(_)
+                | TokenKind::Raised(_)
+                | TokenKind::Symbol(Star | Slash | Caret | Minus | LeftParenthesis | RightParenthesis)
+        )
+    }
+}
+
+impl BareUnit<'_> {
+    /// What is said of a unit that follows the number `number`.
+    pub(super) fn after(&self, number: &str) -> Diagnostic {
+        let Self { text, span, .. } = self;
+        let wrong = if self.is_round {
+            words!("the unit `{text}` stands in round brackets", "la unidad `{text}` va entre paréntesis")
+        } else {
+            words!("`{text}` cannot stand directly after a number", "`{text}` no puede ir justo después de un número")
+        };
+        self.with_brackets(Diagnostic::error("unit-without-brackets", wrong, *span), number)
+    }
+
+    /// Adds the remedy: the same unit in brackets after `number`.
+    pub(super) fn with_brackets(&self, diagnostic: Diagnostic, number: &str) -> Diagnostic {
+        let Self { text, span, .. } = self;
+        diagnostic
+            .with_hint(words!(
+                "a unit stands in square brackets: {number} [{text}]",
+                "una unidad va entre corchetes: {number} [{text}]"
+            ))
+            .with_fix(*span, format!("[{text}]"))
+    }
+}

@@ -1,0 +1,94 @@
+//! Commas: the decimal comma, and what separates arguments.
+
+use super::cursor::{Cursor, Read};
+use crate::{Diagnostic, Name, Span};
+use units::words;
+
+/// Functions of any number of arguments, to which `1,5` is two of them.
+const OF_ANY_NUMBER: [&str; 3] = ["min", "max", "sum"];
+
+/// Digits after a comma that may separate thousands.
+const THOUSANDS: usize = 3;
+
+impl Cursor<'_> {
+    /// A comma where none can stand; if it stands between digits, it was meant as a decimal point.
+    pub(super) fn decimal_comma<T>(&mut self) -> Read<T> {
+        let comma = self.span();
+        if !self.is_between_digits(comma) {
+            let wrong = words("a comma cannot stand here", "aquí no puede haber una coma");
+            return self.fail(Diagnostic::error("unexpected-token", wrong, comma));
+        }
+        let wrong =
+            words("a number has a decimal point here, not a comma", "aquí los números llevan punto decimal, no coma");
+        let diagnostic = Diagnostic::error("decimal-comma", wrong, comma).with_fix(comma, ".");
+        let is_digit = |c: char| c.is_ascii_digit();
+        let before = &self.source[..comma.start];
+        let before = &before[before.trim_end_matches(is_digit).len()..];
+        let after = &self.source[comma.end..];
+        let after = &after[..after.len() - after.trim_start_matches(is_digit).len()];
+        let is_ambiguous = after.len() == THOUSANDS && before.len() <= THOUSANDS && !before.starts_with('0');
+        self.fail(if is_ambiguous {
+            diagnostic
+                .with_hint(words!(
+                    "a decimal comma means {before}.{after}, a separator of thousands {before}{after}",
+                    "una coma decimal significa {before}.{after}; un separador de millares, {before}{after}"
+                ))
+                .with_fix(comma, "")
+        } else {
+            diagnostic
+        })
+    }
+
+    /// Whether it stands directly between two digits.
+    pub(super) fn is_between_digits(&self, comma: Span) -> bool {
+        let bytes = self.source.as_bytes();
+        let is_digit = |at: Option<usize>| at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit);
+        is_digit(comma.start.checked_sub(1)) && is_digit(Some(comma.end))
+    }
+
+    /// `max(1,5; 2)` and `max(1,5)`: where a semicolon separates arguments, commas are decimal; alone they may be.
+    pub(super) fn check_separators(&mut self, function: &Name, separators: &[Span], end: Span) {
+        let source = self.source;
+        let is_semicolon = |span: &&Span| &source[span.range()] == ";";
+        if let Some(first) = separators.iter().find(is_semicolon) {
+            let call = function.span.to(end);
+            let mut written = String::new();
+            let mut at = call.start;
+            let mut has_decimal = false;
+            for separator in separators {
+                written += &source[at..separator.start];
+                let is_decimal = !is_semicolon(&separator) && self.is_between_digits(*separator);
+                has_decimal |= is_decimal;
+                written += if is_decimal { "." } else { "," };
+                at = separator.end;
+            }
+            written += &source[at..call.end];
+            let wrong = words(
+                "arguments are separated by `,` here, not by `;`",
+                "aquí los argumentos se separan con `,`, no con `;`",
+            );
+            let diagnostic = Diagnostic::error("argument-separator", wrong, *first);
+            let diagnostic = diagnostic.with_hint(if has_decimal {
+                words!("with decimal points, write {written}", "con puntos decimales, escribe {written}")
+            } else {
+                words!("write {written}", "escribe {written}")
+            });
+            return self.say(diagnostic.with_fix(call, written));
+        }
+        if !OF_ANY_NUMBER.contains(&function.text.as_str()) {
+            return;
+        }
+        for comma in separators.iter().filter(|comma| self.is_between_digits(**comma)).copied().collect::<Vec<_>>() {
+            let wrong = words("this comma separates two arguments", "esta coma separa dos argumentos");
+            self.say(
+                Diagnostic::warning("decimal-comma", wrong, comma)
+                    .with_hint(words(
+                        "a number has a decimal point; between two arguments write a blank after the comma",
+                        "los números llevan punto decimal; entre dos argumentos escribe un espacio tras la coma",
+                    ))
+                    .with_fix(comma, ".")
+                    .with_fix(comma, ", "),
+            );
+        }
+    }
+}

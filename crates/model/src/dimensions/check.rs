@@ -12,7 +12,7 @@ use super::mismatch::is_bare;
 use super::terms::{Place, Term};
 use super::types::{ParameterPlace, Type, Types};
 use crate::components::vector_or_family;
-use crate::names::{Declarations, Equation, EventEntry, InitialEntry, Meaning, Unknown};
+use crate::names::{Declarations, Equation, EventEntry, InitialEntry, Meaning, Unknown, for_each_name};
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, ParameterStatement, Span, StatedUnit, has_errors};
 use std::collections::HashMap;
@@ -44,12 +44,20 @@ pub(crate) fn check_dimensions(
     inference.definitions(declarations, order);
     inference.initial_values(unknowns, |entry| !is_bare(entry.value));
     for equation in &declarations.equations {
+        let reported = inference.diagnostics.len();
         inference.equation(equation);
+        if inference.diagnostics.len() == reported {
+            inference.confirm(&[equation.left, equation.right], declarations);
+        }
     }
     inference.initial_values(unknowns, |entry| is_bare(entry.value));
     for definition in &declarations.definitions {
         if let Some(stated) = definition.unit {
+            let reported = inference.diagnostics.len();
             inference.stated(definition.value, stated);
+            if inference.diagnostics.len() == reported {
+                inference.confirm(&[definition.value], declarations);
+            }
         }
     }
     for event in &declarations.events {
@@ -61,7 +69,8 @@ pub(crate) fn check_dimensions(
 }
 
 fn place(parameter: &ParameterStatement) -> ParameterPlace {
-    ParameterPlace { value: parameter.value_span, unit: parameter.unit.as_ref().map(|stated| stated.span) }
+    let unit = parameter.unit.as_ref().map(|stated| stated.span);
+    ParameterPlace { value: parameter.value_span, unit, is_confirmed: false }
 }
 
 impl Inference<'_> {
@@ -205,6 +214,22 @@ impl Inference<'_> {
         }
         left.append(&mut right);
         self.equal(&left, Place::Sum);
+    }
+
+    /// Notes that the parameters in expressions fit there, also those in definitions without a stated unit.
+    fn confirm(&mut self, expressions: &[&Expression], declarations: &Declarations) {
+        let mut waiting = expressions.to_vec();
+        let mut seen = vec![false; declarations.definitions.len()];
+        while let Some(expression) = waiting.pop() {
+            for_each_name(expression, |name, _, _| match self.scope.meaning(name) {
+                Some(Meaning::Parameter(index)) => self.types.parameter_places[index].is_confirmed = true,
+                Some(Meaning::Definition(index)) if !std::mem::replace(&mut seen[index], true) => {
+                    let definition = &declarations.definitions[index];
+                    waiting.extend(definition.unit.is_none().then_some(definition.value));
+                }
+                _ => {}
+            });
+        }
     }
 
     /// The dimension of terms that are all known and all of one dimension.

@@ -182,8 +182,10 @@ impl Inference<'_> {
         let is_usual = |unit: &units::Unit| {
             !unit.dimension.is_none() && unit.dimension.base().all(|(_, exponent)| exponent.is_whole())
         };
-        let is_stated =
-            !is_name && self.factor(value.1, needed.1).is_some_and(|factor| !self.has_offer(factor, value.0));
+        let is_stated = !is_name
+            && self
+                .factor(value.1, needed.1)
+                .is_some_and(|factor| self.has_confirmed_parameters(value.0) || !self.has_offer(factor, value.0));
         if let Some(unit) = found.filter(|unit| is_stated && diagnostic.fixes.is_empty() && is_usual(unit)) {
             diagnostic = diagnostic.with_fix(needed.2, format!("[{unit}]"));
         }

@@ -42,10 +42,11 @@ impl Inference<'_> {
 
     /// Where a parameter among the factors of a product would get another unit, with which the product fits: one without a unit, or
     /// the only one of a product with an unknown, such as `k*y`. Where a name of the model could be the factor that is missing or too
-    /// many, that is likelier.
+    /// many, that is likelier. A parameter that fits elsewhere keeps its unit.
     fn other_unit(&self, product: &Expression, found: &Form, expected: &Form) -> Option<(Span, String)> {
         let factor = self.factor(found, expected)?;
-        let parameters = self.parameters_of(product);
+        let mut parameters = self.parameters_of(product);
+        parameters.retain(|index| !self.is_confirmed(*index));
         let pure = parameters.iter().find(|index| self.types.parameters[**index] == Form::pure());
         let index = match (pure, parameters.as_slice()) {
             (Some(pure), _) => *pure,
@@ -59,6 +60,21 @@ impl Inference<'_> {
             Some(brackets) => (brackets, format!("[{unit}]")),
             None => (place.value.after(), format!(" [{unit}]")),
         })
+    }
+
+    fn is_confirmed(&self, parameter: usize) -> bool {
+        self.types.parameter_places.get(parameter).is_some_and(|place| place.is_confirmed)
+    }
+
+    /// Whether there are parameters in an expression, and all of them fit elsewhere.
+    pub fn has_confirmed_parameters(&self, expression: &Expression) -> bool {
+        let mut found = Vec::new();
+        for_each_name(expression, |name, _, _| {
+            if let Some(Meaning::Parameter(index)) = self.scope.meaning(name) {
+                found.push(self.is_confirmed(index));
+            }
+        });
+        !found.is_empty() && !found.contains(&false)
     }
 
     fn has_unknown(&self, expression: &Expression) -> bool {

@@ -36,11 +36,13 @@ pub(crate) struct Types {
     pub unknown_names: Vec<String>,
 }
 
-/// Where a parameter's number and its unit in brackets stand.
+/// Where a parameter's number and its unit in brackets stand, and whether they can be relied on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ParameterPlace {
     pub value: Span,
     pub unit: Option<Span>,
+    /// Whether an equation or a stated unit uses the parameter and fits: its own unit is then hardly to blame for what does not fit.
+    pub is_confirmed: bool,
 }
 
 impl Type {

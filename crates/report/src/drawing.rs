@@ -12,7 +12,7 @@ pub const WIDTH: f64 = 700.0;
 pub const HALF: f64 = 345.0;
 const UPPER: f64 = 300.0;
 const LOWER: f64 = 190.0;
-const SLIM: f64 = 165.0;
+const SLIM: f64 = 190.0;
 /// More points than this are not drawn one by one.
 const MOST_POINTS: usize = 4000;
 /// The colours of the data, of the curve, of outliers, and of what was not fitted.

@@ -4,7 +4,7 @@ use crate::findings;
 use crate::markup::{self, Page, cell, escaped};
 use crate::{Report, drawing, page, results};
 use analysis::csv::{self, Dialect};
-use analysis::fit::{ObservationFit, Outcome, Ranked, rank, worth};
+use analysis::fit::{ObservationFit, Outcome, Ranked, Verdict, rank, worth};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 use units::Language;
 use units::number::{Group, fixed, plain};
@@ -99,7 +99,7 @@ pub fn ranking_html(ranking: &Ranking<'_>) -> String {
     markup::document(title, language.tag(), version, &page.out)
 }
 
-/// What the data favour, what they cannot tell apart, and what they rule out.
+/// What the data favour, what they cannot tell apart, what they rule out, and what predicts better.
 fn judgement(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     let Some(best) = rows.first().filter(|row| row.ranked.difference == 0.0) else {
         return;
@@ -109,28 +109,70 @@ fn judgement(page: &mut Page, language: Language, rows: &[Row<'_>]) {
         let [open, close] = language.pick(["“", "”"], ["«", "»"]);
         [open, row.title, close].concat()
     };
-    let those = |from: f64, to: f64| -> Vec<String> {
-        let rest = rows.iter().skip(1).filter(|row| (from..to).contains(&(row.ranked.difference * worth)));
-        rest.map(quoted).collect()
+    let apart = |from: f64, to: f64| {
+        rows.iter().skip(1).filter(move |row| (from..to).contains(&(row.ranked.difference * worth)))
     };
-    let mut text = [language.pick("The data favour ", "Los datos prefieren "), &quoted(best), "."].concat();
-    let alike = those(0.0, ALIKE);
+    let favoured = match best.predicted {
+        Some(_) => language.pick("By AICc the data favour ", "Según el AICc, los datos prefieren "),
+        None => language.pick("The data favour ", "Los datos prefieren "),
+    };
+    let mut text = [favoured, &quoted(best), "."].concat();
+    let alike: Vec<String> = apart(0.0, ALIKE).map(quoted).collect();
     if !alike.is_empty() {
         let start = language.pick(" They cannot tell it from ", " No la distinguen de ");
         text.extend([start, &language.join(&alike), "."]);
     }
-    let out = those(RULED_OUT, f64::MAX);
+    // What predicts better is not ruled out.
+    let better = |row: &&Row<'_>| row.predicted.zip(best.predicted).is_some_and(|(own, of_best)| own < of_best);
+    let out: Vec<String> = apart(RULED_OUT, f64::MAX).filter(|row| !better(row)).map(quoted).collect();
     if !out.is_empty() {
         text.extend([language.pick(" They rule out ", " Descartan "), &language.join(&out), "."]);
     }
+    let predictor = rows.iter().filter(better).min_by(|one, other| {
+        one.predicted.unwrap_or(f64::INFINITY).total_cmp(&other.predicted.unwrap_or(f64::INFINITY))
+    });
+    match (predictor, best.predicted) {
+        (Some(predictor), Some(of_best)) => {
+            let sizes = [predictor.predicted.unwrap_or(f64::NAN), of_best];
+            let group = Group::of_residuals(&best.report.outcome.rmse_unit, &sizes, 3, language.style());
+            text.extend([
+                language.pick(" But ", " Pero "),
+                &quoted(predictor),
+                language.pick(
+                    " predicts the later values better, with an error of ",
+                    " predice mejor los valores posteriores, con un error de ",
+                ),
+                &group.quantity(sizes[0]),
+                language.pick(" against ", " frente a "),
+                &group.quantity(sizes[1]),
+                language.pick(
+                    ". The prediction is the better judge: a flexible curve can fit well and predict badly.",
+                    ". La predicción es mejor juez: una curva flexible puede ajustar bien y predecir mal.",
+                ),
+            ]);
+        }
+        (None, Some(_)) => {
+            text.push_str(language.pick(
+                " It also predicts the later values best.",
+                " También es la que mejor predice los valores posteriores.",
+            ));
+        }
+        _ => {}
+    }
     let warns = findings::warns(best.report.outcome);
-    page.element(if warns { "p class=\"verdict warn\"" } else { "p class=\"verdict\"" }, &text);
+    let class = if warns || predictor.is_some() { "p class=\"verdict warn\"" } else { "p class=\"verdict\"" };
+    page.element(class, &text);
     if warns {
-        let but = language.pick(
-            "Even the best one leaves residuals that do not look random: none of these theories is the whole truth.",
-            "Ni siquiera la mejor deja residuos que parezcan aleatorios: ninguna de estas teorías es toda la verdad.",
-        );
-        page.element("p", but);
+        let text = match best.report.outcome.verdict() {
+            Verdict::Structured | Verdict::Alternating => language
+                .pick(
+                    "Even the best one leaves residuals that do not look random: none of these theories is the whole truth.",
+                    "Ni siquiera la mejor deja residuos que parezcan aleatorios: ninguna de estas teorías es toda la verdad.",
+                )
+                .to_owned(),
+            _ => best.report.outcome.verdict_text(language),
+        };
+        page.element("p", &text);
     }
 }
 
@@ -219,10 +261,7 @@ fn residuals(page: &mut Page, language: Language, rows: &[Row<'_>]) {
         };
         let fits: Vec<(&Row<'_>, &ObservationFit)> =
             rows.iter().filter_map(|row| Some((row, row.report.outcome.observations.get(of(row)?)?))).collect();
-        // The scale is made for the theories that come near.
-        let best = fits.iter().map(|(_, fit)| fit.rmse).fold(f64::INFINITY, f64::min);
-        let near = fits.iter().filter(|(_, fit)| fit.rmse <= 2.0 * best);
-        let reach = near.map(|(_, fit)| 1.05 * drawing::telling(fit)).fold(0.0, f64::max);
+        let reach = fits.iter().map(|(_, fit)| 1.05 * drawing::telling(fit)).fold(0.0, f64::max);
         let last = record + 1 == records;
         if let Some((row, fit)) = fits.first().filter(|_| records > 1) {
             page.element("h3", findings::record(row.report, fit));

@@ -272,6 +272,32 @@ fn theories_are_ranked() {
     assert_eq!(ranking_csv(&nothing, false).lines().count(), 1);
 }
 
+/// AICc favours one theory, and another one predicts better: both are said, and none is ruled out.
+#[test]
+fn a_better_prediction_contradicts_a_better_fit() {
+    let mut fits = ["linear", "quadratic"].map(|name| fit(name, "swing.txt"));
+    let mut said = |of_linear: f64, language: &str| {
+        for (fit, rmse) in fits.iter_mut().zip([of_linear, 3.01e-3]) {
+            let outside = &mut fit.outcome.observations[0].outside;
+            *outside = outside.map(|part| analysis::fit::Outside { rmse, ..part });
+        }
+        let theories = fits.each_ref().map(|fit| fit.report(language));
+        texts(&ranking_html(&Ranking { theories: &theories, command: "" }))
+    };
+    let all = said(5.59e-3, "en");
+    assert!(
+        all.contains(
+            "But “Quadratic damping” predicts the later values better, with an error of 3.01 mm against 5.59 mm."
+        ),
+        "{all}"
+    );
+    assert!(!all.contains("rule out"), "{all}");
+    let all = said(1e-3, "en");
+    assert!(all.contains("They rule out “Quadratic damping”. It also predicts the later values best."), "{all}");
+    let all = said(5.59e-3, "es");
+    assert!(all.contains("La predicción es mejor juez"), "{all}");
+}
+
 #[test]
 fn every_header_has_words_and_every_image_a_name() {
     // An unnamed record, many parameters, two records: every kind of table.

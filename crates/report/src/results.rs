@@ -82,7 +82,10 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
         language.pick("#if residuals were independent", "#si los residuos fueran independientes"),
     ];
     if !profiles.is_empty() {
-        headings.push(language.pick("#68 % by profile", "#68 % por perfil"));
+        headings.push(language.pick(
+            "#68 % by profile, if residuals were independent",
+            "#68 % por perfil, si los residuos fueran independientes",
+        ));
     }
     page.table("wide", &headings);
     let estimates = &readable_units(estimates);

@@ -94,6 +94,11 @@ fn parameters(fitted: &Fitted) -> String {
              Newey-West error and that of an AR(1) process). Behind: the textbook's, for independent residuals.\n",
         );
     }
+    if !fitted.intervals.is_empty() {
+        text.push_str(
+            "  68 % and 95 %: intervals from the profile of chi-square, for independent residuals as well.\n",
+        );
+    }
     text
 }
 

@@ -111,6 +111,12 @@ fn refine(reader: &mut Reader, task: &mut Task, arguments: &Common, names: &[Str
         let place = varied(reader, task, "--share", name.trim(), names)?;
         task.varied[place].shared = true;
     }
+    if !arguments.share.is_empty() && task.records.len() < 2 {
+        return Err(Failure::with_hint(
+            format!("--share {}: there is only one record", arguments.share.join(",")),
+            "name more than one file of data, or leave out --share",
+        ));
+    }
     for start in &arguments.start {
         let place = varied(reader, task, "--start", &start.name, names)?;
         let unit = unit(reader, task, task.varied[place].target);
@@ -131,7 +137,27 @@ fn refine(reader: &mut Reader, task: &mut Task, arguments: &Common, names: &[Str
         }
         task.varied[place].bounds = Some((low, high));
     }
+    for start in &arguments.start {
+        let place = varied(reader, task, "--start", &start.name, names)?;
+        starts_inside(reader, &task.varied[place], start)?;
+    }
     Ok(())
+}
+
+/// Refuses a start outside the range in which is searched, which would be moved to its end without a word.
+fn starts_inside(reader: &Reader, varied: &Varied, start: &Assignment) -> Result<(), Failure> {
+    let own = match varied.target {
+        Target::Parameter(index) => reader.model.parameters.get(index).and_then(|parameter| parameter.range),
+        Target::Origin | Target::Offset(_) => None,
+    };
+    let (Some(value), Some((low, high))) = (varied.start, varied.bounds.or(own)) else { return Ok(()) };
+    if (low..=high).contains(&value) {
+        return Ok(());
+    }
+    Err(Failure::with_hint(
+        format!("--start {}={} lies outside the range in which is searched", start.name, start.value),
+        format!("choose a value inside, or another range with --bounds {}=LO..HI", start.name),
+    ))
 }
 
 /// `1..2`, `1. .. 2.`, `..2`: at the dots that leave both sides whole.

@@ -91,6 +91,12 @@ fn contend(
     let before = error(&fitted, |time| whole.covers(time) && !after(time));
     let rest = |time| whole.covers(time) && after(time);
     let after = error(&fitted, rest);
+    if after.n == 0 {
+        return Err(Failure::with_hint(
+            format!("--predict-from {text}: no value is measured from there on"),
+            "give a time before the end of the records",
+        ));
+    }
     let prediction = error(&predicted, rest);
     // The report shows the prediction where a fit of a part would have it.
     for (own, predicted) in fitted.outcome.observations.iter_mut().zip(&predicted.outcome.observations) {

@@ -4,7 +4,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// A damped cosine in centimetres at 30 frames a second, with the scatter of a film: known, so that every run is the same.
-fn record(directory: &Path, name: &str, damping: f64, scatter: f64) -> PathBuf {
+pub fn record(directory: &Path, name: &str, damping: f64, scatter: f64) -> PathBuf {
     let mut text = "t [s]\ty [cm]\n".to_owned();
     let mut seed = 12345_u64;
     for frame in 0..210_u32 {
@@ -28,8 +28,8 @@ pub fn object(done: &Done) -> Value {
     serde_json::from_str(&done.stdout).expect("JSON")
 }
 
-const COSINE: &str = "simulations/theories/cosine.md";
-const LINEAR: &str = "simulations/theories/linear.md";
+pub const COSINE: &str = "simulations/theories/cosine.md";
+pub const LINEAR: &str = "simulations/theories/linear.md";
 
 #[test]
 fn a_fit_gives_values_in_declared_units_with_both_errors() {
@@ -355,31 +355,4 @@ fn an_outlier_is_named_and_a_robust_loss_disregards_it() {
     }
     let refused = meniscus(&[&words[..], &["--loss", "huber", "--profile"]].concat());
     assert!(refused.code != 0 && refused.stderr.contains("--profile needs least squares"), "{}", refused.stderr);
-}
-
-/// What would have no effect, or another one than it says, is refused.
-#[test]
-fn options_without_effect_are_refused() {
-    let directory = tempfile::tempdir().unwrap();
-    let data = record(directory.path(), "run.txt", 0.4, 0.1);
-    let cases: [(&[&str], &str); 3] = [
-        (&["--share", "gamma"], "--share gamma: there is only one record"),
-        (&["--start", "gamma=-3", "--bounds", "gamma=0..2"], "--start gamma=-3 lies outside the range"),
-        (&["--start", "gamma=3", "--bounds", "gamma=0..2"], "--start gamma=3 lies outside the range"),
-    ];
-    for (words, expected) in cases {
-        let done = meniscus(&[&["fit", COSINE, word(&data), "--observe", "y"], words].concat());
-        assert!(done.code == 2 && done.stderr.contains(expected), "{}", done.stderr);
-    }
-    let words = ["rank", word(&data), "--model", COSINE, "--model", LINEAR, "--observe", "y", "--predict-from", "9"];
-    let done = meniscus(&words);
-    assert!(done.code == 2 && done.stderr.contains("no value is measured from there on"), "{}", done.stderr);
-}
-
-#[test]
-fn profiles_say_what_they_suppose() {
-    let directory = tempfile::tempdir().unwrap();
-    let data = record(directory.path(), "run.txt", 0.4, 0.1);
-    let out = meniscus(&["fit", COSINE, word(&data), "--observe", "y", "--profile"]).stdout;
-    assert!(out.contains("from the profile of chi-square, for independent residuals"), "{out}");
 }

@@ -11,6 +11,7 @@ mod common;
 mod cycles;
 mod derivatives;
 mod fit;
+mod fit_options;
 mod lsp;
 mod office;
 mod pages;

@@ -39,6 +39,7 @@ mod settings;
 mod source;
 mod sweeps;
 mod template;
+mod tolerances;
 pub mod translating;
 mod translation;
 mod vary;

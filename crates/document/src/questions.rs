@@ -1,11 +1,12 @@
 //! Questions: words, and an answer that the document computes.
 
-use crate::expressions::{Expressions, Placed, dimension_error};
+use crate::expressions::Expressions;
 use crate::prose::Prose;
 use crate::scan::find_word;
 use crate::source::{lines, trim};
+use crate::tolerances;
 use model::{Diagnostic, ExpressionKind, Span};
-use program::{Question, QuestionText, Tolerance};
+use program::{Question, QuestionText};
 use std::ops::Range;
 use units::words;
 
@@ -14,6 +15,20 @@ pub const QUESTIONS: usize = 200;
 
 /// The keys of a question; what stands before the first is the question itself.
 const KEYS: [&str; 6] = ["after", "set", "hide", "answer", "hint", "explanation"];
+
+/// `within 2 %` and `within 0.1 [s]`
+const TOLERANCE: tolerances::Form = tolerances::Form {
+    code: "question-syntax",
+    other_dimension: words(
+        "the tolerance and the answer have different dimensions",
+        "la tolerancia y la respuesta tienen dimensiones distintas",
+    ),
+    hint: words(
+        "write `within 2 %` or, say, `within 0.1 [s]`",
+        "escribe `within 2 %` o, por ejemplo, `within 0.1 [s]`",
+    ),
+    bare_is_fraction: false,
+};
 
 /// A question as written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -144,7 +159,7 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
         return None;
     };
     let answer_value = expressions.constant(answer.start..within.start, &words("an answer", "una respuesta"))?;
-    let tolerance = tolerance(expressions, trim(source, within.end..answer.end), &answer_value)?;
+    let tolerance = tolerances::read(expressions, trim(source, within.end..answer.end), &answer_value, &TOLERANCE)?;
     let answer = answer_value.value;
     Some(Question { setup, hides, after, unit: answer.unit.clone(), answer, tolerance })
 }
@@ -229,50 +244,4 @@ fn hidden(expressions: &mut Expressions, range: Range<usize>) -> Vec<usize> {
         }
     }
     quantities
-}
-
-/// `2 %` or `0.1 [s]`
-fn tolerance(expressions: &mut Expressions, range: Range<usize>, answer: &Placed) -> Option<Tolerance> {
-    let span = Span::new(range.start, range.end);
-    let text = &expressions.source[range.clone()];
-    let tolerance = if let Some(percent) = text.strip_suffix('%') {
-        percent.trim().parse().ok().map(|percent: f64| Tolerance::Relative(percent / 100.0))
-    } else {
-        let (expression, _, _) = model::parse_expression(expressions.source, range);
-        match expression.kind {
-            ExpressionKind::Number { value, unit } => {
-                let unit = unit.unwrap_or_else(units::Unit::dimensionless);
-                if unit.dimension != answer.value.dimension() {
-                    let message = words(
-                        "the tolerance and the answer have different dimensions",
-                        "la tolerancia y la respuesta tienen dimensiones distintas",
-                    );
-                    let expected = (answer.span, answer.value.dimension());
-                    expressions.diagnostics.push(dimension_error(message, (span, unit.dimension), expected));
-                    return None;
-                }
-                Some(Tolerance::Absolute(unit.to_si(value)))
-            }
-            _ => None,
-        }
-    };
-    let is_sensible = |tolerance: &Tolerance| {
-        let (Tolerance::Relative(amount) | Tolerance::Absolute(amount)) = tolerance;
-        amount.is_finite() && *amount > 0.0
-    };
-    let tolerance = tolerance.filter(is_sensible);
-    if tolerance.is_none() {
-        expressions.diagnostics.push(
-            Diagnostic::error(
-                "question-syntax",
-                words("a tolerance is a positive number", "una tolerancia es un número positivo"),
-                span,
-            )
-            .with_hint(words(
-                "write `within 2 %` or, say, `within 0.1 [s]`",
-                "escribe `within 2 %` o, por ejemplo, `within 0.1 [s]`",
-            )),
-        );
-    }
-    tolerance
 }

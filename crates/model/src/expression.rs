@@ -150,7 +150,7 @@ impl<'a> Compiler<'a> {
             ));
             return Err(vec![diagnostic]);
         }
-        let mut check = NameCheck::new(&self.scope, Vec::new());
+        let mut check = NameCheck::outside_model(&self.scope);
         check.expression(expression);
         let mut diagnostics = check.finish();
         let mut inference = Inference {

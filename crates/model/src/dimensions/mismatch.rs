@@ -187,7 +187,9 @@ impl Inference<'_> {
                 .factor(value.1, needed.1)
                 .is_some_and(|factor| self.has_confirmed_parameters(value.0) || !self.has_offer(factor, value.0));
         if let Some(unit) = found.filter(|unit| is_stated && diagnostic.fixes.is_empty() && is_usual(unit)) {
-            diagnostic = diagnostic.with_fix(needed.2, format!("[{unit}]"));
+            diagnostic = diagnostic
+                .with_hint(words!("or state the unit that it has: [{unit}]", "o declara la unidad que tiene: [{unit}]"))
+                .with_fix(needed.2, format!("[{unit}]"));
         }
         self.diagnostics.push(diagnostic);
     }

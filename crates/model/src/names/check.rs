@@ -1,17 +1,17 @@
 //! Whether every name and function of an expression exists and is used as what it is.
 
 use super::foreign;
-use super::members;
 use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
+use super::unknown_name::{Unknown, unknown_name};
 use crate::chance;
 use crate::limits;
 use crate::notation::{primed, quote};
-use crate::{BinaryOperator, Diagnostic, Edit, Expression, ExpressionKind, FunctionStatement, Name, Span};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, Span};
 use program::Size;
 use program::functions::Function;
 use std::collections::HashSet;
-use units::{Words, words};
+use units::words;
 
 /// Collects what is wrong with the names of expressions. An unknown name is reported once, with all its places.
 #[derive(Debug)]
@@ -25,22 +25,27 @@ pub(crate) struct NameCheck<'a> {
     diagnostics: Vec<Diagnostic>,
     /// What has a meaning only in the function that is looked at: arguments, indices and sizes.
     local: Vec<&'a str>,
-}
-
-/// A name without a meaning.
-#[derive(Debug)]
-struct Unknown<'a> {
-    name: &'a str,
-    /// The most primes that it has anywhere.
-    order: u32,
-    /// Where it stands, and what follows the name there: primes, `(0)`.
-    places: Vec<(Span, String)>,
+    /// Whether what is unknown can be declared where it stands.
+    in_model: bool,
 }
 
 impl<'a> NameCheck<'a> {
     /// An empty check. The names in `reported` are not reported again.
     pub fn new(scope: &'a Scope, reported: Vec<&'a str>) -> Self {
-        Self { scope, reported, unknown: Vec::new(), told: Vec::new(), diagnostics: Vec::new(), local: Vec::new() }
+        Self {
+            scope,
+            reported,
+            unknown: Vec::new(),
+            told: Vec::new(),
+            diagnostics: Vec::new(),
+            local: Vec::new(),
+            in_model: true,
+        }
+    }
+
+    /// An empty check of an expression of the document, where nothing can be declared.
+    pub fn outside_model(scope: &'a Scope) -> Self {
+        Self { in_model: false, ..Self::new(scope, Vec::new()) }
     }
 
     /// Looks at one expression.
@@ -239,7 +244,8 @@ impl<'a> NameCheck<'a> {
     pub fn finish(mut self) -> Vec<Diagnostic> {
         let mut places = HashSet::new();
         self.diagnostics.retain(|diagnostic| places.insert((diagnostic.code, diagnostic.span())));
-        self.diagnostics.extend(self.unknown.iter().map(|unknown| unknown_name(self.scope, unknown)));
+        let (scope, in_model) = (self.scope, self.in_model);
+        self.diagnostics.extend(self.unknown.iter().map(|unknown| unknown_name(scope, unknown, in_model)));
         self.diagnostics
     }
 }
@@ -253,118 +259,4 @@ fn decimal_comma(arguments: &[Expression]) -> Option<Span> {
         let touches = comma.end == comma.start + 1;
         (touches && is_number(before) && is_number(after)).then_some(comma)
     })
-}
-
-/// Only names so short are taken for products.
-const LONGEST_PRODUCT: usize = 16;
-
-fn unknown_name(scope: &Scope, unknown: &Unknown) -> Diagnostic {
-    let Unknown { name, order, places } = unknown;
-    let (name, order) = (*name, *order);
-    let mut spans = places.iter().map(|(span, _)| *span);
-    let first = spans.next().unwrap_or_default();
-    let message = if order > 0 {
-        words!(
-            "nothing determines `{}`: `{name}` is neither defined nor in an equation",
-            "nada determina `{}`: `{name}` no se define ni aparece en una ecuación",
-            primed(name, order)
-        )
-    } else {
-        words!("`{name}` is not known", "no se conoce `{name}`")
-    };
-    let mut diagnostic = Diagnostic::error("unknown-name", message, first);
-    for place in spans.take(limits::PLACES) {
-        diagnostic = diagnostic.with_label(place, words("and here", "y aquí"));
-    }
-    let is_function =
-        || words!("`{name}` is a function: write `{name}(...)`", "`{name}` es una función: escribe `{name}(...)`");
-    if scope.is_function(name) {
-        return diagnostic.with_hint(is_function());
-    }
-    if let Some(hint) = members::hint(scope, name) {
-        return diagnostic.with_hint(hint);
-    }
-    // The members of families and the components of vectors do not stand in the text as they are called here.
-    let meaning = |diagnostic: Diagnostic, new: &str| {
-        if name.contains(['[', '.']) || new.contains(['[', '.']) {
-            return diagnostic;
-        }
-        let edits = places.iter().map(|(span, ending)| Edit { span: *span, text: format!("{new}{ending}") });
-        diagnostic.with_fixes(edits.collect())
-    };
-    if let Some(factors) = as_product(scope, name) {
-        let hint = words!("for a product write `{factors}`", "para un producto escribe `{factors}`");
-        return meaning(diagnostic.with_hint(hint), &factors);
-    }
-    if let Some(hint) = as_differential(scope, name).filter(|_| order == 0) {
-        return diagnostic.with_hint(hint);
-    }
-    if let Some(near) = scope.called(name).filter(|_| order == 0).or_else(|| scope.near(name)) {
-        let hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
-        return meaning(diagnostic.with_hint(hint), near);
-    }
-    if Function::named(name).is_some() {
-        return diagnostic.with_hint(is_function());
-    }
-    match name {
-        _ if order > 0 => {
-            let highest = primed(name, order.max(2));
-            diagnostic.with_hint(words!(
-                "write an equation for it, such as `{highest} = ...`, or define `{name} = ...`",
-                "escribe una ecuación para ella, por ejemplo `{highest} = ...`, o define `{name} = ...`"
-            ))
-        }
-        "t" => diagnostic.with_hint(words!(
-            "the independent variable is `{}`",
-            "la variable independiente es `{}`",
-            scope.independent
-        )),
-        "on" | "off" | "true" | "false" => diagnostic.with_hint(words(
-            "what is true or false stands alone: `if drag then ... else ...`, `not drag`",
-            "lo que es verdadero o falso va solo: `if drag then ... else ...`, `not drag`",
-        )),
-        "e" => diagnostic.with_hint(words(
-            "for a power of 2.718... write `exp(x)`",
-            "para una potencia de 2,718... escribe `exp(x)`",
-        )),
-        _ => diagnostic.with_hint(words!(
-            "declare it: `parameter {name} = 1 [unit]` or `{name} = ...`",
-            "declárala: `parameter {name} = 1 [unit]` o `{name} = ...`"
-        )),
-    }
-}
-
-/// What to write instead of the parts of `dy/dt`.
-fn as_differential(scope: &Scope, name: &str) -> Option<Words> {
-    let variable = name.strip_prefix('d')?;
-    match scope.meaning(variable)? {
-        Meaning::Independent => Some(words(
-            "derivatives are written with primes: `y'`, `y''`",
-            "las derivadas se escriben con primas: `y'`, `y''`",
-        )),
-        Meaning::Variable(_) | Meaning::Definition(_) => Some(words!(
-            "the derivative of `{variable}` is written `{variable}'`",
-            "la derivada de `{variable}` se escribe `{variable}'`"
-        )),
-        Meaning::Parameter(_) | Meaning::Pi => None,
-    }
-}
-
-/// `m*g` for `mg`, if both are names.
-fn as_product(scope: &Scope, name: &str) -> Option<String> {
-    if name.len() > LONGEST_PRODUCT {
-        return None;
-    }
-    let is_name = |text: &str| scope.meaning(text).is_some();
-    let cuts = || name.char_indices().map(|(index, _)| index).skip(1);
-    let two = cuts().find(|&cut| is_name(&name[..cut]) && is_name(&name[cut..]));
-    if let Some(cut) = two {
-        return Some(format!("{}*{}", &name[..cut], &name[cut..]));
-    }
-    let three = cuts().find_map(|first| {
-        let second =
-            cuts().find(|&second| second > first && is_name(&name[first..second]) && is_name(&name[second..]))?;
-        is_name(&name[..first]).then_some((first, second))
-    });
-    three.map(|(first, second)| format!("{}*{}*{}", &name[..first], &name[first..second], &name[second..]))
 }

@@ -11,6 +11,7 @@ mod order;
 mod scope;
 mod traverse;
 mod unknown;
+mod unknown_name;
 mod unknowns;
 
 pub(crate) use check::NameCheck;

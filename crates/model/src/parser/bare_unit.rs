@@ -11,7 +11,7 @@ pub(super) struct BareUnit<'a> {
     pub(super) text: &'a str,
     pub(super) span: Span,
     is_round: bool,
-    /// Whether the names can hardly be factors of a product: none of them is multiplied, and the term ends here unless it is a quotient.
+    /// Whether it is a quotient, such as `N/m`, and so hardly a product of quantities.
     pub(super) is_certain: bool,
 }
 
@@ -24,23 +24,13 @@ impl<'a> Cursor<'a> {
         }
         let source = self.source;
         let start = self.span().start;
-        let ends =
-            (0..).take_while(|&ahead| self.can_be_in_unit(ahead)).map(|ahead| (ahead, self.span_ahead(ahead).end));
-        let is_unit = |&(_, end): &(usize, usize)| Unit::parse(&source[start..end]).is_ok();
-        let (last, end) = ends.filter(is_unit).last()?;
+        let ends = (0..).take_while(|&ahead| self.can_be_in_unit(ahead)).map(|ahead| self.span_ahead(ahead).end);
+        let end = ends.filter(|&end| Unit::parse(&source[start..end]).is_ok()).last()?;
         let whole = &source[start..end];
         let inside = whole.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
         let inside = inside.filter(|inside| Unit::parse(inside).is_ok());
         let text = inside.unwrap_or(whole);
-        let is_product = text.contains(|c: char| c.is_whitespace() || matches!(c, '*' | '·'));
-        let goes_on = matches!(
-            self.peek_ahead(last + 1),
-            TokenKind::Name { .. }
-                | TokenKind::Number(_)
-                | TokenKind::Raised(_)
-                | TokenKind::Symbol(Symbol::Star | Symbol::Slash | Symbol::Caret | Symbol::LeftParenthesis)
-        );
-        let is_certain = text.contains('/') || !is_product && !goes_on;
+        let is_certain = text.contains('/');
         Some(BareUnit { text, span: Span::new(start, end), is_round: inside.is_some(), is_certain })
     }
 

@@ -59,7 +59,7 @@ fn errors() {
         ),
         (
             "E in [N]",
-            "error [dimension-mismatch]: `E` has one length too many for the stated unit [N]\n  1: `E`: an energy\n  1: `[N]`: a force\n  | `E`  kg  m^2  s^-2  energy\n  | [N]  kg  m    s^-2  force\n  hint: divide it by a length\n  fix: replace `[N]` by `[J]`\n",
+            "error [dimension-mismatch]: `E` has one length too many for the stated unit [N]\n  1: `E`: an energy\n  1: `[N]`: a force\n  | `E`  kg  m^2  s^-2  energy\n  | [N]  kg  m    s^-2  force\n  hint: divide it by a length\n  hint: or state the unit that it has: [J]\n  fix: replace `[N]` by `[J]`\n",
         ),
     ] {
         assert_eq!(expression(&mut model, text).unwrap_err(), expected, "{text}");

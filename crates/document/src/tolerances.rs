@@ -1,0 +1,58 @@
+//! Tolerances of answers and of checks: `0.1 %` is a fraction, `1 [mm]` a quantity.
+
+use crate::expressions::{Expressions, Placed, dimension_error};
+use crate::source::trim;
+use model::{Diagnostic, ExpressionKind, Span};
+use program::Tolerance;
+use std::ops::Range;
+use units::{Unit, Words, words};
+
+/// How tolerances are written somewhere, and what is said there of wrong ones.
+pub struct Form {
+    /// The code of the diagnostics.
+    pub code: &'static str,
+    /// What is said of a tolerance with another dimension than the value.
+    pub other_dimension: Words,
+    /// How tolerances are written.
+    pub hint: Words,
+    /// Whether a number without a unit is a fraction of the value, and not a quantity without a dimension.
+    pub bare_is_fraction: bool,
+}
+
+/// The tolerance that fills `range`, for `value`.
+pub fn read(expressions: &mut Expressions, range: Range<usize>, value: &Placed, form: &Form) -> Option<Tolerance> {
+    let source = expressions.source;
+    let span = Span::new(range.start, range.end);
+    let percent =
+        source[range.clone()].strip_suffix('%').map(|number| trim(source, range.start..range.start + number.len()));
+    let (expression, _, found) = model::parse_expression(source, percent.clone().unwrap_or(range));
+    if model::has_errors(&found) {
+        expressions.diagnostics.extend(found);
+        return None;
+    }
+    let tolerance = match expression.kind {
+        ExpressionKind::Number { value, unit: None } if percent.is_some() => Some(Tolerance::Relative(value / 100.0)),
+        ExpressionKind::Number { value, unit: None } if form.bare_is_fraction => Some(Tolerance::Relative(value)),
+        ExpressionKind::Number { value: number, unit } if percent.is_none() => {
+            let unit = unit.unwrap_or_else(Unit::dimensionless);
+            if unit.dimension != value.value.dimension() {
+                let expected = (value.span, value.value.dimension());
+                let diagnostic = dimension_error(form.other_dimension.clone(), (span, unit.dimension), expected);
+                expressions.diagnostics.push(diagnostic);
+                return None;
+            }
+            Some(Tolerance::Absolute(unit.to_si(number)))
+        }
+        _ => None,
+    };
+    let is_sensible = |tolerance: &Tolerance| {
+        let (Tolerance::Relative(amount) | Tolerance::Absolute(amount)) = tolerance;
+        amount.is_finite() && *amount > 0.0
+    };
+    let tolerance = tolerance.filter(is_sensible);
+    if tolerance.is_none() {
+        let wrong = words("a tolerance is a positive number", "una tolerancia es un número positivo");
+        expressions.diagnostics.push(Diagnostic::error(form.code, wrong, span).with_hint(form.hint.clone()));
+    }
+    tolerance
+}

@@ -1,0 +1,145 @@
+//! Names without a meaning, and what was probably meant.
+
+use super::members;
+use super::scope::{Meaning, PI, Scope};
+use crate::notation::primed;
+use crate::{Diagnostic, Edit, Span, limits};
+use program::functions::Function;
+use units::{Words, words};
+
+/// A name without a meaning.
+#[derive(Debug)]
+pub(super) struct Unknown<'a> {
+    pub name: &'a str,
+    /// The most primes that it has anywhere.
+    pub order: u32,
+    /// Where it stands, and what follows the name there: primes, `(0)`.
+    pub places: Vec<(Span, String)>,
+}
+
+/// The most names that a hint lists.
+const MOST_NAMES: usize = 12;
+
+/// Only names so short are taken for products.
+const LONGEST_PRODUCT: usize = 16;
+
+/// What is said of an unknown name. Outside the model nothing can be declared.
+pub(super) fn unknown_name(scope: &Scope, unknown: &Unknown, in_model: bool) -> Diagnostic {
+    let Unknown { name, order, places } = unknown;
+    let (name, order) = (*name, *order);
+    let mut spans = places.iter().map(|(span, _)| *span);
+    let first = spans.next().unwrap_or_default();
+    let message = if order > 0 {
+        words!(
+            "nothing determines `{}`: `{name}` is neither defined nor in an equation",
+            "nada determina `{}`: `{name}` no se define ni aparece en una ecuación",
+            primed(name, order)
+        )
+    } else {
+        words!("`{name}` is not known", "no se conoce `{name}`")
+    };
+    let mut diagnostic = Diagnostic::error("unknown-name", message, first);
+    for place in spans.take(limits::PLACES) {
+        diagnostic = diagnostic.with_label(place, words("and here", "y aquí"));
+    }
+    let is_function =
+        || words!("`{name}` is a function: write `{name}(...)`", "`{name}` es una función: escribe `{name}(...)`");
+    if scope.is_function(name) {
+        return diagnostic.with_hint(is_function());
+    }
+    if let Some(hint) = members::hint(scope, name) {
+        return diagnostic.with_hint(hint);
+    }
+    // The members of families and the components of vectors do not stand in the text as they are called here.
+    let meaning = |diagnostic: Diagnostic, new: &str| {
+        if name.contains(['[', '.']) || new.contains(['[', '.']) {
+            return diagnostic;
+        }
+        let edits = places.iter().map(|(span, ending)| Edit { span: *span, text: format!("{new}{ending}") });
+        diagnostic.with_fixes(edits.collect())
+    };
+    if let Some(factors) = as_product(scope, name) {
+        let hint = words!("for a product write `{factors}`", "para un producto escribe `{factors}`");
+        return meaning(diagnostic.with_hint(hint), &factors);
+    }
+    if let Some(hint) = as_differential(scope, name).filter(|_| order == 0) {
+        return diagnostic.with_hint(hint);
+    }
+    if let Some(near) = scope.called(name).filter(|_| order == 0).or_else(|| scope.near(name)) {
+        let hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
+        return meaning(diagnostic.with_hint(hint), near);
+    }
+    if Function::named(name).is_some() {
+        return diagnostic.with_hint(is_function());
+    }
+    match name {
+        _ if order > 0 => {
+            let highest = primed(name, order.max(2));
+            diagnostic.with_hint(words!(
+                "write an equation for it, such as `{highest} = ...`, or define `{name} = ...`",
+                "escribe una ecuación para ella, por ejemplo `{highest} = ...`, o define `{name} = ...`"
+            ))
+        }
+        "t" => diagnostic.with_hint(words!(
+            "the independent variable is `{}`",
+            "la variable independiente es `{}`",
+            scope.independent
+        )),
+        "on" | "off" | "true" | "false" => diagnostic.with_hint(words(
+            "what is true or false stands alone: `if drag then ... else ...`, `not drag`",
+            "lo que es verdadero o falso va solo: `if drag then ... else ...`, `not drag`",
+        )),
+        "e" => diagnostic.with_hint(words(
+            "for a power of 2.718... write `exp(x)`",
+            "para una potencia de 2,718... escribe `exp(x)`",
+        )),
+        _ if in_model => diagnostic.with_hint(words!(
+            "declare it: `parameter {name} = 1`, with its unit, or `{name} = ...`",
+            "declárala: `parameter {name} = 1`, con su unidad, o `{name} = ...`"
+        )),
+        _ => diagnostic.with_hint(known_names(scope)),
+    }
+}
+
+/// The names of the model; those with other characters stand for parts of what has them.
+fn known_names(scope: &Scope) -> Words {
+    let is_written = |name: &&str| *name != PI && name.chars().all(|c| c == '_' || c.is_alphanumeric());
+    let names = scope.names().filter(is_written).map(|name| format!("`{name}`"));
+    let names = names.take(MOST_NAMES).collect::<Vec<_>>().join(", ");
+    words!("the model has the names {names}", "el modelo tiene los nombres {names}")
+}
+
+/// What to write instead of the parts of `dy/dt`.
+fn as_differential(scope: &Scope, name: &str) -> Option<Words> {
+    let variable = name.strip_prefix('d')?;
+    match scope.meaning(variable)? {
+        Meaning::Independent => Some(words(
+            "derivatives are written with primes: `y'`, `y''`",
+            "las derivadas se escriben con primas: `y'`, `y''`",
+        )),
+        Meaning::Variable(_) | Meaning::Definition(_) => Some(words!(
+            "the derivative of `{variable}` is written `{variable}'`",
+            "la derivada de `{variable}` se escribe `{variable}'`"
+        )),
+        Meaning::Parameter(_) | Meaning::Pi => None,
+    }
+}
+
+/// `m*g` for `mg`, if both are names.
+fn as_product(scope: &Scope, name: &str) -> Option<String> {
+    if name.len() > LONGEST_PRODUCT {
+        return None;
+    }
+    let is_name = |text: &str| scope.meaning(text).is_some();
+    let cuts = || name.char_indices().map(|(index, _)| index).skip(1);
+    let two = cuts().find(|&cut| is_name(&name[..cut]) && is_name(&name[cut..]));
+    if let Some(cut) = two {
+        return Some(format!("{}*{}", &name[..cut], &name[cut..]));
+    }
+    let three = cuts().find_map(|first| {
+        let second =
+            cuts().find(|&second| second > first && is_name(&name[first..second]) && is_name(&name[second..]))?;
+        is_name(&name[..first]).then_some((first, second))
+    });
+    three.map(|(first, second)| format!("{}*{}*{}", &name[..first], &name[first..second], &name[second..]))
+}

@@ -21,7 +21,11 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "unit-without-number"
         | "unit-of-equation"
         | "unit-in-range"
-        | "unit-in-exponent" => ("Units", "Unidades"),
+        | "unit-in-exponent"
+        | "unknown-unit"
+        | "malformed-unit"
+        | "ambiguous-unit"
+        | "temperature-scale" => ("Units", "Unidades"),
 
         // Writing.
         "unclosed-parenthesis"
@@ -35,6 +39,7 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "scene-brace" => ("Brackets do not match", "Los paréntesis no concuerdan"),
         "unclosed-text" => ("Quotation marks do not match", "Las comillas no concuerdan"),
         "malformed-number" | "number-too-large" | "not-a-number" | "decimal-comma" => ("Numbers", "Números"),
+        "foreign-derivative" | "foreign-power" | "foreign-loop" | "argument-separator" => ("Notation", "Notación"),
         "unexpected-token"
         | "unexpected-character"
         | "unknown-word"
@@ -72,6 +77,34 @@ fn of(code: &str) -> (&'static str, &'static str) {
         "reserved-name" | "reserved-word" | "name-character" => {
             ("This name cannot be used", "Este nombre no se puede usar")
         }
+        "component-of-number"
+        | "component-at-start"
+        | "component-defined"
+        | "no-component"
+        | "number-for-vector"
+        | "number-in-vector-function"
+        | "vector-and-number"
+        | "vector-comparison"
+        | "vector-components"
+        | "vector-division"
+        | "vector-for-number"
+        | "vector-in-function"
+        | "vector-power"
+        | "vector-product" => ("Vectors", "Vectores"),
+        "function-form" | "unused-argument" | "argument-without-name" => ("Functions", "Funciones"),
+        "table-comma" | "table-form" | "table-order" | "table-points" => ("Tables", "Tablas"),
+        "not-a-choice" | "choice-form" | "choice-incomplete" | "switch-value" => {
+            ("Switches and choices", "Interruptores y elecciones")
+        }
+        "draw-out-of-place" | "draw-without-seed" | "duplicate-seed" | "seed" => ("Chance", "Azar"),
+        "counts-by" | "next-in-a-flow" | "next-value" | "duplicate-next" | "rate-in-a-map" => {
+            ("Discrete steps", "Pasos discretos")
+        }
+        "group-name" | "empty-group" | "hidden-form" | "button-title" | "button-for" => ("Controls", "Controles"),
+        "discrete-text" | "discrete-truth" | "discrete-without-value" => {
+            ("Discrete quantities", "Magnitudes discretas")
+        }
+        "not-a-condition" => ("Conditions", "Condiciones"),
         "cycle" => ("Circular definition", "Definición circular"),
         "prime-after-expression" | "prime-of-constant" | "too-many-primes" => ("Derivatives", "Derivadas"),
 
@@ -108,12 +141,15 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "event-at-equality"
         | "empty-event"
         | "true-at-the-start"
-        | "set-twice" => ("Events", "Sucesos"),
+        | "set-twice"
+        | "interval-of-zero"
+        | "let-of-known-name" => ("Events", "Sucesos"),
         "sign-as-friction"
         | "friction-without-effect"
         | "friction-of-friction"
         | "friction-not-linear"
-        | "friction-outside" => ("Dry friction", "Rozamiento seco"),
+        | "friction-outside"
+        | "friction-at-start" => ("Dry friction", "Rozamiento seco"),
         "too-large"
         | "model-too-large"
         | "too-deep"
@@ -124,12 +160,13 @@ fn of(code: &str) -> (&'static str, &'static str) {
         // The document around the model.
         "no-model" => ("There is no model", "No hay modelo"),
         "front-matter" | "setting" | "unknown-key" | "empty-key" | "language" | "step-not-positive"
-        | "bad-tolerance" => ("Settings at the top", "Ajustes del encabezado"),
+        | "unknown-method" | "bad-tolerance" => ("Settings at the top", "Ajustes del encabezado"),
         "fence" | "unknown-fence" => ("Blocks of the document", "Bloques del documento"),
         "translation" | "untranslated" => ("Translation", "Traducción"),
-        "scene-syntax" | "scene-style" | "scene-refused" | "scene-definition" => ("Scene", "Escena"),
-        "plot-syntax" => ("Plots", "Gráficas"),
+        "scene-syntax" | "scene-style" | "scene-refused" | "scene-definition" | "scene-point" => ("Scene", "Escena"),
+        "plot-syntax" | "constant-abscissa" | "sweep" => ("Plots", "Gráficas"),
         "preset-syntax" => ("Presets", "Ajustes"),
+        "check-syntax" | "check-constant" => ("Checks", "Comprobaciones"),
         "question-syntax" => ("Questions", "Preguntas"),
         "link" | "image" | "raw-html" | "math" => ("Text", "Texto"),
         _ => ("The document", "El documento"),

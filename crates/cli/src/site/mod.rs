@@ -35,10 +35,20 @@ pub fn build(arguments: &Build, terminal: Terminal) -> Result<(), Failure> {
     let [simulations, kilobytes] = [found.len(), files.size() / 1000];
     let site = arguments.output.display();
     terminal.print(&terminal.language.pick(
-        format!("{site}: {simulations} simulations, {kilobytes} kB; put the folder on any web server\n"),
-        format!("{site}: {simulations} simulaciones, {kilobytes} kB; pon la carpeta en cualquier servidor web\n"),
+        format!(
+            "{site}: {}, {kilobytes} kB; put the folder on any web server\n",
+            counted(simulations, "simulation", "simulations")
+        ),
+        format!(
+            "{site}: {}, {kilobytes} kB; pon la carpeta en cualquier servidor web\n",
+            counted(simulations, "simulación", "simulaciones")
+        ),
     ));
     Ok(())
+}
+
+fn counted(count: usize, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
 }
 
 /// All files of the site.

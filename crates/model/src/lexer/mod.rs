@@ -1,6 +1,7 @@
 //! From characters to tokens. The lexer never fails: what it cannot read becomes [`TokenKind::Unknown`], and a
 //! diagnostic has said so.
 
+mod brackets;
 mod component;
 mod derivative;
 mod foreign;
@@ -278,30 +279,6 @@ impl<'a> Lexer<'a> {
         self.push(TokenKind::Unknown, start);
     }
 
-    fn brackets(&mut self) {
-        let start = self.at;
-        self.at += 1;
-        let inside_start = self.at;
-        let inside = self.skip(|c| !matches!(c, ']' | '[' | '\n' | '#' | '"'));
-        if self.rest().starts_with(']') {
-            let inside = inside_start..self.at;
-            self.at += 1;
-            return self.push(TokenKind::Brackets(inside), start);
-        }
-        self.at = inside_start + inside.trim_end().len();
-        let wrong = words("this `[` is not closed", "este `[` no se cierra");
-        let diagnostic = Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1))
-            .with_hint(words("end the unit with ]", "termina la unidad con ]"));
-        self.diagnostics.push(match unit_at_start(inside) {
-            Some(length) => {
-                let end = inside_start + length;
-                diagnostic.with_fix(Span::new(end, end), "]")
-            }
-            None => diagnostic,
-        });
-        self.push(TokenKind::Unknown, start);
-    }
-
     fn raised(&mut self) {
         let start = self.at;
         let digits: String = self.skip(|c| units::raised(c).is_some()).chars().filter_map(units::raised).collect();
@@ -390,15 +367,6 @@ fn strange_character(character: char, span: Span) -> Diagnostic {
         }
         _ => diagnostic,
     }
-}
-
-/// The length of the longest unit at the start of a text; the word `in` is not taken for inches.
-fn unit_at_start(text: &str) -> Option<usize> {
-    let text = text.split(" in ").next().unwrap_or_default();
-    let ends = text.char_indices().filter(|(_, c)| !c.is_alphanumeric()).map(|(end, _)| end).chain([text.len()]);
-    ends.filter(|&end| end > 0 && units::Unit::parse(&text[..end]).is_ok())
-        .map(|end| text[..end].trim_end().len())
-        .last()
 }
 
 /// All blanks but the end of the line; a carriage return belongs to that.

@@ -1,0 +1,41 @@
+//! `[N/m]` and `[i+1]`: units and indices, which the parser tells apart.
+
+use super::Lexer;
+use super::token::TokenKind;
+use crate::{Diagnostic, Span};
+use units::words;
+
+impl Lexer<'_> {
+    /// Brackets and what stands inside.
+    pub(super) fn brackets(&mut self) {
+        let start = self.at;
+        self.at += 1;
+        let inside_start = self.at;
+        let inside = self.skip(|c| !matches!(c, ']' | '[' | '\n' | '#' | '"'));
+        if self.rest().starts_with(']') {
+            let inside = inside_start..self.at;
+            self.at += 1;
+            return self.push(TokenKind::Brackets(inside), start);
+        }
+        self.at = inside_start + inside.trim_end().len();
+        let wrong = words("this `[` is not closed", "este `[` no se cierra");
+        let diagnostic = Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1))
+            .with_hint(words("end the unit with ]", "termina la unidad con ]"));
+        self.diagnostics.push(match unit_at_start(inside) {
+            Some(length) => {
+                let end = inside_start + length;
+                diagnostic.with_fix(Span::new(end, end), "]")
+            }
+            None => diagnostic,
+        });
+        self.push(TokenKind::Unknown, start);
+    }
+}
+
+/// The length of the longest unit at the start of a text; the word `in` is not taken for inches.
+fn unit_at_start(text: &str) -> Option<usize> {
+    let text = text.split(" in ").next().unwrap_or_default();
+    let ends = text.char_indices().filter(|(_, c)| !c.is_alphanumeric()).map(|(end, _)| end).chain([text.len()]);
+    let end = ends.rev().find(|&end| end > 0 && units::Unit::parse(&text[..end]).is_ok())?;
+    Some(text[..end].trim_end().len())
+}

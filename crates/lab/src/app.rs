@@ -45,8 +45,6 @@ pub struct Lab {
     pub editor: Option<Editor>,
     /// Under which name the browser keeps what is written of the open document, and what this page has kept there last.
     pub written_as: Option<Kept>,
-    /// Whether what is written has yet to be kept.
-    pub keeping_is_due: bool,
     /// When the text was changed, and when a version of it was made.
     pub version_times: VersionTimes,
     /// Whether the editor shows the open document, and not the one before it.

@@ -57,7 +57,6 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         lab.sources = sources;
         lab.findings = findings;
         lab.written_as = None;
-        lab.keeping_is_due = false;
         lab.version_times = VersionTimes::default();
         lab.editor_is_current = false;
         place(lab, desk)

@@ -32,15 +32,19 @@ pub fn written(app: App, file: usize, text: String) {
     versions::before_change(app);
     if app.with(|lab| lab.desk.is_none()) == Some(true) {
         opening::mend(app, file, text);
-    } else if app.with(|lab| replaced(lab, |desk| desk.write(file, text))) == Some(true) {
-        if !was_own {
-            visited::step(app);
-        }
+        return checked(app, visited::describe(app));
+    }
+    let runs = app.with(|lab| replaced(lab, |desk| desk.write(file, text)));
+    let description = visited::describe(app);
+    if runs == Some(true) && !was_own {
+        visited::step(app);
+    } else {
+        visited::note_described(&description);
+    }
+    if runs == Some(true) {
         app.rebuild_program();
     }
-    app.written.update(|count| *count += 1);
-    findings::mark(app);
-    kept::later(app);
+    checked(app, description);
 }
 
 /// Takes other texts for all files, as if they had been typed: each can be undone in the editor.
@@ -87,6 +91,13 @@ fn replaced(lab: &mut Lab, change: impl FnOnce(&mut Desk) -> bool) -> bool {
         saved::rename(lab, before);
     }
     runs
+}
+
+/// Keeps what was written, as [`visited::describe`] describes it, and shows what was found in it.
+fn checked(app: App, description: String) {
+    kept::keep(app, description);
+    app.written.update(|count| *count += 1);
+    findings::mark(app);
 }
 
 /// Whether the open document is neither the page's nor of its library.

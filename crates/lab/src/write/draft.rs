@@ -1,6 +1,5 @@
 //! What has been typed and does not run, or has not been checked yet, when a document is opened or left.
 
-use super::kept;
 use crate::app::{App, Lab};
 use crate::tabs;
 use crate::visited::Visited;
@@ -21,10 +20,9 @@ pub fn resume(app: App, visited: Option<Visited>) {
     }
 }
 
-/// Has what was typed last checked and kept now.
+/// Has what was typed last checked now.
 pub fn flush(app: App) {
     if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
         editor.flush();
     }
-    kept::now(app);
 }

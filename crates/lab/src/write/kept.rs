@@ -6,9 +6,6 @@ use crate::app::App;
 use crate::stored::Kept;
 use crate::visited::{self, Visited};
 use view::browser;
-use view::views::window;
-use wasm_bindgen::JsCast;
-use wasm_bindgen::closure::Closure;
 
 const PREFIX: &str = "written:";
 /// More of them are not kept; the oldest go.
@@ -34,27 +31,9 @@ fn new_name() -> String {
     format!("{PREFIX}{time}")
 }
 
-/// Has what was written kept in a task of its own, right after the one that shows what was found in it: of a long text, storing takes
-/// as long as checking half of it.
-pub fn later(app: App) {
-    if app.with(|lab| std::mem::replace(&mut lab.keeping_is_due, true)) == Some(false) {
-        let keep = Closure::once_into_js(move || now(app));
-        let _ = window().set_timeout_with_callback(keep.unchecked_ref());
-    }
-}
-
-/// Keeps what was written and has not been kept: in the step of the history and in the storage.
-pub fn now(app: App) {
-    if app.with(|lab| std::mem::take(&mut lab.keeping_is_due)) == Some(true) {
-        let description = visited::describe(app);
-        visited::note_described(&description);
-        keep(app, description);
-    }
-}
-
 /// Keeps the document as it stands in the editor, by its description. Where another page has changed it in the storage meanwhile, that stays, and this
 /// one is kept beside it.
-fn keep(app: App, text: String) {
+pub fn keep(app: App, text: String) {
     let Some(Kept { name, text: before }) = app.with(|lab| lab.written_as.clone()).flatten() else { return };
     let is_changed = browser::remembered(&name).is_some_and(|stored| stored != before);
     let name = if is_changed { new_name() } else { name };

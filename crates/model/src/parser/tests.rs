@@ -106,7 +106,7 @@ fn each_kind_of_statement_is_read() {
         ("y(0) = h in [cm] \"Displacement\"", "y@0 := h in [cm] \"Displacement\""),
         ("y'(0) = v_0", "y'@0 := v_0"),
         ("function f(x) = 2*x", "function f(x) := (2*x)"),
-        ("function Re(v; d) = v*d/nu in [m] \"Number\"", "function Re(v, d) := ((v*d)/nu) in [m] \"Number\""),
+        ("function Re(v, d) = v*d/nu in [m] \"Number\"", "function Re(v, d) := ((v*d)/nu) in [m] \"Number\""),
         ("switch drag = on \"Drag\"", "switch drag=1 \"Drag\""),
         ("switch drag = false", "switch drag=0"),
         (

@@ -6,8 +6,7 @@ use units::number::{plain, with_unit};
 
 /// A sentence for each number that the end of its range has stopped.
 pub fn at_ends(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
-    let stopped = outcome.parameters.iter().filter(|one| one.at_bound && one.determined);
-    stopped.map(|one| at_end(one, task, language)).collect()
+    outcome.stopped().map(|one| at_end(one, task, language)).collect()
 }
 
 fn at_end(one: &Estimate, task: &Task, language: Language) -> String {

@@ -89,6 +89,11 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// The numbers that an end of the range in which they were searched has stopped.
+    pub fn stopped(&self) -> impl Iterator<Item = &Estimate> {
+        self.parameters.iter().filter(|one| one.at_bound && one.determined)
+    }
+
     /// The parameter or derived quantity of this name, in the first record that has it.
     pub fn estimate(&self, name: &str) -> Option<&Estimate> {
         self.parameters.iter().chain(&self.derived).find(|estimate| estimate.name == name)

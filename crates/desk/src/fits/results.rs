@@ -106,8 +106,7 @@ impl Desk {
         if !outcome.converged {
             return Some(words::not_converged(language).to_owned());
         }
-        let stopped = outcome.parameters.iter().filter(|one| one.at_bound && one.determined);
-        let names: Vec<String> = stopped.map(|one| play::symbol(&one.name)).collect();
+        let names: Vec<String> = outcome.stopped().map(|one| play::symbol(&one.name)).collect();
         (!names.is_empty()).then(|| words::stopped(language, &names.join(", ")))
     }
 

@@ -1,4 +1,4 @@
-//! Whether the zero of the scale is varied where nobody has chosen.
+//! Whether the zero of the scale is varied as long as a person has not chosen.
 
 use crate::Desk;
 use crate::records::recognise::observed;

@@ -25,6 +25,59 @@ pub struct Asked {
     pub explanation: String,
 }
 
+/// A part of a question as it is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum QuestionPart {
+    /// What is asked.
+    Prompt,
+    /// The questions before it.
+    After,
+    /// The values that it supposes.
+    Set,
+    /// What is hidden.
+    Hide,
+    /// The answer with its tolerance.
+    Answer,
+    /// The hint.
+    Hint,
+    /// The explanation.
+    Explanation,
+}
+
+impl QuestionPart {
+    /// All of them in the order in which they are usually written.
+    pub const ALL: [Self; 7] =
+        [Self::Prompt, Self::After, Self::Set, Self::Hide, Self::Answer, Self::Hint, Self::Explanation];
+
+    /// The word that it stands behind; the prompt stands before all of them.
+    pub fn word(self) -> Option<&'static str> {
+        match self {
+            Self::Prompt => None,
+            Self::After => Some("after"),
+            Self::Set => Some("set"),
+            Self::Hide => Some("hide"),
+            Self::Answer => Some("answer"),
+            Self::Hint => Some("hint"),
+            Self::Explanation => Some("explanation"),
+        }
+    }
+}
+
+impl Asked {
+    /// The text of a part.
+    pub fn text(&self, part: QuestionPart) -> &str {
+        match part {
+            QuestionPart::Prompt => &self.prompt,
+            QuestionPart::After => &self.after,
+            QuestionPart::Set => &self.set,
+            QuestionPart::Hide => &self.hide,
+            QuestionPart::Answer => &self.answer,
+            QuestionPart::Hint => &self.hint,
+            QuestionPart::Explanation => &self.explanation,
+        }
+    }
+}
+
 /// The questions of a document in their order.
 pub fn asked(outline: &Outline) -> Vec<Asked> {
     let source = outline.source();

@@ -44,7 +44,7 @@ pub mod translating;
 mod translation;
 mod vary;
 
-pub use asked::{Asked, asked, possible_answers};
+pub use asked::{Asked, QuestionPart, asked, possible_answers};
 pub use block::{Block, BlockKind, Fence};
 pub use card::{Card, card};
 pub use document::{Document, Opened};
@@ -53,4 +53,4 @@ pub use front_matter::{Entry, FrontMatter, Value, translates};
 pub use open::open;
 pub use outline::{Outline, read};
 pub use resized::resized;
-pub use template::{TEMPLATES, Template};
+pub use template::{TEMPLATES, Template, file_name};

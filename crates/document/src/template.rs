@@ -41,3 +41,19 @@ macro_rules! templates {
 /// The templates, the shortest first.
 pub const TEMPLATES: [Template; 7] =
     templates!["empty", "oscillator", "coupled-bodies", "circuit", "projectile", "formula", "map"];
+
+/// The longest name made of a title, in characters.
+const LONGEST_NAME: usize = 60;
+
+/// What the file of a document is called. One that still has the name of a template gets that of its title: `a-mass-on-a-spring.md`.
+pub fn file_name(name: &str, text: &str) -> String {
+    let (stem, ending) = name.split_once('.').unwrap_or((name, "md"));
+    if !TEMPLATES.iter().any(|template| template.name == stem) {
+        return name.to_owned();
+    }
+    let title = crate::card(text).title.to_lowercase();
+    let words = title.split(|letter: char| !letter.is_alphanumeric()).filter(|word| !word.is_empty());
+    let title: String = words.collect::<Vec<_>>().join("-").chars().take(LONGEST_NAME).collect();
+    let title = title.trim_end_matches('-');
+    if title.is_empty() { name.to_owned() } else { format!("{title}.{ending}") }
+}

@@ -31,7 +31,7 @@ pub(crate) use layout::line_end;
 pub use model::Edit;
 pub use parameter::set_parameter;
 pub use plots::{NewPlot, add_plot, exchange_plots, remove_plot, set_plot};
-pub use question::{NewQuestion, add_question};
+pub use question::{NewQuestion, add_question, remove_question, set_question};
 pub use rename::{rename, rename_with};
 pub use settings::set_front_matter;
 pub use shown::{add_group, exchange_statements, set_hidden, set_label};

@@ -1,10 +1,12 @@
-//! Further questions.
+//! Questions: their parts, further ones, and their removal.
 
-use super::blocks::insert_block;
-use super::layout::result;
+use super::blocks::{insert_block, remove_block};
+use super::layout::{begin_line, line_end, result, with_line_ends_of};
 use super::{Edit, EditError};
 use crate::outline::{Outline, read};
-use crate::{BlockKind, asked};
+use crate::translating::question_at;
+use crate::{Asked, BlockKind, QuestionPart, asked, questions};
+use model::Span;
 
 /// A question whose answer the model computes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -42,13 +44,103 @@ pub fn add_question(outline: &Outline, question: &NewQuestion) -> Result<Edit, E
     // A free line between it and what stands before.
     let before = &outline.source()[..edit.span.start];
     if !before.ends_with("\n\n") && !before.ends_with("\r\n\r\n") && !before.is_empty() {
-        edit.text.insert_str(0, super::layout::line_end(outline.source()));
+        edit.text.insert_str(0, line_end(outline.source()));
     }
     let text = result(outline, std::slice::from_ref(&edit))?;
     let count = asked(outline).len();
     let after = asked(&read(&text));
-    let is_new = |one: &crate::Asked| {
-        one.prompt == prompt && one.hint == hint && one.answer == format!("{answer} within {percent} %")
-    };
+    let is_new =
+        |one: &Asked| one.prompt == prompt && one.hint == hint && one.answer == format!("{answer} within {percent} %");
     if after.len() == count + 1 && after.last().is_some_and(is_new) { Ok(edit) } else { Err(EditError::NotOneCell) }
+}
+
+/// Writes a part of the question of this number; an empty text removes it.
+///
+/// # Errors
+///
+/// [`EditError::UnknownCell`] if there is no such question, [`EditError::NotOneCell`] if the text would not be read as this part alone.
+pub fn set_question(outline: &Outline, number: usize, part: QuestionPart, text: &str) -> Result<Vec<Edit>, EditError> {
+    let text = with_line_ends_of(outline.source(), text.trim());
+    let before = asked(outline);
+    let own = before.get(number).ok_or(EditError::UnknownCell)?;
+    if own.text(part) == text {
+        return Ok(Vec::new());
+    }
+    let edit = write_part(outline.source(), own.place, part.word(), &text);
+    let after = asked(&read(&result(outline, std::slice::from_ref(&edit))?));
+    let is_other = |question: usize, one: QuestionPart| question != number || one != part;
+    let others = |all: &[Asked]| -> Vec<String> {
+        let texts = all.iter().enumerate().flat_map(|(question, asked)| {
+            let parts = QuestionPart::ALL.into_iter().filter(move |one| is_other(question, *one));
+            parts.map(|one| asked.text(one).to_owned())
+        });
+        texts.collect()
+    };
+    let stands = after.get(number).is_some_and(|own| own.text(part) == text);
+    if stands && others(&before) == others(&after) { Ok(vec![edit]) } else { Err(EditError::NotOneCell) }
+}
+
+/// A part of the question whose block has this content, behind its word or, without one, before all of them.
+pub(super) fn write_part(source: &str, content: Span, word: Option<&str>, text: &str) -> Edit {
+    let end = line_end(source);
+    let (span, text) = match (questions::part(source, content.range(), word), word) {
+        (Some(place), None) if place.is_empty() => (content.start..content.start, format!("{text}{end}{end}")),
+        (Some(place), Some(_)) if text.is_empty() => {
+            let line = source[..place.start].rfind('\n').map_or(0, |at| at + 1);
+            let next = source[place.end..].find('\n').map_or(source.len(), |at| place.end + at + 1);
+            (line..next.min(content.end), String::new())
+        }
+        // A word without a text has no blank behind it.
+        (Some(place), Some(_)) if place.is_empty() => (place, format!(" {text}")),
+        (Some(place), _) => (place, text.to_owned()),
+        (None, word) => {
+            let begin = begin_line(source, content.end);
+            (content.end..content.end, format!("{begin}{}: {text}{end}", word.unwrap_or_default()))
+        }
+    };
+    Edit { span: Span::new(span.start, span.end), text }
+}
+
+/// Removes the question of this number from a document and from its translations, which have their questions in the same order. The
+/// edits of the document come first. Questions that appear after others keep those that are left.
+///
+/// # Errors
+///
+/// [`EditError::UnknownCell`] if there is no such question, and those of [`remove_block`].
+pub fn remove_question(outline: &Outline, number: usize, translations: &[&str]) -> Result<Vec<Vec<Edit>>, EditError> {
+    let mut own = vec![without(outline, number)?.ok_or(EditError::UnknownCell)?];
+    for (place, later) in asked(outline).iter().enumerate().skip(number + 1) {
+        let after = after_without(&later.after, number, place);
+        if after != later.after {
+            own.push(write_part(outline.source(), later.place, Some("after"), &after));
+        }
+    }
+    let mut edits = vec![own];
+    for translation in translations {
+        edits.push(without(&read(translation), number)?.into_iter().collect());
+    }
+    Ok(edits)
+}
+
+/// The edit that removes the question of this number with the empty line behind it; nothing if there is none.
+fn without(outline: &Outline, number: usize) -> Result<Option<Edit>, EditError> {
+    let Some(block) = question_at(outline, number) else { return Ok(None) };
+    let mut edit = remove_block(outline, block)?;
+    let (before, behind) = (&outline.source()[..edit.span.start], &outline.source()[edit.span.end..]);
+    let empty = ["\n", "\r\n"].into_iter().find(|end| behind.starts_with(end));
+    if let Some(end) = empty.filter(|end| before.ends_with(&end.repeat(2))) {
+        edit.span.end += end.len();
+    }
+    Ok(Some(edit))
+}
+
+/// Which questions one waits for when the question `removed` is away. `place` is its own number before that; both count from 0.
+fn after_without(after: &str, removed: usize, place: usize) -> String {
+    let left = after.split(',').map(str::trim).filter_map(|one| match one.parse::<usize>() {
+        Ok(number) if number == removed + 1 => None,
+        Ok(number) if number > removed + 1 => Some((number - 1).to_string()),
+        // The first question has none before it.
+        _ => (one != "previous" || place > 1).then(|| one.to_owned()),
+    });
+    left.collect::<Vec<_>>().join(", ")
 }

@@ -2,11 +2,12 @@
 
 use super::blocks::{insert_block, replace_block};
 use super::layout::{begin_line, line_end, result, with_line_ends_of};
+use super::question::write_part;
 use super::settings::set_front_matter;
 use super::{Edit, EditError};
+use crate::BlockKind;
 use crate::outline::{Outline, read};
 use crate::translating::{TextKey, entry_in, prose_at, question_at, values};
-use crate::{BlockKind, questions};
 use model::Span;
 
 /// Writes the translation of a text into the file of the translation; an empty one removes it. What is not there yet is added: a
@@ -84,7 +85,6 @@ fn prose(outline: &Outline, segment: usize, piece: usize, text: &str) -> Result<
 
 fn question(outline: &Outline, number: usize, word: Option<&str>, text: &str) -> Result<Edit, EditError> {
     let source = outline.source();
-    let end = line_end(source);
     let Some(block) = question_at(outline, number) else {
         let count = outline.blocks_of(BlockKind::Question).count();
         if count < number {
@@ -95,19 +95,5 @@ fn question(outline: &Outline, number: usize, word: Option<&str>, text: &str) ->
         return insert_block(outline, last, BlockKind::Question, &content);
     };
     let content = outline.blocks().get(block).ok_or(EditError::UnknownBlock(block))?.content;
-    let place = questions::part(source, content.range(), word);
-    let (span, text) = match (place, word) {
-        (Some(place), None) if place.is_empty() => (content.start..content.start, format!("{text}{end}{end}")),
-        (Some(place), Some(_)) if text.is_empty() => {
-            let line = source[..place.start].rfind('\n').map_or(0, |at| at + 1);
-            let next = source[place.end..].find('\n').map_or(source.len(), |at| place.end + at + 1);
-            (line..next.min(content.end), String::new())
-        }
-        (Some(place), _) => (place, text.to_owned()),
-        (None, word) => {
-            let begin = begin_line(source, content.end);
-            (content.end..content.end, format!("{begin}{}: {text}{end}", word.unwrap_or_default()))
-        }
-    };
-    Ok(Edit { span: Span::new(span.start, span.end), text })
+    Ok(write_part(source, content, word, text))
 }

@@ -1,7 +1,7 @@
 //! Questions as they are written, and further ones.
 
-use document::edit::{EditError, NewQuestion, add_question, apply};
-use document::{asked, open, possible_answers, read};
+use document::edit::{EditError, NewQuestion, add_question, apply, remove_question, set_question};
+use document::{QuestionPart, asked, open, possible_answers, read};
 
 const DOCUMENT: &str = "---\ntitle: A\nlanguage: en\n---\n```model\nparameter k = 4 [N/m]\nparameter m = 1 [kg]\nm*x'' = -k*x\nx(0) = 1 [m]\nx'(0) = 0 [m/s]\nT = 2*pi*sqrt(m/k) \"Period\"\nhidden w = 1/T\nE = k*x^2\n```\n\n```question\nHow long?\n\nset: k = 9 [N/m]\nhide: T\nanswer: T within 2 %\nhint: Count.\n```\n";
 
@@ -82,4 +82,61 @@ fn a_question_is_added_behind_the_last_and_works() {
                 || refused.is_ok_and(|edit| { asked(&read(&apply(DOCUMENT, &[edit]).unwrap())).len() == 2 })
         );
     }
+}
+
+/// Parts of the only question of [`DOCUMENT`], and what its block is then.
+#[test]
+fn each_part_of_a_question_is_written_in_its_place() {
+    use QuestionPart::{After, Answer, Explanation, Hide, Hint, Prompt, Set};
+    let block = |text: &str| text.split("```question\n").nth(1).unwrap().trim_end_matches("```\n").to_owned();
+    let own = block(DOCUMENT);
+    for (part, text, expected) in [
+        (Prompt, "How long is it?\n\nCount.", own.replace("How long?", "How long is it?\n\nCount.")),
+        (Answer, "2*T within 0.1 [s]", own.replace("T within 2 %", "2*T within 0.1 [s]")),
+        (Hint, "", own.replace("hint: Count.\n", "")),
+        (Explanation, "So it is.", format!("{own}explanation: So it is.\n")),
+        (Hide, " T, w ", own.replace("hide: T", "hide: T, w")),
+        (Set, "k = 9 [N/m]", own.clone()),
+        (After, "previous", format!("{own}after: previous\n")),
+    ] {
+        let edits = set_question(&read(DOCUMENT), 0, part, text).unwrap();
+        let text = apply(DOCUMENT, &edits).unwrap();
+        assert_eq!(block(&text), expected, "{part:?}");
+    }
+    let asked_in = |text: &str| asked(&read(text));
+    let refused = |part, text| set_question(&read(DOCUMENT), 0, part, text).unwrap_err();
+    assert_eq!(refused(Hint, "a\nanswer: b"), EditError::NotOneCell);
+    assert!(matches!(refused(Prompt, "a\n```"), EditError::NotOneCell | EditError::ChangesOthers));
+    assert_eq!(set_question(&read(DOCUMENT), 1, Hint, "a"), Err(EditError::UnknownCell));
+    assert_eq!(asked_in(DOCUMENT).len(), 1);
+}
+
+/// What the third and fourth question wait for before and after the removal of one of four.
+#[test]
+fn a_removed_question_leaves_its_translation_and_later_questions_wait_for_those_that_are_left() {
+    let question = |name: &str, after: &str| {
+        let after = if after.is_empty() { String::new() } else { format!("after: {after}\n") };
+        format!("```question\n{name}\n\n{after}answer: a within 1 %\n```\n\n")
+    };
+    for (removed, before, expected) in [
+        (0, ["", "previous", "1, 2", "3"], vec!["", "1", "2"]),
+        (1, ["", "previous", "2", "1, 2, 3"], vec!["", "", "1, 2"]),
+        (3, ["", "previous", "1, 2", "3"], vec!["", "previous", "1, 2"]),
+    ] {
+        let names = ["A", "B", "C", "D"];
+        let of =
+            |all: &[&str; 4]| -> String { names.iter().zip(all).map(|(name, after)| question(name, after)).collect() };
+        let text = format!("```model\nparameter a = 1\n```\n\n{}End.\n", of(&before));
+        let translation = "---\ntranslates: a.md\n---\n\n```question\nUna\n```\n\n```question\nDos\n```\n";
+        let edits = remove_question(&read(&text), removed, &[translation]).unwrap();
+        let (text, translation) = (apply(&text, &edits[0]).unwrap(), apply(translation, &edits[1]).unwrap());
+        let left = asked(&read(&text));
+        let after: Vec<&str> = left.iter().map(|one| one.after.as_str()).collect();
+        assert_eq!(after, expected, "{removed}: {text}");
+        assert!(!text.contains("\n\n\n"), "{text}");
+        let translated: Vec<String> = asked(&read(&translation)).into_iter().map(|one| one.prompt).collect();
+        let expected: &[&str] = [&["Dos"][..], &["Una"], &[], &["Una", "Dos"]][removed];
+        assert_eq!(translated, expected, "{translation}");
+    }
+    assert_eq!(remove_question(&read(DOCUMENT), 1, &[]), Err(EditError::UnknownCell));
 }

@@ -27,5 +27,6 @@ mod scene;
 mod simulations;
 mod sketch;
 mod spanish;
+mod templates;
 mod theories;
 mod translating;

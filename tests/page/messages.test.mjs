@@ -92,6 +92,36 @@ visit("a file that cannot be read is told", async (lab) => {
   await reads(lab, /neither a simulation document nor an exported page/);
 });
 
+visit("a document that is not text is refused, and the open one stays", async (lab) => {
+  const title = await lab.page.getByRole("heading", { level: 1 }).innerText();
+  await lab.page.setInputFiles("#open-file", { name: "binary.md", mimeType: "text/markdown", buffer: Buffer.from([0x89, 0x50, 0x4e, 0x47, 0xff, 0xfe, 0x00]) });
+  await reads(lab, /binary\.md is not text in UTF-8/);
+  assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), title);
+});
+
+for (const [width, height] of [[1440, 900], [1024, 768], [768, 1024], [390, 844]]) {
+  visit(`messages cover neither tabs nor the status line: ${width} by ${height}`, { width, height }, async (lab) => {
+    await lab.tab("Write");
+    const content = lab.page.locator(".cm-content");
+    await content.waitFor();
+    await lab.press("New");
+    await lab.press("A mass on a spring");
+    await eventually(async () => assert.match(await content.innerText(), /A mass/));
+    await content.click();
+    await lab.keys("Control+End");
+    await lab.page.keyboard.insertText("\n```model\nq = zz\n```\n");
+    await eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /^1 error/));
+    await lab.press("Format");
+    await reads(lab, /layout/);
+    const covered = await lab.page.evaluate(() => {
+      const line = document.querySelector(".message").getBoundingClientRect();
+      const meets = (other) => line.left < other.right && other.left < line.right && line.top < other.bottom && other.top < line.bottom;
+      return [".tabs", ".writing-tabs", "#writing-status", "#show-errors", "#transport", ".head-tools"].filter((name) => meets(document.querySelector(name).getBoundingClientRect()));
+    });
+    assert.deepEqual(covered, []);
+  });
+}
+
 visit("scrubbing and playing leave the line alone", async (lab) => {
   await lab.press("Play");
   await lab.watchUntil(0.5);

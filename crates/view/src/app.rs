@@ -67,6 +67,9 @@ pub trait Host {
         undone
     }
 
+    /// Goes back to the texts of the document that are kept under this name.
+    fn restore(&self, _version: &str) {}
+
     /// What of the page is left out or locked where it stands inside another page.
     fn embedding(&self) -> Embedding {
         Embedding::default()
@@ -356,14 +359,18 @@ impl App {
 
     /// Says and shows that something has been done.
     pub fn notify(self, words: &str) {
-        self.say(words.to_owned());
-        self.show(Message::notice(words.to_owned()));
+        self.report(Message::notice(words.to_owned()));
     }
 
     /// Says and shows why something was not done.
     pub fn complain(self, words: String) {
-        self.say(words.clone());
-        self.show(Message::error(words));
+        self.report(Message::error(words));
+    }
+
+    /// Says and shows a message.
+    pub fn report(self, message: Message) {
+        self.say(message.text.clone());
+        self.show(message);
     }
 
     /// Says something through the live region alone: what a person who sees the page sees anyway. The same words twice must

@@ -9,6 +9,8 @@ pub enum Action {
     Undo(u32),
     /// Goes to the element of this id.
     Show(String),
+    /// Goes back to the texts of the document that the page keeps under this name.
+    Restore(String),
 }
 
 /// A line.
@@ -43,6 +45,11 @@ impl Message {
     /// The message with a button that puts back what was removed, where there is a number of that removal.
     pub fn undone_by(self, number: Option<u32>) -> Self {
         Self { action: number.map(Action::Undo).or(self.action), ..self }
+    }
+
+    /// The message with a button that goes back to the texts that are kept under this name.
+    pub fn restoring(self, version: String) -> Self {
+        Self { action: Some(Action::Restore(version)), ..self }
     }
 
     /// The message with a button that goes to the element of this id.

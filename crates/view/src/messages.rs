@@ -1,4 +1,4 @@
-//! The line of messages above the transport: what has happened, with a way to undo it or to go there. What is shown here
+//! The line of messages at the top of the page: what has happened, with a way to undo it or to go there. What is shown here
 //! has been spoken once, through the live region; the line itself is none.
 
 use crate::app::App;
@@ -30,10 +30,6 @@ pub fn undo(app: App) -> bool {
 pub fn view(app: App) -> View {
     changing(move || {
         let messages = app.messages.get_clone();
-        // Of the root, not asked with `:has()`: that would be asked again of the whole page for each text that changes.
-        if let Some(root) = document().document_element() {
-            let _ = root.class_list().toggle_with_force("with-messages", !messages.is_empty());
-        }
         if messages.is_empty() {
             return View::new();
         }
@@ -52,7 +48,7 @@ fn line(app: App, message: Message) -> HtmlLi {
     };
     let act = message.action.clone().map(|action| {
         let name = match action {
-            Action::Undo(_) => words.undo,
+            Action::Undo(_) | Action::Restore(_) => words.undo,
             Action::Show(_) => words.show,
         };
         button().class("quiet").when(events::click, move |_| perform(app, &action)).child(name)
@@ -77,11 +73,17 @@ fn perform(app: App, action: &Action) {
             undo(app);
             browser::focus_in_place("apparatus");
         }
+        Action::Restore(version) => {
+            app.host().restore(version);
+            app.messages.update(|messages| messages.retain(|message| message.action.as_ref() != Some(action)));
+            browser::focus_in_place("apparatus");
+        }
         Action::Show(place) => app.host().show(place),
     }
 }
 
-fn remove(app: App, message: &Message) {
+/// Takes a message away.
+pub fn remove(app: App, message: &Message) {
     app.messages.update(|messages| messages.retain(|other| other != message));
 }
 

@@ -116,6 +116,42 @@ visit("parts are placed, sized and turned by pointing, come to lie on the grid, 
   await eventually(async () => assert.match(await written(lab, "block"), /at="\(4 \[cm\], 0\.\d+ \[cm\]\)"/));
 });
 
+visit("the fields show where an element is after each move, also in a text of the same length", async (lab) => {
+  await drawing(lab);
+  await add(lab, "block");
+  const place = lab.page.locator("#attribute-at");
+  await eventually(async () => assert.equal(await place.inputValue(), "(0, 0)"));
+  await canvas(lab).focus();
+  for (const expected of ["(2 [cm], 0)", "(4 [cm], 0)", "(6 [cm], 0)"]) {
+    await lab.page.keyboard.press("ArrowRight");
+    await eventually(async () => assert.equal(await place.inputValue(), expected));
+  }
+  await lab.page.locator("#drawing-name").fill("Left");
+  await lab.page.locator("#drawing-name").press("Enter");
+  await lab.page.locator(".layers").getByRole("button", { name: "Block: Left" }).waitFor();
+  await lab.page.locator("#drawing-name").fill("Rest");
+  await lab.page.locator("#drawing-name").press("Enter");
+  await lab.page.locator(".layers").getByRole("button", { name: "Block: Rest" }).waitFor();
+});
+
+visit("an error in a field is told beside it, and the drawing stays in sight", async (lab) => {
+  await drawing(lab);
+  await add(lab, "block");
+  const drawn = () => lab.page.locator("#drawing-canvas svg").first().evaluate((svg) => svg.querySelectorAll("path, rect").length);
+  const before = await drawn();
+  const size = lab.page.locator("#attribute-size");
+  await size.fill("5 cm");
+  await size.press("Enter");
+  await runs(lab, /^\d error/);
+  await eventually(async () => assert.equal(await size.getAttribute("aria-invalid"), "true"));
+  await lab.page.locator("#attribute-size-faults .brief.error").waitFor();
+  assert.equal(await drawn(), before);
+  await size.fill("(5 [cm], 5 [cm])");
+  await size.press("Enter");
+  await runs(lab);
+  await eventually(async () => assert.equal(await size.getAttribute("aria-invalid"), null));
+});
+
 visit("a point follows a quantity from where it is, and what is drawn follows the hand in the simulation", async (lab) => {
   await drawing(lab);
   await add(lab, "bob");

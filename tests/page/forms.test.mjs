@@ -97,11 +97,14 @@ visit("an equation is typeset as it is typed, a name is changed everywhere, stat
   await field(lab, "k: Name").press("Enter");
   await now(lab, /parameter stiff/);
   await eventually(async () => assert.match(await equation.inputValue(), /stiff\*y/));
+  // Its cells are called after it.
+  await field(lab, "stiff: Value").waitFor();
+  await lab.button("Remove stiff").waitFor();
   await runs(lab);
-  await lab.press("Parameter");
+  await lab.press("Add parameter");
   await eventually(async () => assert.match(await lab.page.evaluate(() => document.activeElement.id), /^cell-\d+-name$/));
   await now(lab, /parameter a = 1 in 0\.\.2\n/);
-  await lab.press("Event");
+  await lab.press("Add event");
   await now(lab, /when t > 1 \[s\] \{\n {4}stop\n\}/);
   await runs(lab);
   await lab.press("Remove a");
@@ -157,7 +160,7 @@ visit("a translation is begun, written beside the texts of the document, and its
   await eventually(async () => assert.ok(await lab.page.getByText("Rigidez del resorte").first().isVisible()));
   await lab.page.locator("#tab-write").click();
   await panel(lab, "Texto");
-  await lab.page.getByLabel("Archivo").selectOption("oscillator.es.md");
+  await lab.page.getByLabel("Archivo").selectOption("a-mass-on-a-spring.es.md");
   await now(lab, /"Stiffness of the spring" = "Rigidez del resorte"/);
   await now(lab, /\nUna masa cuelga de un resorte\.\n/);
 });
@@ -166,12 +169,20 @@ visit("the questions stand with their answers, and one is added that the model a
   await forms(lab);
   await panel(lab, "Questions");
   const asked = lab.page.locator(".asked-one");
-  await eventually(async () => assert.match(await asked.first().innerText(), /Measure the period[^]*Answer\s+0\.99\d+ s[^]*T within 3 %[^]*Hidden until answered\s+T[^]*Hint\s+Count several/));
-  await lab.press("Question");
-  await lab.page.getByLabel("What is asked").fill("How long is one swing?");
-  await lab.page.getByLabel("Answer", { exact: true }).selectOption("T");
-  await lab.page.getByLabel("Tolerance in percent").fill("5");
+  await eventually(async () => assert.match(await asked.first().innerText(), /Measure the period[^]*0\.99\d+ s/));
+  const part = (name) => field(lab, `Question 1: ${name}`);
+  assert.equal(await part("Hidden until answered").inputValue(), "T");
+  assert.match(await part("Hint").inputValue(), /^Count several/);
   await lab.press("Add question");
+  const form = lab.page.locator("#new-question-form");
+  const add = form.getByRole("button", { name: "Add", exact: true });
+  // An empty one is refused in the language of the page.
+  await add.click();
+  await form.locator(".refusal", { hasText: "Write what is asked." }).waitFor();
+  await form.getByLabel("What is asked").fill("How long is one swing?");
+  await form.getByLabel("Answer", { exact: true }).selectOption("T");
+  await form.getByLabel("Tolerance in percent").fill("5");
+  await add.click();
   await eventually(async () => assert.equal(await asked.count(), 2));
   await now(lab, /```question\nHow long is one swing\?\n\nhide: T\nanswer: T within 5 %\n```\n/);
   await runs(lab);
@@ -179,6 +190,29 @@ visit("the questions stand with their answers, and one is added that the model a
   await eventually(async () => assert.ok(await editor(lab).evaluate((content) => content.contains(document.activeElement))));
   await lab.tab("Activities");
   await eventually(async () => assert.equal(await lab.page.locator(".question").count(), 2));
+  // Each part is written in its field; the field keeps the focus.
+  await lab.page.locator("#tab-write").click();
+  await panel(lab, "Questions");
+  const before = await text(lab);
+  await part("Answer").fill("T within 7 %");
+  await part("Answer").press("End");
+  await lab.page.keyboard.press("Backspace");
+  await lab.page.keyboard.type("%");
+  await now(lab, /answer: T within 7 %\n/);
+  await part("What is asked").fill("Measure T.");
+  await part("Explanation").fill("It is 2 pi times the root of m/k.");
+  await now(lab, /Measure T\.\n[^`]*explanation: It is 2 pi/);
+  await runs(lab);
+  await part("Answer").fill("T");
+  await asked.first().locator(".brief.error").waitFor();
+  await part("Answer").fill("T within 7 %");
+  await runs(lab);
+  await lab.press("Remove Question 2");
+  await eventually(async () => assert.equal(await asked.count(), 1));
+  await lab.press("Undo");
+  await eventually(async () => assert.equal(await asked.count(), 2));
+  for (let left = 60; left > 0 && (await text(lab)) !== before; left -= 1) await lab.press("Undo");
+  await now(lab, /Measure the period[^]*T within 3 %/);
 });
 
 for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {

@@ -165,11 +165,21 @@ export class Lab {
     await this.drawn();
   }
 
-  /** Copies a link to what is seen: in the laboratory with the dialog *Share*, elsewhere with the button itself. */
+  /** Copies a link to what is seen: in the laboratory with the dialog *Share*, elsewhere with the button itself. What the dialog says. */
   async copyLink() {
     await this.page.locator("#share").click();
-    if (await this.page.locator("#publish").count()) await this.page.locator("#copy-link").click();
+    let said = "";
+    if (await this.page.locator("#publish").count()) {
+      await this.page.locator("#copy-link").click();
+      said = await eventually(async () => {
+        const said = await this.page.locator("#link-copied").innerText();
+        assert.ok(said);
+        return said;
+      });
+      await this.page.keyboard.press("Escape");
+    }
     await this.drawn();
+    return said;
   }
 
   /** Until what was done before has been drawn: a person sees it no earlier, either. */

@@ -73,7 +73,7 @@ visit("what is written is published; with an error nothing is, and the dialog sa
   await lab.keys("Control+End");
   await lab.page.keyboard.insertText("\nPublished words.\n");
   const { name, text } = await savedPage(lab);
-  assert.equal(name, "oscillator.html");
+  assert.equal(name, "a-mass-on-a-spring.html");
   assert.match(text, /Published words/);
   await lab.keys("Escape");
   await editor.click();
@@ -98,6 +98,15 @@ visit("a QR code is that of the address; of a laboratory on this computer the di
   await lab.page.getByText("too long for a QR code").last().waitFor();
   assert.equal(await lab.page.locator(".qr").count(), 0);
 });
+
+for (const [language, words] of [["en-GB", /^Link copied\. It opens only on this computer/], ["es-ES", /^Enlace copiado\. Solo se abre en este ordenador/]]) {
+  visit(`of a link that nobody else can open the dialog says so, and it stays open: ${language}`, { language }, async (lab) => {
+    await share(lab);
+    await lab.page.locator("#copy-link").click();
+    await eventually(async () => assert.match(await lab.page.locator("#link-copied").innerText(), words));
+    assert.equal(await lab.page.locator("#publish[open]").count(), 1);
+  });
+}
 
 /** A page of a stranger with the code of the frame in it, and the page that plays beside it. */
 async function hostPage(lab, code) {

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { Lab, STILL, beside, eventually, program, temporary, visit } from "./lab.mjs";
 import { test } from "node:test";
@@ -77,6 +77,26 @@ visit("versions are listed with what has changed; opening one is a step that can
   assert.equal(await versions(lab.page).last().innerText(), first);
 });
 
+visit("a translation is begun in the same draft: what was typed can be undone, and the versions stay", async (lab) => {
+  await begin(lab);
+  await type(lab.page, "\nFirst line.\n");
+  await later(lab.page, 100);
+  await type(lab.page, "Second line.\n");
+  await lab.page.locator("#writing-tab-translation").click();
+  await lab.press("Begin a translation");
+  await lab.page.locator(".sides-count").waitFor();
+  await lab.page.locator("#writing-tab-text").click();
+  await lab.press("Versions");
+  await eventually(async () => assert.equal(await versions(lab.page).count(), 3));
+  await editor(lab.page).click();
+  await lab.keys("Control+z");
+  await eventually(async () => assert.ok(!(await text(lab.page)).includes("Second line.")));
+  assert.ok((await text(lab.page)).includes("First line."));
+  await kept(lab.page, "translates: a-mass-on-a-spring.md");
+  const drafts = await lab.page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("meniscus:written:")));
+  assert.equal(drafts.length, 1);
+});
+
 visit("two tabs that write one document keep both texts", async (lab) => {
   await begin(lab);
   await type(lab.page, "\nShared words.\n");
@@ -144,11 +164,23 @@ test("a served page follows its file: time, parameters and view stay, errors are
     writeFileSync(file, original.replace("k*y = 0", "kk*y = 0"));
     await eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /^1 error/));
     assert.ok(!(await text(lab.page)).includes("Typed in the page."));
-    await editor(lab.page).click();
-    await lab.keys("Control+z");
+    // What was typed is said to be replaced, and can be brought back; the errors of the file stand in sight in each tab.
+    await lab.tab("Play");
+    const message = (words) => lab.page.locator(".message", { hasText: words });
+    await message("has replaced the text written here").getByRole("button", { name: "Undo" }).click();
+    await lab.tab("Write");
     await eventually(async () => assert.ok((await text(lab.page)).includes("Typed in the page.")));
+    await lab.tab("Play");
+    await message("followed.md: 1 error. The last version without errors is running.").getByRole("button", { name: "Show" }).click();
+    await eventually(async () => assert.equal(await lab.page.locator("#tab-write").getAttribute("aria-selected"), "true"));
     writeFileSync(file, original.replace("title: A mass on a spring", "title: Mended"));
     await title(/^Mended/);
+    await eventually(async () => assert.equal(await message("1 error").count(), 0));
+    rmSync(file);
+    await message("followed.md cannot be read").waitFor();
+    lab.faults.length = 0;
+    writeFileSync(file, original.replace("title: A mass on a spring", "title: Mended"));
+    await eventually(async () => assert.equal(await message("cannot be read").count(), 0));
     await lab.page.reload();
     await title(/^Mended/);
     assert.deepEqual(lab.faults, []);

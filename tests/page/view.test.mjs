@@ -26,11 +26,11 @@ async function view(lab, { write = "Write", begin = "New", template = "A mass on
 visit("a plot is added, changed, moved and removed, and the text with it", async (lab) => {
   await view(lab);
   const before = await text(lab);
-  await lab.press("Plot");
+  await lab.press("Add plot");
   await lab.page.locator("#new-plot-curves").selectOption("y'");
   await lab.page.locator("#new-plot-across").selectOption("y");
   await field(lab, "Title").fill("Phases");
-  await lab.press("Add plot");
+  await lab.page.locator("#new-plot-form").getByRole("button", { name: "Add", exact: true }).click();
   await now(lab, /"Phases": y' against y\n/);
   await runs(lab);
   const count = await lab.page.locator(".plot-form").count();
@@ -163,12 +163,12 @@ visit("the description of the document is a form, and keys that it does not know
 visit("a question appears when the one before is answered, and the author sees all of them", async (lab) => {
   await view(lab);
   await lab.page.getByRole("tab", { name: "Questions", exact: true }).click();
-  await lab.press("Question");
-  await lab.page.getByLabel("What is asked").fill("How long is one swing?");
-  await lab.page.locator("#new-follows").check();
   await lab.press("Add question");
+  await lab.page.locator("#new-prompt").fill("How long is one swing?");
+  await lab.page.locator("#new-follows").check();
+  await lab.page.locator("#new-question-form").getByRole("button", { name: "Add", exact: true }).click();
   await now(lab, /```question\nHow long is one swing\?\n\nafter: previous\nhide: T\n/);
-  await eventually(async () => assert.match(await lab.page.locator(".asked-one").nth(1).innerText(), /Appears after question\s+previous/));
+  await eventually(async () => assert.equal(await field(lab, "Question 2: Appears after question").inputValue(), "previous"));
   await runs(lab);
   await lab.tab("Activities");
   const second = lab.page.locator(".question").nth(1);

@@ -130,7 +130,7 @@ visit("a document is begun, written, saved, and there again after a reload, also
   await replace(lab, "title: A mass on a spring", "title: My spring");
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "My spring"));
   const saved = await lab.save(lab.button("Save"));
-  assert.equal(saved.name, "oscillator.md");
+  assert.equal(saved.name, "my-spring.md");
   assert.match(saved.text, /^---\ntitle: My spring\n/);
   await lab.page.reload();
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "My spring"));

@@ -115,6 +115,10 @@ globalThis.meniscusEditor = (changed, propose, moved) => {
       file = 0;
       if (states[0]) show(states[0]);
     },
+    /** Opens one more text beside the others, whose history stays. */
+    add(doc) {
+      states.push(EditorState.create({ doc, extensions: extensions() }));
+    },
     /** Shows another file. */
     select(next) {
       if (next === file || !states[next]) return;

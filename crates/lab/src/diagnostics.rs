@@ -1,7 +1,7 @@
 //! What was found in a document, with its places in the text.
 
 use crate::app::App;
-use crate::titles;
+use crate::{titles, visited};
 use document::page::Source;
 use model::{Diagnostic, Fix, Label, Severity};
 use std::rc::Rc;
@@ -33,9 +33,11 @@ pub fn remarks(app: App) -> View {
 
 /// The findings; where the text can be corrected, each place leads to it there, and remedies can be carried out.
 pub fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], leads: Option<Leads>) -> HtmlOl {
+    let names = visited::names(sources);
     let item = |(file, diagnostic): &(usize, Diagnostic)| {
         let leads = leads.clone().map(|leads| (leads, *file));
-        li().child(finding(app, sources.get(*file), diagnostic, leads))
+        let source = names.get(*file).zip(sources.get(*file)).map(|(name, source)| (name.as_str(), &*source.text));
+        li().child(finding(app, source, diagnostic, leads))
     };
     ol().class("findings").each(findings, item)
 }
@@ -65,13 +67,18 @@ fn fix_button(app: App, text: &str, fix: &Fix, (carry_out, file): (CarryOut, usi
     button().class("quiet outlined fix").when(events::click, move |_| carry_out(file, &own)).child(title)
 }
 
-fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, leads: Option<(Leads, usize)>) -> HtmlArticle {
+fn finding(
+    app: App,
+    source: Option<(&str, &str)>,
+    diagnostic: &Diagnostic,
+    leads: Option<(Leads, usize)>,
+) -> HtmlArticle {
     let (words, language) = (app.words(), app.language.get_untracked());
     let (kind, class) = match diagnostic.severity {
         Severity::Error => (words.error, "finding error"),
         Severity::Warning => (words.warning, "finding warning"),
     };
-    let (text, name) = source.map_or(("", ""), |source| (&source.text, &source.name));
+    let (text, name) = source.map_or(("", ""), |(name, text)| (text, name));
     let places = if source.is_some() { places(text, &diagnostic.labels, language) } else { Vec::new() };
     let note = |note: &Words| pre().tabindex("0").class("reason").child(with_code(note.text(language)));
     let fixes = leads.as_ref().and_then(|(leads, file)| Some((leads.fix.clone()?, *file)));

@@ -3,8 +3,18 @@
 use crate::app::App;
 use crate::{film, intake, opening, project};
 use document::page::{self, Source};
+use js_sys::Uint8Array;
 use view::browser;
 use web_sys::{File, FileList};
+
+/// The text of a file, without the byte-order mark that some editors write; or why there is none.
+async fn text_of(app: App, file: &File) -> Result<String, String> {
+    let (name, words) = (file.name(), app.words());
+    let bytes = browser::wait(file.array_buffer()).await.map_err(|_| format!("{} {name}", words.file_not_read))?;
+    let text = String::from_utf8(Uint8Array::new(&bytes).to_vec());
+    let text = text.map_err(|_| format!("{name} {}", words.file_not_text))?;
+    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
+}
 
 /// Opens files that the user picked: a document with its translations, one exported page, a project, or records.
 pub fn open(app: App, files: &FileList) {
@@ -28,11 +38,12 @@ pub fn open(app: App, files: &FileList) {
             return intake::read(app, records);
         }
         for file in documents {
-            let Ok(text) = browser::wait(file.text()).await else {
-                app.complain(format!("{} {}", app.words().file_not_read, file.name()));
-                continue;
+            let name = file.name();
+            let text = match text_of(app, &file).await {
+                Ok(text) => text,
+                // Of a document and its translations, none is opened alone.
+                Err(refusal) => return app.complain(refusal),
             };
-            let (name, text) = (file.name(), text.as_string().unwrap_or_default());
             if let Some(embedded) = page::read(&text) {
                 sources = embedded;
                 break;

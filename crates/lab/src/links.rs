@@ -61,6 +61,14 @@ pub async fn read(fragment: &str) -> Arrival {
     arrival
 }
 
+/// How addresses begin that lead to this computer alone.
+const LOCAL: [&str; 4] = ["file:", "http://127.0.0.1", "http://localhost", "http://[::1]"];
+
+/// Whether an address leads to this computer alone.
+pub fn is_local(address: &str) -> bool {
+    LOCAL.iter().any(|start| address.starts_with(start))
+}
+
 /// A link to what is seen, and what has to be said of its document.
 pub async fn present(app: App) -> (String, Option<String>) {
     let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
@@ -69,14 +77,16 @@ pub async fn present(app: App) -> (String, Option<String>) {
     (address(&Link { subject, state }.write()), remark)
 }
 
-/// Puts a link to what is seen into the address bar and the clipboard, and says what it does not hold.
-pub fn share(app: App) {
+/// Puts a link to what is seen into the address bar and the clipboard. `say` gets whether that was allowed, what the link does not hold,
+/// and who cannot open it.
+pub fn share(app: App, say: impl FnOnce(String) + 'static) {
     wasm_bindgen_futures::spawn_local(async move {
         let words = app.words();
         let (link, remark) = present(app).await;
         let missing = app.read_desk(|desk| desk.missing_in_link());
         // Refused inside some frames; the clipboard may still work.
         visited::note(app, Some(&link));
+        let shown = link.clone();
         browser::copy(&link, move |allowed| {
             let copied = if allowed { words.link_copied } else { words.link_not_copied };
             let mut sentences = vec![format!("{copied}.")];
@@ -84,8 +94,8 @@ pub fn share(app: App) {
             if !missing.is_empty() {
                 sentences.push(format!("{}: {}.", words.link_without, missing.join(", ")));
             }
-            let sentences = sentences.join(" ");
-            if allowed { app.notify(&sentences) } else { app.complain(sentences) }
+            sentences.extend(is_local(&shown).then(|| words.link_local.to_owned()));
+            say(sentences.join(" "));
         });
     });
 }

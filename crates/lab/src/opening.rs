@@ -6,6 +6,7 @@ use crate::stored::VersionTimes;
 use crate::visited::Visited;
 use crate::{fit, saved, visited, write};
 use desk::{Desk, Writing};
+use document::Document;
 use document::page::Source;
 use view::{browser, messages};
 use web_sys::Event;
@@ -107,11 +108,12 @@ fn placed(app: App, closed: usize) {
     }
 }
 
-/// Takes another text of a document in which nothing runs. Once there is something to run, the stage and the other tabs show it.
-pub fn mend(app: App, file: usize, text: String) {
+/// Changes the texts of a document in which nothing runs, and the files that they belong to. Once there is something to run, the stage
+/// and the other tabs show it.
+pub fn mend(app: App, change: impl FnOnce(&mut Writing, &mut Vec<Source>) -> Option<Document>) {
     let language = app.language.get_untracked();
     let closed = app.with(|lab| {
-        let document = lab.faulty.change(file, text);
+        let document = change(&mut lab.faulty, &mut lab.sources);
         for (source, text) in lab.sources.iter_mut().zip(lab.faulty.texts()) {
             source.text.clone_from(text);
         }

@@ -3,8 +3,10 @@
 use crate::app::App;
 use crate::{library, opening, visited, write};
 use document::page::{self, Source};
-use view::browser;
+use model::{Diagnostic, Severity};
+use view::message::Message;
 use view::views::window;
+use view::{browser, messages};
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlLinkElement, Response};
 
@@ -12,6 +14,16 @@ use web_sys::{HtmlLinkElement, Response};
 const PAUSE: i32 = 600;
 /// While no answer comes, more and more seldom, up to this.
 const LONGEST_PAUSE: i32 = 20_000;
+/// So many refusals in a row mean that the files cannot be read: an editor may have them away for a moment while it saves.
+const REFUSALS: usize = 3;
+
+/// What the server answers.
+enum Answer {
+    /// The list of the files as they are now.
+    Files(String),
+    /// They cannot be read.
+    Refused,
+}
 
 /// Follows the files as long as the page is open; does nothing in pages that are not served.
 pub fn follow(app: App) {
@@ -19,49 +31,92 @@ pub fn follow(app: App) {
     wasm_bindgen_futures::spawn_local(async move {
         let mut last = page::write_list(&library::home());
         let mut pause = PAUSE;
+        let mut refusals = 0;
+        let (mut of_text, mut of_file) = (None, None);
         loop {
             browser::pause(pause).await;
-            match asked(&address).await {
-                Some(list) => {
-                    pause = PAUSE;
+            let answer = asked(&address).await;
+            pause = if answer.is_some() { PAUSE } else { (2 * pause).min(LONGEST_PAUSE) };
+            match answer {
+                Some(Answer::Files(list)) => {
+                    refusals = 0;
+                    replace(app, &mut of_file, None);
                     if list != last {
                         last.clone_from(&list);
-                        page::read_list(&list).into_iter().for_each(|files| take(app, files));
+                        if let Some(files) = page::read_list(&list) {
+                            let message = take(app, files);
+                            replace(app, &mut of_text, message);
+                        }
                     }
                 }
-                None => pause = (2 * pause).min(LONGEST_PAUSE),
+                Some(Answer::Refused) => {
+                    refusals += 1;
+                    if refusals == REFUSALS {
+                        replace(app, &mut of_file, Some(unreadable(app)));
+                    }
+                }
+                None => {}
             }
         }
     });
 }
 
-/// The list of the files as they are now.
-async fn asked(address: &str) -> Option<String> {
+/// What the server answers; nothing if it does not.
+async fn asked(address: &str) -> Option<Answer> {
     let response: Response = browser::wait(window().fetch_with_str(address)).await.ok()?.dyn_into().ok()?;
     if !response.ok() {
-        return None;
+        return Some(Answer::Refused);
     }
-    browser::wait(response.text().ok()?).await.ok()?.as_string()
+    browser::wait(response.text().ok()?).await.ok()?.as_string().map(Answer::Files)
 }
 
-/// Shows the files where the document is open; time, view and parameters stay.
-fn take(app: App, files: Vec<Source>) {
-    let open = visited::sources(app);
-    let names = |files: &[Source]| files.iter().map(|file| file.name.clone()).collect::<Vec<_>>();
-    let first = |files: &[Source]| files.first().map(|file| file.name.clone());
-    let (same_document, same_files) = (first(&open) == first(&files), names(&open) == names(&files));
-    library::change_home(files.clone());
-    if !same_document {
-        return;
+/// Shows a message in the place of the one before, which no longer holds.
+fn replace(app: App, shown: &mut Option<Message>, message: Option<Message>) {
+    if let Some(before) = shown.take() {
+        messages::remove(app.page, &before);
     }
-    if same_files && app.read(|_| true) {
-        let texts: Vec<String> = files.into_iter().map(|file| file.text).collect();
-        write::follow_file(app, &texts);
-    } else {
+    if let Some(message) = message {
+        app.report(message.clone());
+        *shown = Some(message);
+    }
+}
+
+fn unreadable(app: App) -> Message {
+    let name = library::home().first().map_or_else(String::new, |file| file.name.clone());
+    Message::error(format!("{name} {}", app.words().file_unreadable))
+}
+
+/// Shows the files where the document is open; time, view and parameters stay. What has to stand in sight as long as the files are so.
+fn take(app: App, files: Vec<Source>) -> Option<Message> {
+    let open = visited::sources(app);
+    let before = library::home();
+    library::change_home(files.clone());
+    let of = |files: &[Source], name: &str| files.iter().find(|file| file.name == name).map(|file| file.text.clone());
+    if open.first().map(|file| &file.name) != files.first().map(|file| &file.name) {
+        return None;
+    }
+    // A translation that was begun in this page is none of the files.
+    let followed =
+        open.iter().map(|file| &file.name).filter(|name| of(&before, name).is_some() || of(&files, name).is_some());
+    if !followed.eq(files.iter().map(|file| &file.name)) || !app.read(|_| true) {
         let state = app.read(|play| play.share());
         opening::leave(app);
         opening::open(app, files, &state);
         visited::note(app, None);
+        app.say(app.words().file_followed.to_owned());
+        return None;
     }
-    app.say(app.words().file_followed.to_owned());
+    let texts = visited::files(app).into_iter().map(|file| of(&files, &file.name).unwrap_or(file.text));
+    let texts: Vec<String> = texts.collect();
+    if let Some(version) = write::follow_file(app, &before, &texts) {
+        app.report(Message::error(app.words().file_replaced.to_owned()).restoring(version));
+    }
+    let is_error = |found: &&(usize, Diagnostic)| found.1.severity == Severity::Error;
+    let faulty = app.read_writing(|writing| writing.findings().iter().find(is_error).map(|(file, _)| *file));
+    let Some(file) = faulty.and_then(|file| open.get(file)) else {
+        app.say(app.words().file_followed.to_owned());
+        return None;
+    };
+    let sentence = format!("{}: {}", file.name, write::summary(app));
+    Some(Message::error(sentence).leading_to(write::FINDINGS.to_owned()))
 }

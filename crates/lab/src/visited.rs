@@ -3,6 +3,7 @@
 
 use crate::app::App;
 use crate::library;
+use document::file_name;
 use document::page::{self, Source};
 use play::{Link, Subject};
 use view::browser;
@@ -106,6 +107,34 @@ pub fn written(app: App) -> Vec<Source> {
     let texts = app.read_writing(|writing| writing.texts().to_vec());
     let names = sources(app).into_iter().map(|source| source.name);
     names.zip(texts).map(|(name, text)| Source { name, text }).collect()
+}
+
+/// What the files of a document are called. While it has no translation, which refers to it by its name, it is called after its title
+/// unless its author has named it.
+pub fn names(files: &[Source]) -> Vec<String> {
+    match files {
+        [only] if matches!(library::subject(files), Subject::File(_)) => vec![file_name(&only.name, &only.text)],
+        all => all.iter().map(|file| file.name.clone()).collect(),
+    }
+}
+
+/// The files of the open document as they are saved: as they stand in the editor, without the folders of the library.
+pub fn files(app: App) -> Vec<Source> {
+    let written = written(app);
+    let files = if written.is_empty() { sources(app) } else { written };
+    let names = names(&files).into_iter();
+    let named = |(name, file): (String, Source)| Source {
+        name: name.rsplit('/').next().unwrap_or_default().to_owned(),
+        text: file.text,
+    };
+    names.zip(files).map(named).collect()
+}
+
+/// What files of the open document are called, without an ending.
+pub fn stem(app: App) -> String {
+    let name = files(app).into_iter().next().map(|file| file.name).unwrap_or_default();
+    let name = name.trim_end_matches(".md");
+    if name.is_empty() { "simulation".to_owned() } else { name.to_owned() }
 }
 
 fn state(description: &str) -> JsValue {

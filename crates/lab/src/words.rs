@@ -8,6 +8,7 @@ table_of_words! {
     // The page.
     link_without_translations: "The translations are too long for a link", "Las traducciones son demasiado largas para un enlace";
     link_needs_file: "The document is too long for a link; whoever opens it also needs the file", "El documento es demasiado largo para un enlace; quien lo abra necesita también el archivo";
+    link_local: "It opens only on this computer, in this page. For others, save the page below and send it, or put it on a web server.", "Solo se abre en este ordenador, en esta página. Para otras personas, guarda la página más abajo y envíala, o súbela a un servidor web.";
     not_saved: "The browser does not let this page store anything (storage full or forbidden): records, fits, answers and what is written will be lost when the page is closed", "El navegador no deja que esta página guarde nada (almacenamiento lleno o prohibido): los registros, los ajustes, las respuestas y lo que se escriba se perderán al cerrar la página";
     records_closed: "More records are stored than can be open at once. Remove one and load the page again to see the others", "Hay más registros guardados de los que pueden estar abiertos a la vez. Quita uno y vuelve a cargar la página para ver los demás";
     open: "Open", "Abrir";
@@ -156,6 +157,8 @@ table_of_words! {
     version_lines: "lines", "líneas";
     version_opened: "The version is open. Ctrl Z in the text goes back.", "La versión está abierta. Ctrl Z en el texto vuelve atrás.";
     file_followed: "The file has changed; its text runs.", "El archivo ha cambiado; su texto está en marcha.";
+    file_replaced: "The file has changed and has replaced the text written here. That text is in Write, under Versions.", "El archivo ha cambiado y ha reemplazado el texto escrito aquí. Ese texto está en Escribir, en Versiones.";
+    file_unreadable: "cannot be read. It may have been deleted, moved, or saved as something other than text. Its last text stays open here.", "no se puede leer. Quizá se ha borrado, se ha movido o no se ha guardado como texto. Su último texto sigue abierto aquí.";
     text_runs: "The simulation runs as written.", "La simulación funciona tal como está escrita.";
     text_waits: "The last version without errors is running.", "Sigue funcionando la última versión sin errores.";
     show_error: "Show the error", "Mostrar el error";
@@ -209,6 +212,8 @@ table_of_words! {
     question_hides: "Hide its value until it is answered", "Ocultar su valor hasta que se responda";
     question_answers_note: "The model computes the answer from a definition that depends on parameters alone, such as T = 2*pi*sqrt(m/k).", "El modelo calcula la respuesta con una definición que solo depende de parámetros, como T = 2*pi*sqrt(m/k).";
     question_add: "Add question", "Añadir pregunta";
+    question_needs_prompt: "Write what is asked.", "Escribe qué se pregunta.";
+    add_new: "Add", "Añadir";
     panel_translation: "Translation", "Traducción";
     translation_none: "This document has no translation yet. Equations, drawing and answers are shared; a translation has the words alone.", "Este documento aún no tiene traducción. Las ecuaciones, el dibujo y las respuestas son comunes; una traducción solo tiene los textos.";
     translation_another: "Another translation", "Otra traducción";
@@ -246,12 +251,12 @@ table_of_words! {
     form_choices: "Choices", "Elecciones";
     form_tables: "Tables", "Tablas";
     form_statement: "Statement", "Sentencia";
-    add_parameter: "Parameter", "Parámetro";
-    add_initial_value: "Quantity with an initial value", "Magnitud con valor inicial";
-    add_equation: "Equation or definition", "Ecuación o definición";
-    add_event: "Event", "Evento";
-    add_choice: "Choice", "Elección";
-    add_table: "Table", "Tabla";
+    add_parameter: "Add parameter", "Añadir parámetro";
+    add_initial_value: "Add quantity with an initial value", "Añadir magnitud con valor inicial";
+    add_equation: "Add equation or definition", "Añadir ecuación o definición";
+    add_event: "Add event", "Añadir evento";
+    add_choice: "Add choice", "Añadir elección";
+    add_table: "Add table", "Añadir tabla";
     column_name: "Name", "Nombre";
     column_quantity: "Quantity", "Magnitud";
     column_value: "Value", "Valor";
@@ -275,6 +280,7 @@ table_of_words! {
     help: "Help", "Ayuda";
     nothing: "There is no document in this page", "No hay ningún documento en esta página";
     nothing_intro: "Open a simulation document: a Markdown file with a model in it, or a page that Meniscus exported.", "Abre un documento de simulación: un archivo Markdown con un modelo, o una página exportada por Meniscus.";
+    file_not_text: "is not text in UTF-8 and was not opened. Save it as UTF-8 in the program that wrote it", "no es texto en UTF-8 y no se ha abierto. Guárdalo como UTF-8 en el programa que lo escribió";
     unreadable: "This file is neither a simulation document nor an exported page", "Este archivo no es un documento de simulación ni una página exportada";
     project_items_refused: "Records, fits, films and answers that could not be taken:", "Registros, ajustes, vídeos y respuestas que no se han podido tomar:";
 }

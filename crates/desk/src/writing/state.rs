@@ -35,8 +35,8 @@ impl Writing {
         self.check()
     }
 
-    /// The same for all texts at once.
-    pub(super) fn change_all(&mut self, texts: Vec<String>) -> Option<Document> {
+    /// The same for all texts at once, and for one more of them than before.
+    pub fn change_all(&mut self, texts: Vec<String>) -> Option<Document> {
         self.texts = texts;
         self.check()
     }

@@ -1,7 +1,7 @@
 //! What the page is around the views of the simulation: what it announces, shows and saves besides.
 
 use super::Store;
-use crate::{data, film, saved, tabs};
+use crate::{data, film, saved, tabs, visited, write};
 use desk::{Announcement, Desk};
 use play::Play;
 use units::Language;
@@ -92,6 +92,12 @@ impl Host for Store {
         self.desk().is_some_and(|mut desk| desk.undo(number))
     }
 
+    fn restore(&self, version: &str) {
+        if let Some(app) = self.app.get() {
+            write::restore(*app, version);
+        }
+    }
+
     fn can_resize(&self) -> bool {
         true
     }
@@ -109,10 +115,7 @@ impl Host for Store {
     }
 
     fn stem(&self) -> String {
-        let lab = self.lab.try_borrow();
-        let name = lab.ok().and_then(|lab| lab.sources.first().map(|file| file.name.clone())).unwrap_or_default();
-        let name = name.rsplit('/').next().unwrap_or_default().trim_end_matches(".md");
-        if name.is_empty() { "run".to_owned() } else { name.to_owned() }
+        self.app.get().map_or_else(String::new, |app| visited::stem(*app))
     }
 
     fn save_buttons(&self) -> View {
@@ -121,7 +124,11 @@ impl Host for Store {
 
     fn show(&self, place: &str) {
         if let Some(app) = self.app.get() {
-            app.tab.set(if place.starts_with("record-") { tabs::MEASURE } else { tabs::FIT });
+            app.tab.set(match place {
+                write::FINDINGS => tabs::WRITE,
+                record if record.starts_with("record-") => tabs::MEASURE,
+                _ => tabs::FIT,
+            });
         }
         browser::reveal_later(place.to_owned());
     }

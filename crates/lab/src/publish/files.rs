@@ -1,8 +1,8 @@
 //! The files of the document, and the project that holds them and what was measured.
 
-use super::present::{files, stem};
 use super::words;
 use crate::app::App;
+use crate::visited::{files, stem};
 use document::project::{PROJECT_ENDING, Project};
 use view::browser;
 use view::views::*;

@@ -1,8 +1,8 @@
 //! The code of a frame that shows the page inside another page.
 
-use super::present::stem;
 use super::words::{self, Words};
 use crate::app::App;
+use crate::visited::stem;
 use crate::{carried, library, visited};
 use play::{Embedding, PagePart, Subject};
 use units::Language;

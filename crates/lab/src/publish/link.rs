@@ -1,9 +1,9 @@
 //! The link, and its QR code.
 
-use super::present::stem;
-use super::{window, words};
+use super::words;
 use crate::app::App;
 use crate::links;
+use crate::visited::stem;
 use qrcodegen::{QrCode, QrCodeEcc};
 use std::fmt::Write as _;
 use view::browser;
@@ -15,9 +15,6 @@ const LONGEST: usize = 858;
 
 /// Modules of white around the code: ISO 18004 asks for four.
 const MARGIN: usize = 4;
-
-/// How addresses begin that lead to this computer alone.
-const LOCAL: [&str; 4] = ["file:", "http://127.0.0.1", "http://localhost", "http://[::1]"];
 
 /// What the section of the code shows.
 #[derive(Clone, PartialEq)]
@@ -34,10 +31,16 @@ pub fn view(app: App) -> View {
     let words = words::of(app);
     let copy =
         button().class("action").id("copy-link").title(app.page.words().share_title).child(app.page.words().share);
+    let copied = create_signal(String::new());
     let copy = copy.when(events::click, move |_| {
-        window::close();
-        links::share(app);
+        links::share(app, move |sentences| {
+            // The dialog may have been closed meanwhile.
+            if copied.is_alive() {
+                copied.set(sentences);
+            }
+        });
     });
+    let copied = p().class("note").role("status").id("link-copied").child(text(move || copied.get_clone()));
     let shown = create_signal(Shown::Nothing);
     let make = move |_| {
         if shown.get_clone_untracked() != Shown::Nothing {
@@ -62,12 +65,12 @@ pub fn view(app: App) -> View {
         Shown::Code(svg) => code_view(app, svg),
         Shown::Refused(why) => other_address(app, why),
     }));
-    View::from((note(words.link_intro), div().class("ways").child(copy).child(code), place))
+    View::from((note(words.link_intro), div().class("ways").child(copy).child(code), copied, place))
 }
 
 fn code_of_link(app: App, address: &str) -> Shown {
     let words = words::of(app);
-    if LOCAL.iter().any(|start| address.starts_with(start)) {
+    if links::is_local(address) {
         return Shown::Refused(words.qr_local);
     }
     code(address).map_or(Shown::Refused(words.qr_too_long), Shown::Code)

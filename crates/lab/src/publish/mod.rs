@@ -4,7 +4,6 @@ mod files;
 mod frame;
 mod link;
 mod page;
-mod present;
 mod window;
 mod words;
 

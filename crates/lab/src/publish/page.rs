@@ -1,8 +1,8 @@
 //! The page that plays the document: the file that `meniscus export` writes, too.
 
-use super::present::{files, stem};
 use super::words;
 use crate::app::App;
+use crate::visited::{files, stem};
 use crate::{carried, packing};
 use document::page::{self, Source};
 use program::bundle;

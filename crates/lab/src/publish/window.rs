@@ -12,10 +12,3 @@ pub fn open() {
         let _ = dialog.show_modal();
     }
 }
-
-/// Closes the dialog, so that the line of messages can be seen.
-pub fn close() {
-    if let Some(dialog) = browser::by_id::<HtmlDialogElement>(ID) {
-        dialog.close();
-    }
-}

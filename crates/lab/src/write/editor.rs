@@ -61,6 +61,11 @@ impl Editor {
         self.call("open", &[texts.iter().map(JsValue::from).collect::<Array>().into()]);
     }
 
+    /// Opens one more text beside the others, which keep what can be undone in them.
+    pub fn add(&self, text: &str) {
+        self.call("add", &[text.into()]);
+    }
+
     /// Shows another text.
     pub fn select(&self, file: usize) {
         self.call("select", &[(file as f64).into()]);

@@ -32,7 +32,16 @@ impl Piece {
 
     /// A field of as many lines as the text has.
     pub fn lines(self, app: App) -> HtmlTextarea {
-        let mut field = textarea().class("cell lines");
+        self.area(app, "cell lines")
+    }
+
+    /// The same for words.
+    pub fn prose(self, app: App) -> HtmlTextarea {
+        self.area(app, "cell prose-cell")
+    }
+
+    fn area(self, app: App, class: &'static str) -> HtmlTextarea {
+        let mut field = textarea().class(class);
         // Its methods are those of an input of one line, as far as they are needed here.
         let node: HtmlInputElement = field.node();
         let text = self.text;

@@ -4,6 +4,7 @@ use super::{Editor, Panel, panels};
 use crate::app::App;
 use crate::diagnostics::{self, Leads};
 use crate::visited;
+use desk::Writing;
 use model::Fix;
 use std::rc::Rc;
 use view::browser;
@@ -18,35 +19,41 @@ pub fn mark(app: App) {
     }
 }
 
+/// How many errors and remarks there are, and whether the text runs.
+pub fn summary(app: App) -> String {
+    let words = app.words();
+    let (errors, all, runs) = app.read_writing(|writing| (writing.errors(), writing.findings().len(), writing.runs()));
+    let count = |number: usize, one: &str, many: &str| match number {
+        1 => format!("1 {one}"),
+        number => format!("{number} {many}"),
+    };
+    let mut found = Vec::new();
+    if errors > 0 {
+        found.push(count(errors, words.one_error, words.many_errors));
+    }
+    if all > errors {
+        found.push(count(all - errors, words.one_warning, words.many_warnings));
+    }
+    let nothing_runs = format!("{}.", words.nothing_runs);
+    let state = match (runs, app.read(|_| true)) {
+        (true, _) => words.text_runs,
+        (false, true) => words.text_waits,
+        (false, false) => &nothing_runs,
+    };
+    if found.is_empty() { state.to_owned() } else { format!("{}. {state}", found.join(", ")) }
+}
+
 /// Whether the text runs, for those who see it and those who hear it.
 pub fn status(app: App) -> HtmlP {
-    let words = app.words();
-    let counts = move || {
+    let errors = move || {
         app.written.track();
-        app.read_writing(|writing| (writing.errors(), writing.findings().len() - writing.errors(), writing.runs()))
+        app.read_writing(Writing::errors)
     };
     let sentence = move || {
-        let (errors, warnings, runs) = counts();
-        let count = |number: usize, one: &str, many: &str| match number {
-            1 => format!("1 {one}"),
-            number => format!("{number} {many}"),
-        };
-        let mut found = Vec::new();
-        if errors > 0 {
-            found.push(count(errors, words.one_error, words.many_errors));
-        }
-        if warnings > 0 {
-            found.push(count(warnings, words.one_warning, words.many_warnings));
-        }
-        let nothing_runs = format!("{}.", words.nothing_runs);
-        let state = match (runs, app.read(|_| true)) {
-            (true, _) => words.text_runs,
-            (false, true) => words.text_waits,
-            (false, false) => &nothing_runs,
-        };
-        if found.is_empty() { state.to_owned() } else { format!("{}. {state}", found.join(", ")) }
+        app.written.track();
+        summary(app)
     };
-    let class = move || if counts().0 > 0 { "writing-status faulty" } else { "writing-status" };
+    let class = move || if errors() > 0 { "writing-status faulty" } else { "writing-status" };
     p().class(class).role("status").id("writing-status").child(text(sentence))
 }
 
@@ -65,11 +72,12 @@ pub fn lead(app: App) -> HtmlButton {
         .class("quiet outlined")
         .id("show-errors")
         .hidden(move || errors.get() == 0)
-        .when(events::click, move |_| browser::reveal_later(LIST.to_owned()))
+        .when(events::click, move |_| browser::reveal_later(FINDINGS.to_owned()))
         .child(text(title))
 }
 
-const LIST: &str = "writing-findings";
+/// The id of the list of findings.
+pub const FINDINGS: &str = "writing-findings";
 
 /// The findings, but for those that stand beside their statement. Each place leads to it in the text.
 pub fn view(app: App) -> View {
@@ -88,7 +96,7 @@ pub fn view(app: App) -> View {
             go: Rc::new(move |file, place| go_to(app, file, place)),
             fix: Some(Rc::new(move |file, fix| carry_out(app, file, fix))),
         };
-        diagnostics::list(app, &visited::written(app), &findings, Some(leads)).id(LIST).tabindex("-1").into()
+        diagnostics::list(app, &visited::written(app), &findings, Some(leads)).id(FINDINGS).tabindex("-1").into()
     })
 }
 

@@ -31,9 +31,16 @@ fn new_name() -> String {
     format!("{PREFIX}{time}")
 }
 
+/// Keeps what was written: in the step of the history and in the storage.
+pub fn now(app: App) {
+    let description = visited::describe(app);
+    visited::note_described(&description);
+    keep(app, description);
+}
+
 /// Keeps the document as it stands in the editor, by its description. Where another page has changed it in the storage meanwhile, that stays, and this
 /// one is kept beside it.
-pub fn keep(app: App, text: String) {
+fn keep(app: App, text: String) {
     let Some(Kept { name, text: before }) = app.with(|lab| lab.written_as.clone()).flatten() else { return };
     let is_changed = browser::remembered(&name).is_some_and(|stored| stored != before);
     let name = if is_changed { new_name() } else { name };

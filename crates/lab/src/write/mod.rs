@@ -1,5 +1,6 @@
 //! The tab *Write*: the texts of the open document in an editor, what is wrong with them, and new documents.
 
+mod briefs;
 mod changes;
 mod draft;
 mod editor;
@@ -20,9 +21,10 @@ mod version_list;
 mod versions;
 mod view;
 
-pub use changes::follow_file;
+pub use changes::{follow_file, restore};
 pub use draft::{flush, resume};
 pub use editor::Editor;
+pub use findings::{FINDINGS, summary};
 pub use panel::Panel;
 
 use crate::app::App;
@@ -66,6 +68,7 @@ pub fn view(app: App) -> View {
         .child(
             div()
                 .class("writing-foot")
+                .when(events::mousedown, |event| tools::keep_focus(&event))
                 .child(findings::status(app))
                 .child(findings::lead(app))
                 .child(layout::view(app)),

@@ -69,7 +69,7 @@ pub fn view(app: App) -> HtmlDiv {
 
 /// A press on a button leaves the focus in the text. On a phone the page is another without it, and the button would be elsewhere
 /// before the finger is lifted.
-fn keep_focus(event: &MouseEvent) {
+pub fn keep_focus(event: &MouseEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     if target.is_some_and(|target| target.closest("button").ok().flatten().is_some()) {
         event.prevent_default();
@@ -108,8 +108,7 @@ fn begin_with(app: App, template: Template) {
 /// Saves the file that is shown, as it stands in the editor.
 fn save(app: App) {
     flush(app);
-    if let Some(file) = visited::written(app).get(app.written_file.get_untracked()) {
-        let name = file.name.rsplit('/').next().unwrap_or_default();
-        browser::save_text(name, "text/markdown", &file.text);
+    if let Some(file) = visited::files(app).get(app.written_file.get_untracked()) {
+        browser::save_text(&file.name, "text/markdown", &file.text);
     }
 }

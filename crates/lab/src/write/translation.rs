@@ -1,8 +1,8 @@
 //! The texts of the document beside those of a translation.
 
-use super::typing;
+use super::{changes, typing};
 use crate::app::App;
-use crate::{opening, visited};
+use crate::visited;
 use document::edit::set_translation;
 use document::page::Source;
 use document::translating::{LANGUAGES, Pair, TextKey, beginning, likely_language, pairs, short_texts};
@@ -166,10 +166,10 @@ fn begin_form(app: App) -> HtmlDiv {
         .child(begin)
 }
 
-/// Adds the file of a translation to the document, which is opened with it.
+/// Adds the file of a translation to the document.
 fn begin(app: App, language: &str) {
     super::flush(app);
-    let mut sources = visited::written(app);
+    let sources = visited::files(app);
     let Some(base) = sources.first() else { return };
     let matter = document::read(&base.text).front_matter().clone();
     let stem = base.name.strip_suffix(".md").unwrap_or(&base.name);
@@ -177,6 +177,5 @@ fn begin(app: App, language: &str) {
     if sources.iter().any(|source| source.name == name) {
         return app.complain(app.words().translation_exists.to_owned());
     }
-    sources.push(Source { name, text });
-    opening::open_sources(app, sources);
+    changes::add(app, Source { name, text });
 }

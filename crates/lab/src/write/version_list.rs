@@ -51,10 +51,7 @@ fn row(app: App, version: Version, changes: Option<LineChanges>) -> HtmlLi {
     };
     let texts = version.texts;
     let open = move |_| {
-        draft::flush(app);
-        // What stands there now can be gone back to, too.
-        versions::make(app);
-        changes::take(app, &texts);
+        changes::go_back(app, &texts);
         app.notify(words.version_opened);
     };
     let time = span().class("version-time").child(time_text(app, version.time));

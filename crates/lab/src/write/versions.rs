@@ -39,20 +39,23 @@ pub fn before_change(app: App) {
     }
 }
 
-/// Makes the text as it stands a version, unless the last one is the same.
-pub fn make(app: App) {
-    let Some(document) = document_key(app) else { return };
+/// Makes the text as it stands a version, unless the last one is the same. The name of the version that has it.
+pub fn make(app: App) -> Option<String> {
+    let document = document_key(app)?;
     let now = Date::now();
     app.with(|lab| lab.version_times.version = now);
     let files = visited::written(app);
     let mut versions = of_document(&document);
     let same = |version: &Version| version.texts.iter().eq(files.iter().map(|file| &file.text));
-    if files.is_empty() || versions.last().is_some_and(same) {
-        return;
+    if files.is_empty() {
+        return None;
+    }
+    if let Some(last) = versions.pop_if(|last| same(last)) {
+        return Some(last.key);
     }
     let key = format!("{document}{}", now as u64);
     browser::remember(&key, &page::write_list(&files));
-    versions.push(Version { key, time: now as u64, texts: Vec::new() });
+    versions.push(Version { key: key.clone(), time: now as u64, texts: Vec::new() });
     let times: Vec<u64> = versions.iter().map(|version| version.time).collect();
     for place in superfluous_versions(&times, now as u64, MOST) {
         if let Some(version) = versions.get(place) {
@@ -60,6 +63,7 @@ pub fn make(app: App) {
         }
     }
     make_room();
+    Some(key)
 }
 
 /// Forgets the oldest versions of all documents if all together are too long.
@@ -101,13 +105,20 @@ pub fn all(app: App) -> Vec<Version> {
     document_key(app).map_or_else(Vec::new, |document| of_document(&document))
 }
 
+/// The texts of the version of this name, if the open document still has it.
+pub fn texts(app: App, key: &str) -> Option<Vec<String>> {
+    let is_own = key.starts_with(&document_key(app)?);
+    read(&browser::remembered(key).filter(|_| is_own)?)
+}
+
+fn read(list: &str) -> Option<Vec<String>> {
+    Some(page::read_list(list)?.into_iter().map(|Source { text, .. }| text).collect())
+}
+
 /// The versions whose keys begin like this.
 fn of_document(document: &str) -> Vec<Version> {
-    let read = |(key, text): (String, String)| {
-        let texts = page::read_list(&text)?.into_iter().map(|Source { text, .. }| text).collect();
-        Some(Version { time: time_of(&key), key, texts })
-    };
-    let mut versions: Vec<Version> = browser::all_remembered(document).into_iter().filter_map(read).collect();
+    let version = |(key, text): (String, String)| Some(Version { time: time_of(&key), texts: read(&text)?, key });
+    let mut versions: Vec<Version> = browser::all_remembered(document).into_iter().filter_map(version).collect();
     versions.sort_by_key(|version| version.time);
     versions
 }

@@ -70,7 +70,13 @@ fn explains<E: Build>(own: &Behaviour, node: HtmlInputElement, field: E) -> E {
 }
 
 /// A field in one line, with its name for those who do not see the table around it. A name is changed everywhere, once it is complete.
-pub fn field(forms: Forms, number: usize, kind: CellKind, name: String, refusal: Refusal) -> HtmlInput {
+pub fn field(
+    forms: Forms,
+    number: usize,
+    kind: CellKind,
+    name: impl Fn() -> String + 'static,
+    refusal: Refusal,
+) -> HtmlInput {
     let own = Behaviour { forms, number, kind, refusal };
     let (text, is_wrong) = (own.text(), own.is_wrong());
     let mut field = input().r#type("text").class("cell").id(id(number, kind)).autocomplete("off");
@@ -113,7 +119,7 @@ pub fn lines(forms: Forms, number: usize, name: String, refusal: Refusal) -> Htm
 }
 
 /// On and off.
-pub fn switch_field(forms: Forms, number: usize, name: String, refusal: Refusal) -> HtmlSelect {
+pub fn switch_field(forms: Forms, number: usize, name: impl Fn() -> String + 'static, refusal: Refusal) -> HtmlSelect {
     let own = Behaviour { forms, number, kind: CellKind::Value, refusal };
     let text = own.text();
     let words = forms.app.words();

@@ -6,6 +6,7 @@ use crate::write::typing;
 use document::edit::remove_statement;
 use document::form::CellKind;
 use view::browser;
+use view::icons;
 use view::views::*;
 
 /// Removes a statement; the focus goes to its heading's button.
@@ -29,10 +30,18 @@ fn remove(forms: Forms, number: usize) {
 
 /// The cross that removes a statement.
 pub fn remove_button(forms: Forms, number: usize) -> HtmlButton {
-    let name = forms.form.with_untracked(|form| {
-        let part = form.parts.get(number);
-        let name = part.and_then(|part| part.cell(CellKind::Name).or(Some(&part.whole)));
-        name.map(|cell| cell.text.lines().next().unwrap_or_default().to_owned()).unwrap_or_default()
+    let name = memo(move || {
+        forms.form.with(|form| {
+            let part = form.parts.get(number);
+            let name = part.and_then(|part| part.cell(CellKind::Name).or(Some(&part.whole)));
+            name.map(|cell| cell.text.lines().next().unwrap_or_default().to_owned()).unwrap_or_default()
+        })
     });
-    cross(format!("{} {name}", forms.app.words().remove_statement)).when(events::click, move |_| remove(forms, number))
+    let title = move || name.with(|name| format!("{} {name}", forms.app.words().remove_statement));
+    button()
+        .class("icon small")
+        .attr("title", title)
+        .attr("aria-label", title)
+        .when(events::click, move |_| remove(forms, number))
+        .child(icons::cross())
 }

@@ -14,7 +14,7 @@ pub fn view(forms: Forms, number: usize, has_lines: bool) -> HtmlDiv {
     let field: View = if has_lines {
         lines(forms, number, name, refusal).into()
     } else {
-        field(forms, number, CellKind::Text, name, refusal).into()
+        field(forms, number, CellKind::Text, move || name.clone(), refusal).into()
     };
     let typeset = memo(move || {
         forms.form.with(|form| form.parts.get(number).map(|part| part.typeset.clone()).unwrap_or_default())

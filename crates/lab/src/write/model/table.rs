@@ -63,7 +63,7 @@ fn row(forms: Forms, section: Section, number: usize, shape: &Shape) -> View {
     let said = tr().role("row").class("fault-row").hidden(move || !any.get()).child(said);
     let remove = td().role("cell").class("remove").child(remove_button(forms, number));
     if shape.word == "group" {
-        let name = field(forms, number, CellKind::Label, app.words().group.to_owned(), refusal);
+        let name = field(forms, number, CellKind::Label, move || app.words().group.to_owned(), refusal);
         let name = td()
             .role("cell")
             .class("of-group")
@@ -72,9 +72,11 @@ fn row(forms: Forms, section: Section, number: usize, shape: &Shape) -> View {
             .child(name);
         return View::from((tr().role("row").class("group-row").child(name).child(remove), said));
     }
-    let own = forms.form.with_untracked(|form| {
-        let cell = form.parts.get(number).and_then(|part| part.cell(CellKind::Name));
-        cell.map(|cell| cell.text.clone()).unwrap_or_default()
+    let own = memo(move || {
+        forms.form.with(|form| {
+            let cell = form.parts.get(number).and_then(|part| part.cell(CellKind::Name));
+            cell.map(|cell| cell.text.clone()).unwrap_or_default()
+        })
     });
     let cell = |kind: &CellKind| {
         let title = title(app, section, *kind);
@@ -82,10 +84,14 @@ fn row(forms: Forms, section: Section, number: usize, shape: &Shape) -> View {
         if !shape.cells.contains(kind) {
             return place.class("none");
         }
-        let name = format!("{own}: {title}");
+        let name = move || own.with(|own| format!("{own}: {title}"));
         let is_switch = shape.word == "switch" && *kind == CellKind::Value;
         let field: View = match is_switch {
             true => switch_field(forms, number, name, refusal).into(),
+            // Where the table is narrow, the column of the labels has no head.
+            false if *kind == CellKind::Label => {
+                field(forms, number, *kind, name, refusal).attr("placeholder", title).into()
+            }
             false => field(forms, number, *kind, name, refusal).into(),
         };
         let word = (*kind == CellKind::Name && !matches!(shape.word.as_str(), "" | "parameter"))

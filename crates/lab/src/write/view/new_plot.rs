@@ -66,14 +66,14 @@ pub fn view(app: App) -> View {
         ))
         .child(new_line("new-plot-title", words.text_title, title.into()))
         .child(refusal_of(refusal))
-        .child(button().r#type("submit").class("primary").child(words.plot_add));
+        .child(button().r#type("submit").class("primary").child(words.add_new));
     let show = move |_| {
         open.update(|open| *open = !*open);
         if open.get_untracked() {
             browser::focus_later("new-plot-curves".to_owned());
         }
     };
-    let button = labelled(icons::plus(), words.plot)
+    let button = labelled(icons::plus(), words.plot_add)
         .id("new-plot")
         .attr("aria-controls", "new-plot-form")
         .attr("aria-expanded", move || open.get().to_string())

@@ -1,12 +1,10 @@
 //! One plot: its title, what it draws against what and how, its place among the others.
 
 use super::forms::Plots;
-use crate::diagnostics::{self, CarryOut};
 use crate::write::fields::{Piece, named, refuse};
-use crate::write::typing;
+use crate::write::{briefs, typing};
 use document::edit::{exchange_plots, remove_plot, set_plot};
 use document::form::{PlotCell, plottable};
-use std::rc::Rc;
 use view::browser;
 use view::icons;
 use view::views::*;
@@ -179,20 +177,11 @@ fn order(plots: Plots, number: usize, count: usize) -> HtmlDiv {
 
 /// What is wrong with it, with remedies.
 fn faults(plots: Plots, number: usize) -> HtmlDiv {
-    let app = plots.app;
-    let own =
-        memo(move || plots.faults.with(|all| all.iter().filter(|(of, _)| *of == number).cloned().collect::<Vec<_>>()));
-    let carry_out: CarryOut = Rc::new(move |_, fix| {
-        let checked = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
-        // A text that has changed since is checked first.
-        if checked == typing::text(app, 0) {
-            let _ = typing::act(app, 0, &checked, |_| Ok(fix.edits.clone()));
-        }
-        crate::write::flush(app);
+    let own = memo(move || {
+        plots.faults.with(|all| {
+            let own = all.iter().filter(|(of, _)| *of == number);
+            own.map(|(_, found)| found.clone()).collect::<Vec<_>>()
+        })
     });
-    let list = move || {
-        let text = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
-        each(own.get_clone(), |(_, found)| diagnostics::brief(app, &text, &found, carry_out.clone()))
-    };
-    div().class("faults").child(changing(list))
+    div().class("faults").child(briefs::view(plots.app, own))
 }

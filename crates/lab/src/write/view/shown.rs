@@ -34,7 +34,7 @@ fn add_button(app: App) -> HtmlButton {
             Err(refusal) => app.complain(refusal),
         }
     };
-    button().class("quiet outlined").id("add-group").child(app.words().group_add).when(events::click, add)
+    labelled(icons::plus(), app.words().group_add).id("add-group").when(events::click, add)
 }
 
 fn list(app: App, places: &'static [Place], none: &'static str, below: Option<fn(App) -> HtmlButton>) -> HtmlDiv {

@@ -12,7 +12,9 @@ use web_sys::MouseEvent;
 pub struct Hand {
     /// The laboratory.
     pub app: App,
-    /// The drawing as it is written.
+    /// The text of the document as it stands in the editor.
+    pub text: ReadSignal<String>,
+    /// The drawing as it is written there.
     pub drawing: ReadSignal<Option<Drawing>>,
     /// The numbers of the elements that are chosen.
     pub chosen: Signal<Vec<usize>>,

@@ -3,8 +3,9 @@
 use super::hand::Hand;
 use super::{acts, layers, words};
 use crate::write::fields::{follow, named};
-use crate::write::{Panel, findings, panels, typing};
+use crate::write::{Panel, briefs, findings, panels};
 use document::drawing::{Axis, Item, Part, draggable, followed, follows, shows_text};
+use model::{Diagnostic, Severity};
 use view::views::*;
 use web_sys::HtmlInputElement;
 
@@ -65,11 +66,13 @@ fn reading<T: PartialEq + Clone + 'static>(
     read: impl Fn(&Item, &str) -> T + 'static,
     nothing: T,
 ) -> ReadSignal<T> {
+    // A text of the same length may have the same drawing at other places.
     memo(move || {
-        let text = typing::text(hand.app, 0);
-        hand.drawing.with(|drawing| {
-            let item = drawing.as_ref().and_then(|drawing| drawing.items.get(number));
-            item.map_or_else(|| nothing.clone(), |item| read(item, &text))
+        hand.text.with(|text| {
+            hand.drawing.with(|drawing| {
+                let item = drawing.as_ref().and_then(|drawing| drawing.items.get(number));
+                item.map_or_else(|| nothing.clone(), |item| read(item, text))
+            })
         })
     })
 }
@@ -109,6 +112,20 @@ fn field(id: String, shown: ReadSignal<String>, set: impl Fn(&str) + 'static) ->
     field.attr("autocapitalize", "off").when(events::change, move |event| set(&value_of(&event)))
 }
 
+/// What was found in an attribute when the text was checked last.
+fn found(hand: Hand, number: usize, name: &'static str) -> ReadSignal<Vec<Diagnostic>> {
+    memo(move || {
+        hand.app.written.track();
+        let value = hand.drawing.with(|drawing| Some(drawing.as_ref()?.items.get(number)?.attribute(name)?.value));
+        let Some(value) = value else { return Vec::new() };
+        let is_own = |(file, found): &&(usize, Diagnostic)| {
+            *file == 0 && (value.start..=value.end).contains(&found.span().start)
+        };
+        hand.app
+            .read_writing(|writing| writing.findings().iter().filter(is_own).map(|(_, found)| found.clone()).collect())
+    })
+}
+
 /// An attribute. What it follows can be chosen where it is a point.
 fn row(hand: Hand, number: usize, name: &'static str) -> HtmlDiv {
     let shown =
@@ -116,7 +133,12 @@ fn row(hand: Hand, number: usize, name: &'static str) -> HtmlDiv {
     let id = format!("attribute-{name}");
     let field = field(id.clone(), shown, move |text| acts::set(hand, number, name, text));
     let field = if matches!(name, "fill" | "stroke") { field.attr("list", "drawing-colours") } else { field };
-    let row = line(id, words::attribute(hand.app, name), field.into());
+    let found = found(hand, number, name);
+    let is_wrong = move || found.with(|found| found.iter().any(|found| found.severity == Severity::Error));
+    let said = format!("{id}-faults");
+    let field = field.attr("aria-invalid", move || is_wrong().then_some("true")).attr("aria-describedby", said.clone());
+    let row = line(id, words::attribute(hand.app, name), field.into())
+        .child(div().class("faults").id(said).child(briefs::view(hand.app, found)));
     if !POINTS.contains(&name) {
         return row;
     }

@@ -2,19 +2,19 @@
 
 use super::hand::Hand;
 use super::words;
-use crate::write::typing;
 use document::drawing::{Drawing, Item};
 use view::views::*;
 
 /// What an element is called: its title, or what it shows, or what it is.
 pub fn name(hand: Hand, item: &Item) -> String {
     let kind = item.kind.title().text(hand.app.language.get_untracked()).to_owned();
-    let text = typing::text(hand.app, 0);
-    let said = item.says.and_then(|says| text.get(says.range())).map(str::trim).filter(|said| !said.is_empty());
-    match said {
-        Some(said) if said != kind => format!("{kind}: {said}"),
-        _ => kind,
-    }
+    hand.text.with(|text| {
+        let said = item.says.and_then(|says| text.get(says.range())).map(str::trim).filter(|said| !said.is_empty());
+        match said {
+            Some(said) if said != kind => format!("{kind}: {said}"),
+            _ => kind,
+        }
+    })
 }
 
 /// What stands in a frame or group, from above, each followed by what it holds: number, depth and name.

@@ -25,13 +25,15 @@ use view::views::*;
 
 /// The drawing, as its author changes it.
 pub fn view(app: App) -> HtmlDiv {
-    let drawing = memo(move || {
+    let text = memo(move || {
         app.typed.track();
         app.written.track();
-        read(&document::read(&typing::text(app, 0)))
+        typing::text(app, 0)
     });
+    let drawing = memo(move || text.with(|text| read(&document::read(text))));
     let hand = Hand {
         app,
+        text,
         drawing,
         chosen: create_signal(Vec::new()),
         grid: create_signal(true),
@@ -65,6 +67,10 @@ fn drawn(hand: Hand) -> View {
 /// A document without a scene.
 fn begin(hand: Hand) -> View {
     let words = words::of(hand.app);
-    let add = button().id("drawing-begin").when(events::click, move |_| acts::begin(hand)).child(words.begin);
+    let add = button()
+        .class("quiet outlined")
+        .id("drawing-begin")
+        .when(events::click, move |_| acts::begin(hand))
+        .child(words.begin);
     View::from((note(words.nothing), div().class("form-tools").child(add), refusal_of(hand.refusal)))
 }

@@ -6,7 +6,7 @@ use view::table_of_words;
 table_of_words! {
     nothing: "This document has no drawing yet.", "Este documento aún no tiene dibujo.";
     begin: "Begin a drawing", "Empezar un dibujo";
-    add: "Add", "Añadir";
+    add: "Add part", "Añadir pieza";
     palette: "Parts and shapes", "Piezas y formas";
     canvas: "Drawing: choose an element and move it", "Dibujo: elige un elemento y muévelo";
     keys: "Arrow keys move what is chosen by a step of the grid, with Shift by ten. Page up and page down choose the next element. Delete removes, Control with D copies, Control with Z takes back.", "Las flechas mueven lo elegido un paso de la cuadrícula, con Mayús diez. Retroceder y avanzar página eligen el elemento siguiente. Suprimir quita, Control con D copia, Control con Z deshace.";

@@ -1,0 +1,24 @@
+//! What was found in a part of the document, beside the fields of that part.
+
+use super::{draft, typing};
+use crate::app::App;
+use crate::diagnostics::{self, CarryOut};
+use model::Diagnostic;
+use std::rc::Rc;
+use view::views::*;
+
+/// Each finding with its remedies, which change the document.
+pub fn view(app: App, found: ReadSignal<Vec<Diagnostic>>) -> View {
+    let carry_out: CarryOut = Rc::new(move |_, fix| {
+        let checked = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
+        // A text that has changed since is checked first.
+        if checked == typing::text(app, 0) {
+            let _ = typing::act(app, 0, &checked, |_| Ok(fix.edits.clone()));
+        }
+        draft::flush(app);
+    });
+    changing(move || {
+        let text = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
+        each(found.get_clone(), |found| diagnostics::brief(app, &text, &found, carry_out.clone()))
+    })
+}

@@ -7,6 +7,7 @@ use super::rows::without_gaps;
 use super::shape;
 use crate::order::median;
 use core::f64::consts::{PI, TAU};
+use units::Language;
 
 /// A record, cycle by cycle.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,20 @@ pub struct Cycles {
     /// Whether they are those of a sinusoid; else periods are those between crossings of the middle, and amplitudes those of
     /// the turning points.
     pub sinusoidal: bool,
+}
+
+impl Cycles {
+    /// Why the cycles end at a time, which is written with its unit.
+    pub fn lost_text(&self, time: &str, language: Language) -> String {
+        let why = match self.sinusoidal {
+            true => language.pick("the noise hides the oscillation", "el ruido oculta la oscilación"),
+            false => language.pick(
+                "the oscillation does not cross its middle level clearly: by more than the noise and a hundredth of its range",
+                "la oscilación no cruza con claridad su nivel medio: por más que el ruido y que una centésima de su recorrido",
+            ),
+        };
+        language.pick(format!("From {time} on {why}."), format!("A partir de {time} {why}."))
+    }
 }
 
 /// Half the width of a window in periods: a turning point with its two neighbours, each with its quarter of a period.

@@ -51,12 +51,7 @@ pub fn table(record: &Record) -> String {
         wrapped(&mut out, "", &change(record, quantity));
     }
     if let Some(lost) = record.found.lost {
-        let end = if record.found.sinusoidal {
-            "the noise hides the oscillation"
-        } else {
-            "the oscillation does not cross its middle level clearly: by more than the noise and a hundredth of its range"
-        };
-        wrapped(&mut out, "", &format!("From {} on {end}.", seconds(lost)));
+        wrapped(&mut out, "", &record.found.lost_text(&seconds(lost), Language::English));
     }
     out
 }

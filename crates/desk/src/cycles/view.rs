@@ -188,7 +188,7 @@ impl Desk {
             [Quantity::AngularFrequency, Quantity::Damping].into_iter().filter_map(sentence).collect();
         sentences.extend((!cycles.sinusoidal).then(|| another_shape(self.play.language()).to_owned()));
         let lost = |from: f64| {
-            cycles_lost(self.play.language(), &format!("{} {time}", number::fixed(from, 2, self.play.style())))
+            cycles.lost_text(&format!("{} {time}", number::fixed(from, 2, self.play.style())), self.play.language())
         };
         sentences.extend(cycles.lost.map(lost));
         Some(CyclesView { heads, rows: cycles.cycles.iter().enumerate().map(row).collect(), sentences })
@@ -240,10 +240,10 @@ fn turning_point(language: Language, maximum: bool) -> &'static str {
 
 fn no_cycles(language: Language) -> &'static str {
     language.pick(
-        "This column does not oscillate so that cycles could be told: a cycle needs three turning points, clear of the \
-         noise, with eight rows about them.",
-        "Esta columna no oscila de modo que se distingan ciclos: un ciclo necesita tres puntos de retorno que destaquen \
-         sobre el ruido, con ocho filas a su alrededor.",
+        "This column does not oscillate clearly above the noise: a cycle needs three turning points, clear of the noise, \
+         with eight rows about them. Choose another column or a longer record.",
+        "Esta columna no oscila con claridad por encima del ruido: un ciclo necesita tres puntos de retorno que destaquen \
+         sobre el ruido, con ocho filas a su alrededor. Elige otra columna o un registro más largo.",
     )
 }
 
@@ -253,12 +253,5 @@ fn another_shape(language: Language) -> &'static str {
          direction, and the amplitude is half the height between turning points.",
         "La forma no es una sinusoide amortiguada: el periodo es el tiempo entre pasos por el nivel medio en el mismo sentido, \
          y la amplitud, la mitad de la altura entre puntos de retorno.",
-    )
-}
-
-fn cycles_lost(language: Language, from: &str) -> String {
-    language.pick(
-        format!("From {from} on the noise hides the oscillation."),
-        format!("A partir de {from} el ruido oculta la oscilación."),
     )
 }

@@ -170,7 +170,7 @@ fn result(report: &Report<'_>, estimate: &Estimate) -> Vec<Cell> {
     let value = if estimate.determined { Cell::Number(estimate.unit.from_si(estimate.value)) } else { Cell::Empty };
     vec![
         estimate.name.as_str().into(),
-        label(report, estimate).into(),
+        label(&report.document.program, report.language, estimate).into(),
         record.map_or("", |record| &record.name).into(),
         value,
         error(estimate.stderr_hac),

@@ -25,4 +25,4 @@ pub use page::html;
 pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};
 pub use remarks::remarks;
 pub use report::Report;
-pub use results::{once, readable_units};
+pub use results::{label, once, readable_units};

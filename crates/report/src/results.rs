@@ -3,8 +3,9 @@
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
 use analysis::fit::{Estimate, Interval};
-use units::Unit;
+use program::Program;
 use units::number::{DASH, Style, concise, fixed, plain, steady, unit_text};
+use units::{Language, Unit};
 
 /// A matrix of more columns would not fit the page.
 const MATRIX: usize = 10;
@@ -34,15 +35,14 @@ pub fn readable_units(estimates: &[Estimate]) -> Vec<Estimate> {
     estimates.iter().map(|one| Estimate { unit: of_size(one), ..one.clone() }).collect()
 }
 
-/// What an estimate is called.
-pub fn label(report: &Report<'_>, estimate: &Estimate) -> String {
-    let language = report.language;
+/// What an estimate of this program is called; nothing where it has no label.
+pub fn label(program: &Program, language: Language, estimate: &Estimate) -> String {
     if let Some(label) = &estimate.label {
-        return report.document.program.text(language.tag(), label).to_owned();
+        return program.text(language.tag(), label).to_owned();
     }
     let own = estimate.parameter().is_some();
     match estimate.name.rsplit_once('_') {
-        Some((name, "origin")) if !own && name == report.document.program.model.independent.name => {
+        Some((name, "origin")) if !own && name == program.model.independent.name => {
             language.pick("Reading of the clock at the start", "Lectura del reloj al empezar").to_owned()
         }
         Some((name, "offset")) if !own => {
@@ -134,7 +134,7 @@ fn row(page: &mut Page, report: &Report<'_>, estimate: &Estimate, interval: Opti
     };
     let mut cells = vec![
         symbol(&estimate.name),
-        escaped(&label(report, estimate)),
+        escaped(&label(&report.document.program, report.language, estimate)),
         value,
         escaped(&unit_text(&estimate.unit.text)),
         own(estimate.stderr_hac),

@@ -20,6 +20,8 @@ pub enum Verdict {
     TooSmall,
     /// Residuals are autocorrelated: the model misses something, or the measurement does.
     Structured,
+    /// Residuals are autocorrelated, and more is left over than the curve explains: the fit misses what the data show.
+    Missed,
     /// Neighbouring residuals have opposite signs more often than by chance.
     Alternating,
     /// Residuals look random, and so do the values themselves: the curve explains no more of them than a constant.
@@ -40,6 +42,9 @@ pub(super) enum Size {
 /// Standard deviations: one in a hundred by chance.
 const BY_CHANCE: f64 = 2.6;
 
+/// The share of the variance below which more is left over than a curve explains.
+const EXPLAINED: f64 = 0.5;
+
 /// Of fewer values neither signs nor neighbours are judged.
 const LEAST: usize = 10;
 
@@ -52,7 +57,7 @@ impl Outcome {
         let known = self.judged >= LEAST;
         let correlation = BY_CHANCE / (self.judged as f64).sqrt();
         if known && (self.runs.is_some_and(|runs| runs.z < -BY_CHANCE) || self.autocorrelation > correlation) {
-            return Verdict::Structured;
+            return if self.r2 < EXPLAINED { Verdict::Missed } else { Verdict::Structured };
         }
         // Each number that is adjusted makes neighbouring residuals differ a little more.
         let adjusted = self.determined() / self.judged as f64;

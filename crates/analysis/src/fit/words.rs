@@ -59,6 +59,16 @@ impl Outcome {
                 "Los residuos parecen aleatorios, pero la curva no explica de los datos más que el azar: una constante ajusta \
                  igual de bien. Sus parámetros no significan nada."
             }
+            (Verdict::Missed, English) => {
+                "The curve explains less than half of the variance of the data, and the residuals are autocorrelated: the fit \
+                 misses what the data show. Begin from values that are nearer, widen the ranges of the parameters, or try \
+                 another theory."
+            }
+            (Verdict::Missed, Spanish) => {
+                "La curva explica menos de la mitad de la varianza de los datos, y los residuos están autocorrelacionados: el \
+                 ajuste no capta lo que muestran los datos. Empieza con valores más cercanos, amplía los intervalos de los \
+                 parámetros o prueba otra teoría."
+            }
             (Verdict::Unknown, English) => "There are too few values to judge the residuals.",
             (Verdict::Unknown, Spanish) => "Hay muy pocos valores para juzgar los residuos.",
         };

@@ -3,7 +3,7 @@
 use crate::fits::fit::{Fitted, Job};
 use crate::removed::Removed;
 use crate::{Announcement, Desk, number, words};
-use analysis::fit::{Estimate, Outcome, Task, Trace};
+use analysis::fit::{Estimate, Outcome, Task, Trace, Verdict};
 use units::Unit;
 use units::number::{Group, Style};
 
@@ -105,6 +105,9 @@ impl Desk {
         }
         if !outcome.converged {
             return Some(words::not_converged(language).to_owned());
+        }
+        if outcome.verdict() == Verdict::Missed {
+            return Some(outcome.verdict_text(language));
         }
         let names: Vec<String> = outcome.stopped().map(|one| play::symbol(&one.name)).collect();
         (!names.is_empty()).then(|| words::stopped(language, &names.join(", ")))
@@ -270,10 +273,10 @@ impl Desk {
             String::new()
         };
         let record = one.record.filter(|_| fit.task.records.len() > 1).and_then(|record| fit.task.records.get(record));
-        let label = one.label.as_ref().map(|label| fit.document.program.text(self.play.tag(), label).to_owned());
+        let label = report::label(&fit.document.program, self.play.language(), one);
         EstimateView {
             name: one.name.clone(),
-            label: label.unwrap_or_else(|| play::symbol(&one.name)),
+            label: if label.is_empty() { play::symbol(&one.name) } else { label },
             record: record.map(|record| record.name.clone()).unwrap_or_default(),
             value: match one.determined {
                 true => group.with_error(one.value, error.map_or(f64::NAN, f64::abs)),

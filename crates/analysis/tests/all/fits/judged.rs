@@ -169,7 +169,7 @@ fn verdicts_are_of_all_columns_and_records() {
         };
         let [two, bad] = [&long, &structured].map(|long| columns(long));
         assert_eq!((two.judged, bad.judged), (1_030, 1_030));
-        assert_eq!(bad.verdict(), Verdict::Structured);
+        assert_eq!(bad.verdict(), Verdict::Missed);
         // The same values in two records.
         let records = |long: &[f64]| {
             let one = |times: &[f64], values: &[f64]| record(vec![observation(&model, "y", 0, times, values)]);
@@ -178,7 +178,7 @@ fn verdicts_are_of_all_columns_and_records() {
             fitted(&model, task)
         };
         let [apart, bad] = [&long, &structured].map(|long| records(long));
-        assert_eq!(bad.verdict(), Verdict::Structured);
+        assert_eq!(bad.verdict(), Verdict::Missed);
         // They leave the same residuals, and so the same is said.
         assert_eq!(apart.verdict(), two.verdict());
         assert!((apart.autocorrelation - two.autocorrelation).abs() < 1e-9);
@@ -247,9 +247,22 @@ fn residuals_of_one_sign_are_autocorrelated() {
     let mut observed = observation(&model, "y", 0, &times, &values);
     observed.errors = Some(vec![2e-3; times.len()]);
     let outcome = fitted(&model, task(&model, record(vec![observed]), &["a"]));
-    assert_eq!((outcome.runs, outcome.verdict()), (None, Verdict::Structured));
+    assert_eq!((outcome.runs, outcome.verdict()), (None, Verdict::Missed));
     let text = outcome.verdict_text(Language::English);
-    assert!(text.contains("autocorrelated") && text.ends_with("larger than the given errors, too."), "{text}");
+    assert!(text.contains("autocorrelated"), "{text}");
+}
+
+/// A swing whose frequency no value of the range allows, and the same with a range that does.
+#[test]
+fn a_fit_that_misses_the_oscillation_says_so() {
+    let times = frames(240);
+    let values = noisy(&times, &mut Noise::new(45), 0.0, swing);
+    for (range, verdict) in [("1..3", Verdict::Missed), ("1..15", Verdict::Compatible)] {
+        let ranged = DAMPED_COSINE.replace("omega = 9.6 [1/s]", &["omega = 2 [1/s] in ", range].concat());
+        let outcome = fit(&model(&ranged), &DAMPED_COSINE_NAMES, &times, &values);
+        assert_eq!(outcome.verdict(), verdict, "{ranged}: {}", outcome.r2);
+        assert_eq!(outcome.r2 < 0.5, verdict == Verdict::Missed);
+    }
 }
 
 #[test]

@@ -58,6 +58,20 @@ fn fit(desk: &mut Desk) -> FitDetail {
     desk.fit_detail(last).unwrap()
 }
 
+/// A column of 2 m and more swings too slowly for the record.
+#[test]
+fn a_fit_that_misses_the_record_is_in_doubt() {
+    let mut desk = Desk::open(document::open(&theory_text("../utube.md"), &[]).document.unwrap());
+    desk.add_record("film.txt", film(0.24, DAMPING, 1).as_bytes()).unwrap();
+    let before = desk.play().course().parameters().to_vec();
+    desk.begin_fit("utube.md").unwrap();
+    while desk.advance_fit() {}
+    assert_eq!(desk.play().course().parameters(), before);
+    let said = std::iter::from_fn(|| desk.take_announcement()).last().unwrap();
+    let why = desk.announcement_text(&said);
+    assert!(why.contains("the fit misses what the data show"), "{why}");
+}
+
 #[test]
 fn a_best_value_at_an_end_of_its_range_is_in_doubt() {
     for (damping, doubtful) in [(-0.1, true), (DAMPING, false)] {

@@ -46,7 +46,9 @@ pub use controls::{
 pub use deviation::Deviation;
 pub use name::name_of;
 pub use play::{Play, Revision};
-pub use plots::{AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, POINTS, PlotId, PlotView, Points};
+pub use plots::{
+    AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, PlotId, PlotView, Points, points_colour,
+};
 pub use questions::{Answer, AnswerView, Grade, Verdict};
 pub use refusal::Refusal;
 pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};

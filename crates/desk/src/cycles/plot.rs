@@ -9,7 +9,7 @@ use crate::records::recognise::observed;
 use analysis::cycles::{Cycle, Quantity, cycles, mean, well_known};
 use engine::Readings;
 use figure::{Interval, Style};
-use play::{AddedPlot, AddedSeries, Labels, POINTS};
+use play::{AddedPlot, AddedSeries, Labels, points_colour};
 use units::Language;
 
 /// So many rows of a run are enough for its cycles, unless it has many of these.
@@ -127,7 +127,7 @@ impl Desk {
             ..AddedSeries::default()
         };
         let measured = AddedSeries {
-            colour: POINTS,
+            colour: points_colour(0),
             style: Style::Points,
             in_legend: true,
             x: drawn.measured.x.clone(),

@@ -5,7 +5,7 @@ use crate::measured::data::{Measured, Residuals};
 use crate::records::recognise::observed;
 use crate::records::record::{Record, Use};
 use engine::Readings;
-use play::{Points, symbol};
+use play::{Points, points_colour, symbol};
 use program::{Curve, Drawing};
 
 /// Longer names of records are shortened in legends, in characters.
@@ -180,7 +180,7 @@ fn points<'a>(
     for (number, curve) in plot.curves.iter().enumerate() {
         let (unit, across) = (unit(curve), plot.x_of(number));
         let against_time = model.is_independent(across.value.node);
-        for column in measured.iter().filter(|measured| of(curve, measured)) {
+        for (place, column) in measured.iter().enumerate().filter(|(_, measured)| of(curve, measured)) {
             let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
             let error = |error: &f64| y_unit.from_si(*error);
             let (x, y, errors): (Vec<f64>, Vec<f64>, Vec<f64>) = if against_time {
@@ -208,7 +208,8 @@ fn points<'a>(
             };
             let label = format!("{} ({})", symbol(&curve.expression), shortened(record_name(column.record)));
             let source = record_name(column.record).to_owned();
-            found.push(Points { curve: number, label, source, x, y, errors, version: 0 });
+            let colour = points_colour(place);
+            found.push(Points { curve: number, colour, label, source, x, y, errors, version: 0 });
         }
     }
     found

@@ -4,7 +4,7 @@ use super::data::{Measured, Residuals};
 use super::points::shortened;
 use crate::{Desk, number, words};
 use figure::{Interval, Style};
-use play::{AddedPlot, AddedSeries, Labels, POINTS, symbol};
+use play::{AddedPlot, AddedSeries, Labels, points_colour, symbol};
 use units::{Dimension, Unit};
 
 /// So many residuals of a column are computed at once: a fraction of a frame.
@@ -26,7 +26,7 @@ impl Desk {
             });
             series.push(AddedSeries {
                 axis,
-                colour: POINTS + number as u8,
+                colour: points_colour(number),
                 style: Style::Points,
                 in_legend: true,
                 version: self.data.version_of(number),

@@ -26,6 +26,22 @@ fn theory(name: &str) -> document::Document {
     document::open(&read(format!("{name}.md")), &[&read(format!("{name}.es.md"))]).document.unwrap()
 }
 
+/// Each record has the same colour wherever it is drawn, and none that of a curve.
+#[test]
+fn records_in_one_plot_have_colours_of_their_own() {
+    let mut desk = utube();
+    for (name, row) in [("a_1.txt", "0.1 0.4\n"), ("b.txt", "0.1 0.3\n")] {
+        desk.add_record(name, [row, "0.2 0.33\n0.3 0.24\n"].concat().as_bytes()).unwrap();
+    }
+    let colours = |desk: &Desk, plot: PlotId, label: &str| {
+        let legend = desk.play().plot_legend(plot);
+        let own: Vec<u8> = legend.iter().filter(|one| one.label.starts_with(label)).map(|one| one.colour).collect();
+        own
+    };
+    assert_eq!(colours(&desk, PlotId::at(0), "y ("), [3, 4]);
+    assert_eq!(colours(&desk, desk.residual_plot(), ""), [3, 4]);
+}
+
 #[test]
 fn columns_are_taken_for_what_they_measure() {
     let mut desk = utube();

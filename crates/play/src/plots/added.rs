@@ -1,16 +1,23 @@
 //! What others add to the figures: points over the curves of a plot, and plots of their own.
 
 use super::labels::Labels;
-use figure::{Interval, Style};
+use figure::{Interval, SERIES_COLOURS, Style};
 
-/// The colour of the points over the first curve: not that of a line, or the line could not be seen on its points.
-pub const POINTS: u8 = 3;
+/// The first colour of points: the first curves have those before it, and a line could not be seen on points of its colour.
+const POINTS: usize = 3;
+
+/// The colour of the points of a measured column, by its number among all that are drawn.
+pub fn points_colour(number: usize) -> u8 {
+    (POINTS + number % (SERIES_COLOURS - POINTS)) as u8
+}
 
 /// Points over one curve of a plot of the document, in the units of its axes.
 #[derive(Clone, Debug, Default)]
 pub struct Points {
     /// Which curve.
     pub curve: usize,
+    /// Which colour of the palette.
+    pub colour: u8,
     /// The entry in the legend.
     pub label: String,
     /// Where they come from; a reading begins with it.

@@ -1,6 +1,6 @@
 //! What is drawn in a plot: the series, behind one another, with their axes.
 
-use super::added::{AddedPlot, POINTS};
+use super::added::AddedPlot;
 use super::histogram::Histogram;
 use super::members::Snapshot;
 use super::plot::{Content, PlotId};
@@ -38,7 +38,7 @@ impl Play {
         let kept = kept.map(|kept| (&kept.traces, Style::Run(kept.pattern)));
         let points = state.points.iter().filter_map(|points| {
             let axis = columns.curves.get(points.curve)?.axis;
-            let (colour, style) = (POINTS + points.curve as u8, Style::Points);
+            let (colour, style) = (points.colour, Style::Points);
             let (x, y, version) = (&points.x[..], &points.y[..], points.version);
             let (label, spread) = (points.label.as_str(), &points.errors[..]);
             Some(Series { label, axis, colour, style, x, y, spread, version, ..Series::default() })

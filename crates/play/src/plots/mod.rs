@@ -16,7 +16,7 @@ pub(crate) mod sweep;
 pub(crate) mod traces;
 mod viewing;
 
-pub use added::{AddedPlot, AddedSeries, POINTS, Points};
+pub use added::{AddedPlot, AddedSeries, Points, points_colour};
 pub use kept::{KeptView, MOST_KEPT};
 pub use labels::Labels;
 pub use plot::{PlotId, PlotView};

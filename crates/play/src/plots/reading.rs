@@ -1,6 +1,6 @@
 //! Measured points read off a plot, beside what the pointer or the keyboard's cursor reads of the run.
 
-use super::added::{AddedPlot, POINTS};
+use super::added::AddedPlot;
 use super::plot::PlotId;
 use crate::{Play, number};
 use figure::{Plot, Point, Readout, Sample, Series, Style};
@@ -43,8 +43,15 @@ impl Play {
             // Alone in its plot: then the heading is that of its own point.
             let Some(own) = plot.series.get(number) else { continue };
             let label = curves.get(points.curve).map_or("", String::as_str);
-            let colour = POINTS + points.curve as u8;
-            let series = Series { label, axis: own.axis, colour, style: Style::Points, x: own.x, y: own.y, ..*own };
+            let series = Series {
+                label,
+                axis: own.axis,
+                colour: points.colour,
+                style: Style::Points,
+                x: own.x,
+                y: own.y,
+                ..*own
+            };
             let alone = Plot { series: vec![series], ..plot.clone() };
             let Some(mut readout) = figure.hover(&alone, at) else { continue };
             let Some(mut sample) = readout.samples.pop().filter(|sample| (sample.at.x - at.x).abs() <= REACH) else {

@@ -22,13 +22,21 @@ pub fn view(app: App, id: PlotId) -> View {
         }
         let item = |entry: LegendEntry| {
             let class = is_run(&entry).then_some("of-run");
-            li().class(class)
-                .title(entry.label.clone())
-                .child(sample(entry.style, entry.colour))
-                .child(with_indices(&entry.label))
+            li().class(class).title(entry.label.clone()).child(sample(entry.style, entry.colour)).child(name(&entry))
         };
         ul().class("legend").attr("aria-label", app.words().legend).each(entries, item).into()
     })
+}
+
+/// The label of an entry. The name of a run, and that of a record in parentheses, are a person's own: an underscore in them is no index.
+fn name(entry: &LegendEntry) -> HtmlSpan {
+    let of_model = match entry.style {
+        Style::Run(_) => 0,
+        Style::Points => entry.label.find(" (").unwrap_or(entry.label.len()),
+        _ => entry.label.len(),
+    };
+    let (of_model, own) = entry.label.split_at(of_model);
+    with_indices(of_model).child(own.to_owned())
 }
 
 /// A piece of the line, or a point, in the colour that it has in the plots.

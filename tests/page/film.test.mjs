@@ -59,6 +59,28 @@ visit("a film becomes a record by a click, a ruler, and a fit finds what was dra
   await agrees(lab);
 });
 
+visit("a length without a unit is refused beside its field, and the table of the record follows ruler and origin", async (lab) => {
+  await openTheory(lab, THEORY);
+  await dropFilm(lab.page, swing);
+  await click(lab, SURFACE);
+  await tracked(lab);
+  for (const mark of MARKS) await click(lab, mark);
+  const length = lab.page.locator("#film-length");
+  await length.fill("20");
+  await length.press("Enter");
+  await eventually(async () => assert.match(await lab.page.locator("#film-lengths-refused").innerText(), /^20 has no unit\./));
+  await length.fill("20 cm");
+  await length.press("Enter");
+  await eventually(async () => assert.equal(await lab.page.locator("#film-lengths-refused").innerText(), ""));
+  const first = async () => number((await records(lab).locator(".first-values").nth(1).innerText()).split(" · ")[0]);
+  await eventually(async () => assert.ok(Math.abs((await first()) - ((truth.size[1] - truth.frames[0][1]) * 0.2) / 150) < 1e-3));
+  assert.match(await lab.page.locator("#film-values").innerText(), /set the origin/);
+  await lab.page.locator("#film-set-origin").click();
+  await click(lab, [LEFT, truth.rest]);
+  await eventually(async () => assert.ok(Math.abs((await first()) - ((truth.rest - truth.frames[0][1]) * 0.2) / 150) < 1e-3, `${await first()}`));
+  assert.doesNotMatch(await lab.page.locator("#film-values").innerText(), /set the origin/);
+});
+
 visit("by keyboard alone", async (lab) => {
   await openTheory(lab, THEORY);
   await dropFilm(lab.page, swing);

@@ -100,10 +100,14 @@ fn preview(app: App, records: Records, record: &RecordView) -> HtmlDiv {
     let measurable = app.read_desk(|desk| desk.measurable());
     let line = |column: &ColumnView| {
         let made = (!column.made.is_empty()).then(|| span().class("note made").child(column.made.clone()));
-        let cells = app.read_desk(|desk| desk.record_cells(id, column.index, 0..ROWS.min(record.rows)));
-        let cells: Vec<String> =
-            cells.into_iter().map(|cell| if cell.is_empty() { "–".to_owned() } else { cell }).collect();
-        let first = span().class("note first-values").child(cells.join(" · "));
+        let (index, rows) = (column.index, 0..ROWS.min(record.rows));
+        // A film's record changes with the work on the film.
+        let first = memo(move || {
+            app.records.track();
+            let cells = app.read_desk(|desk| desk.record_cells(id, index, rows.clone())).into_iter();
+            cells.map(|cell| if cell.is_empty() { "–".to_owned() } else { cell }).collect::<Vec<_>>().join(" · ")
+        });
+        let first = span().class("note first-values").child(text(move || first.get_clone()));
         tr().child(row_head(column.head.clone()).maybe(made).child(first))
             .child(quantity(app, id, column, &measurable))
             .child(unit(app, records, id, column))

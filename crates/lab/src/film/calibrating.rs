@@ -1,7 +1,6 @@
 //! Lengths: what a person has clicked and typed becomes the scale of the record.
 
 use super::now::now;
-use super::refusals::refuse;
 use crate::app::App;
 use desk::{CalibrationForm, LengthsForm};
 
@@ -37,7 +36,7 @@ pub fn none(app: App) {
     change(app, |form| form.lengths = LengthsForm::Pixels);
 }
 
-/// Changes what is said of lengths. The picture of the frame that is looked at is read where marks are to be found in it.
+/// Changes what is said of lengths, and says beside the fields why not. The picture of the frame that is looked at is read where marks are to be found in it.
 pub fn change(app: App, change: impl FnOnce(&mut CalibrationForm) + 'static) {
     let Some(now) = now(app) else { return };
     let mut form = now.form.clone();
@@ -45,11 +44,11 @@ pub fn change(app: App, change: impl FnOnce(&mut CalibrationForm) + 'static) {
     let needs_picture = matches!(&form.lengths, LengthsForm::Ruler { intervals, .. } if *intervals > 1);
     let player = app.with(|lab| lab.player.clone()).flatten().filter(|_| needs_picture);
     let Some(player) = player else {
-        return refuse(app, app.attempt_on_desk(|desk| desk.calibrate_film(form, None)));
+        return app.films.lengths_refused.set(app.attempt_on_desk(|desk| desk.calibrate_film(form, None)));
     };
     let frame = app.films.frame.get_untracked();
     wasm_bindgen_futures::spawn_local(async move {
         let plane = player.plane(frame).await.ok();
-        refuse(app, app.attempt_on_desk(|desk| desk.calibrate_film(form, plane.as_ref())));
+        app.films.lengths_refused.set(app.attempt_on_desk(|desk| desk.calibrate_film(form, plane.as_ref())));
     });
 }

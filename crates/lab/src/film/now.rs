@@ -4,7 +4,7 @@ use super::aim::Pixel;
 use super::state::Now;
 use super::words;
 use crate::app::App;
-use desk::Subject;
+use desk::{Lacking, Subject};
 use film::tracking::column::Click;
 use std::rc::Rc;
 use units::number::fixed;
@@ -65,6 +65,7 @@ pub fn values(app: App, frame: usize) -> String {
     let words = words::of(app);
     let style = app.language.get_untracked().style();
     let models = models(app, frame);
+    let lacks_origin = now.form.lacking(&now.subject) == Some(Lacking::Origin);
     let mut parts = Vec::new();
     for (number, track) in now.tracks.iter().enumerate() {
         let Ok(place) = track.points.binary_search_by_key(&frame, |point| point.frame) else { continue };
@@ -74,7 +75,7 @@ pub fn values(app: App, frame: usize) -> String {
             let [across, down] = [x - point.position[0], y - point.position[1]];
             let residual = (across * across + down * down).sqrt();
             part += &if residual > FAR {
-                format!(" · {}", words.model_far)
+                format!(" · {}", if lacks_origin { words.model_far_without_origin } else { words.model_far })
             } else {
                 format!(" · {} {} px", words.from_model, fixed(residual, 2, style))
             };

@@ -112,6 +112,7 @@ fn begin(app: App) {
     films.last.set(None);
     films.selected.set(None);
     films.body.set(0);
+    films.lengths_refused.set(None);
     refresh(app);
     let now = now(app);
     let form = now.as_ref().map(|now| now.form.clone()).unwrap_or_default();

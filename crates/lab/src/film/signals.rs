@@ -60,6 +60,8 @@ pub struct Films {
     pub corners: Signal<Vec<Pixel>>,
     /// Its sides, as typed.
     pub sides: Signal<[String; 2]>,
+    /// Why the last change of lengths was refused.
+    pub lengths_refused: Signal<Option<String>>,
     /// Raised when the window has another size.
     pub resized: Signal<u64>,
 }
@@ -93,6 +95,7 @@ impl Films {
             intervals: create_signal("1".to_owned()),
             corners: create_signal(Vec::new()),
             sides: create_signal(Default::default()),
+            lengths_refused: create_signal(None),
             resized: create_signal(0),
         }
     }

@@ -29,7 +29,8 @@ table_of_words! {
     space_time_hint: "A strip along the tube from every frame. Drag the curve up or down where it is wrong", "Una franja a lo largo del tubo de cada fotograma. Arrastra la curva arriba o abajo donde esté mal";
     space_time_keys: "Left and right: frames. Up and down: move the surface in this frame, with Shift ten rows; Enter sets it, Escape leaves it, Delete forgets a correction.", "Izquierda y derecha: fotogramas. Arriba y abajo: mover la superficie en este fotograma, con Mayús diez filas; Intro la fija, Escape la abandona, Suprimir olvida una corrección.";
     from_model: "from the model", "del modelo";
-    model_far: "the model is far away: set the origin, or fit", "el modelo está lejos: fija el origen o ajusta";
+    model_far: "the model is far away: fit it to the record", "el modelo está lejos: ajústalo al registro";
+    model_far_without_origin: "the model is far away: set the origin, or fit", "el modelo está lejos: fija el origen o ajusta";
     play: "Play the film", "Reproducir el vídeo";
     pause: "Pause the film", "Pausar el vídeo";
 

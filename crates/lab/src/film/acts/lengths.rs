@@ -24,6 +24,7 @@ pub fn view(app: App) -> View {
     let length = short_field("film-length".to_owned())
         .attr("placeholder", "10 cm")
         .enterkeyhint("done")
+        .attr("aria-describedby", "film-lengths-refused")
         .prop("value", move || films.length.get_clone())
         .when(events::change, move |event| take(films.length, value_of(&event), calibrating::ruler));
     let intervals = short_field("film-intervals".to_owned())
@@ -59,6 +60,7 @@ pub fn view(app: App) -> View {
         ruler,
         tools,
         fields,
+        refusal_of(films.lengths_refused).id("film-lengths-refused"),
         p().class("film-scale").id("film-scale").role("status").child(text(scale)),
         changing(move || {
             if lacks_origin.get() { note(words.lacks_origin).id("film-lacks-origin").into() } else { View::new() }

@@ -53,6 +53,11 @@ pub(crate) fn stopped(language: Language, names: &str) -> String {
     )
 }
 
+/// Of a curve that has little to do with the data.
+pub(crate) fn missed(language: Language) -> &'static str {
+    language.pick("The curve misses what the data show.", "La curva no capta lo que muestran los datos.")
+}
+
 /// At which reading of a record's clock initial values hold, and how many values lie before it.
 pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) -> String {
     let mut text = language.pick(

@@ -57,6 +57,8 @@ pub struct EstimateView {
 pub struct FitDetail {
     /// The title of its theory.
     pub theory: String,
+    /// Why its numbers are in doubt, in short.
+    pub doubt: Option<String>,
     /// What was varied, and what follows from it: what holds for all records first, then record by record.
     pub estimates: Vec<EstimateView>,
     /// What the residuals say, and what the data do not determine, in sentences.
@@ -107,7 +109,7 @@ impl Desk {
             return Some(words::not_converged(language).to_owned());
         }
         if outcome.verdict() == Verdict::Missed {
-            return Some(outcome.verdict_text(language));
+            return Some(words::missed(language).to_owned());
         }
         let names: Vec<String> = outcome.stopped().map(|one| play::symbol(&one.name)).collect();
         (!names.is_empty()).then(|| words::stopped(language, &names.join(", ")))
@@ -187,6 +189,7 @@ impl Desk {
         sentences.extend(self.beginnings(fit));
         Some(FitDetail {
             theory: self.title_of(fit),
+            doubt: self.doubt(outcome),
             estimates: self.estimate_views(fit),
             sentences,
             statistics: vec![

@@ -164,6 +164,7 @@ fn detail(app: App, id: u32, several: bool) -> View {
     div()
         .class("detail")
         .child(h4().child(detail.theory))
+        .maybe(detail.doubt.map(|why| p().class("doubt").child(why)))
         .child(estimates)
         .child(div().class("verdicts").each(detail.sentences, |sentence| p().child(sentence)))
         .child(statistics)

@@ -67,9 +67,12 @@ fn a_fit_that_misses_the_record_is_in_doubt() {
     desk.begin_fit("utube.md").unwrap();
     while desk.advance_fit() {}
     assert_eq!(desk.play().course().parameters(), before);
+    let detail = desk.fit_detail(desk.fits()[0].id).unwrap();
+    assert!(detail.sentences[0].starts_with("The curve explains less than half of the variance"), "{detail:?}");
+    assert_eq!(detail.doubt.unwrap(), "The curve misses what the data show.");
     let said = std::iter::from_fn(|| desk.take_announcement()).last().unwrap();
     let why = desk.announcement_text(&said);
-    assert!(why.contains("the fit misses what the data show"), "{why}");
+    assert!(why.contains("The curve misses what the data show."), "{why}");
 }
 
 #[test]

@@ -82,10 +82,10 @@ pub(crate) fn given_errors(language: Language, task: &analysis::fit::Task) -> Ve
     let sentence = |(record, names): (String, String)| {
         language.pick(
             format!(
-                "{record}: the standard errors of {names} are those of its columns `sigma_`; they weigh the values."
+                "{record}: the values of {names} are weighted by the standard errors that stand beside them in the record."
             ),
             format!(
-                "{record}: los errores estándar de {names} son los de sus columnas `sigma_`; ponderan los valores."
+                "{record}: los valores de {names} se ponderan con los errores estándar que están junto a ellos en el registro."
             ),
         )
     };
@@ -96,12 +96,12 @@ pub(crate) fn given_errors(language: Language, task: &analysis::fit::Task) -> Ve
 pub(crate) fn missing_errors(language: Language, record: &str, name: &str, (missing, rows): (usize, usize)) -> String {
     language.pick(
         format!(
-            "{record}: {missing} of {rows} values of {name} have no standard error in the column `sigma_`, so the fit weighs all \
-             values equally. Complete the column or remove these rows."
+            "{record}: {missing} of {rows} values of {name} have no standard error beside them, so the fit weighs all values equally. \
+             Complete their column or remove these rows."
         ),
         format!(
-            "{record}: {missing} de {rows} valores de {name} no tienen error estándar en la columna `sigma_`, así que el ajuste \
-             pondera todos los valores por igual. Completa la columna o quita esas filas."
+            "{record}: {missing} de {rows} valores de {name} no tienen un error estándar a su lado, así que el ajuste pondera todos los \
+             valores por igual. Completa su columna o quita esas filas."
         ),
     )
 }

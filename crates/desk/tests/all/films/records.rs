@@ -91,7 +91,7 @@ fn errors_are_drawn_and_a_fit_says_where_some_are_missing() {
     desk.begin_fit("column.md").unwrap();
     while desk.advance_fit() {}
     let sentences = desk.fit_detail(desk.fits()[0].id).unwrap().sentences;
-    let said = "swing.csv: 3 of 60 values of y have no standard error in the column `sigma_`";
+    let said = "swing.csv: 3 of 60 values of y have no standard error beside them";
     assert!(sentences.iter().any(|one| one.starts_with(said)), "{sentences:?}");
 }
 

@@ -3,6 +3,7 @@
 use crate::Unit;
 use crate::alphabet::greek_letter;
 use crate::markup::escaped;
+use crate::number::symbol_text;
 
 /// What a name is made of: ω with the subscript d for `omega_d`, h with 1 for `h1`, r with x for the component `r.x`.
 struct NameParts {
@@ -184,7 +185,7 @@ fn unit_row(text: &str) -> String {
             "(" => "<mo form=\"prefix\" stretchy=\"false\">(</mo>".to_owned(),
             ")" => "<mo form=\"postfix\" stretchy=\"false\">)</mo>".to_owned(),
             "1" => "<mn>1</mn>".to_owned(),
-            symbol => format!("<mi mathvariant=\"normal\">{}</mi>", escaped(symbol).replace("ohm", "Ω")),
+            symbol => format!("<mi mathvariant=\"normal\">{}</mi>", escaped(&symbol_text(symbol))),
         };
         match exponent(rest) {
             Some((exponent, after)) => {

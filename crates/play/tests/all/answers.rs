@@ -107,7 +107,7 @@ fn arithmetic_units_and_errors_are_understood() {
         (2, "0.2663", Correct, "Correct."),
         (2, "266.3 mHz", Correct, "Correct."),
         (2, "1.673 rad/s", Unreadable, "1.673 rad/s is an angular frequency; the frequency is 0.266 Hz."),
-        (2, "95.87 deg/s", Unreadable, "95.87 deg/s is an angular frequency; the frequency is 0.266 Hz."),
+        (2, "95.87 deg/s", Unreadable, "95.87 °/s is an angular frequency; the frequency is 0.266 Hz."),
         (3, "30", Correct, "Correct."),
         (3, "60/2", Correct, "Correct."),
         (3, "30 deg", Correct, "Correct."),

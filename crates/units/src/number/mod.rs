@@ -29,6 +29,7 @@ pub use exact::{compact, shortest};
 pub use group::{Group, Layout};
 pub use plain::{decimals, fixed, near_one, plain, roundest, steady};
 pub use read::parse;
+pub(crate) use sign::symbol_text;
 pub use sign::{error_with_unit, superscript, unit_text, with_unit, write_power};
 
 /// How a language writes its numbers.

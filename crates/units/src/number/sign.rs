@@ -58,14 +58,23 @@ fn raise(character: char) -> char {
     }
 }
 
-/// A unit's text for people: `kg/m^3` as `kg/m³`, `Pa s` as `Pa·s`, `deg` as `°`.
+/// A symbol that has letters of its own: `deg` as `°`, `kohm` as `kΩ`.
+pub(crate) fn symbol_text(symbol: &str) -> String {
+    if symbol == "deg" { "°".to_owned() } else { symbol.replace("ohm", "Ω") }
+}
+
+/// A unit's text for people: `kg/m^3` as `kg/m³`, `Pa s` as `Pa·s`, `deg/s` as `°/s`.
 pub fn unit_text(text: &str) -> String {
-    if text == "deg" {
-        return "°".to_owned();
-    }
     let mut out = String::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
+        let symbol = rest.find(|letter: char| !letter.is_alphabetic()).unwrap_or(rest.len());
+        if symbol > 0 {
+            let (symbol, after) = rest.split_at(symbol);
+            out.push_str(&symbol_text(symbol));
+            rest = after;
+            continue;
+        }
         rest = &rest[first.len_utf8()..];
         let sign = usize::from(rest.starts_with('-'));
         let digits = sign + rest[sign..].bytes().take_while(u8::is_ascii_digit).count();
@@ -116,6 +125,9 @@ mod tests {
             ("m^(1/2)", "m^(1/2)"),
             ("m^-", "m^-"),
             ("deg", "°"),
+            ("deg/s^2", "°/s²"),
+            ("N m/deg", "N·m/°"),
+            ("kohm", "kΩ"),
             ("", ""),
         ] {
             assert_eq!(unit_text(unit), expected, "{unit}");

@@ -111,7 +111,11 @@ fn a_fit_of_a_film_finds_the_truth() {
     while desk.advance_fit() {}
     let fit = desk.fits()[0].id;
     let detail = desk.fit_detail(fit).unwrap();
-    assert!(detail.sentences.iter().any(|one| one.contains("the values of y are weighted by")), "{:?}", detail.sentences);
+    assert!(
+        detail.sentences.iter().any(|one| one.contains("the values of y are weighted by")),
+        "{:?}",
+        detail.sentences
+    );
     // The marks are 100 pixels apart: 0.7 pixels are 0.7 %.
     let scale = "Scale of the film 1.000 ± 0.007 (prior ± 0.0071)";
     assert!(detail.sentences.iter().any(|one| one.starts_with(scale)), "{:?}", detail.sentences);

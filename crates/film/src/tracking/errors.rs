@@ -38,14 +38,15 @@ fn own(times: &[f64], values: &[f64]) -> Option<f64> {
     Some((usual.iter().sum::<f64>() / usual.len().max(1) as f64 / 0.9733).sqrt())
 }
 
-/// The standard errors of a coordinate: the formal ones, times a factor that makes them as large as the scatter of the track.
+/// The standard errors of a coordinate: the formal ones, times a factor that makes them as large as the scatter of the track. The noise
+/// of the pixels remains where the track happens to be smoother than its formal errors allow.
 pub(crate) fn scaled(times: &[f64], values: &[f64], formal: &[f64]) -> Vec<f64> {
     let mut sorted: Vec<f64> = formal.iter().copied().filter(|error| error.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
     // The median: a frame without a surface would decide the mean.
     let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
     let factor = match own(times, values) {
-        Some(own) if usual > 0.0 => own / usual,
+        Some(own) if usual > 0.0 => (own / usual).max(1.0),
         _ => 1.0,
     };
     formal.iter().map(|error| (error * factor).max(LEAST)).collect()
@@ -111,6 +112,12 @@ mod tests {
         let formal: Vec<f64> = (0..300).map(|k| if k == 100 { 0.04 } else { 0.02 }).collect();
         let sigmas = scaled(&times, &values, &formal);
         assert!((sigmas[100] / sigmas[0] - 2.0).abs() < 1e-12 && (0.085..0.115).contains(&sigmas[0]), "{}", sigmas[0]);
+    }
+
+    #[test]
+    fn a_smooth_track_keeps_its_formal_errors() {
+        let times: Vec<f64> = (0..30).map(f64::from).collect();
+        assert_eq!(scaled(&times, &[100.0; 30], &[0.25; 30]), [0.25; 30]);
     }
 
     #[test]

@@ -45,14 +45,12 @@ impl Marks {
         let disc = Disc { shift: [0.0; 2], radius: (RADIUS * high).clamp(4.0, 60.0) };
         let part = |place| Part::around(plane, place, disc.radius + MARGIN);
         if self.templates.is_empty() {
-            for [x, y] in &self.clicks {
+            for (number, [x, y]) in (1..).zip(&self.clicks) {
                 if !(0.0..=plane.width() as f64).contains(x) || !(0.0..=high).contains(y) {
                     return Err(Refusal::Click { x: *x, y: *y });
                 }
-                let template = part([*x, *y]).map(|part| Template::new(&part, [*x, *y], disc)).ok_or(Refusal::Plain)?;
-                if template.plain() {
-                    return Err(Refusal::Plain);
-                }
+                let template = part([*x, *y]).map(|part| Template::new(&part, [*x, *y], disc));
+                let template = template.filter(|template| !template.plain()).ok_or(Refusal::PlainMark { number })?;
                 self.templates.push(template);
             }
             return Ok(Similarity::IDENTITY);

@@ -41,6 +41,21 @@ pub enum Refusal {
     },
     /// The clicked place shows nothing that could be followed.
     Plain,
+    /// The clicked place does not stand out of the noise.
+    Noise {
+        /// The frame of the click.
+        frame: usize,
+    },
+    /// The other frames show what does not resemble the clicked place.
+    Left {
+        /// The frame of the click.
+        frame: usize,
+    },
+    /// A mark lies on a place that shows nothing that could be found again.
+    PlainMark {
+        /// Which one, from 1.
+        number: usize,
+    },
     /// A resting mark was lost.
     Mark {
         /// Which one, from 1.
@@ -69,11 +84,13 @@ impl Refusal {
             ),
             Self::Size { frame } => words!(
                 "Frame {frame} does not have the size of the first one. Cut the film there and track each part.",
-                "El fotograma {frame} no tiene el tamaño del primero. Corta ahí el vídeo y sigue cada parte."
+                "El fotograma {frame} no tiene el tamaño del primero. Corta ahí el vídeo y sigue cada parte.",
+                frame = counted(*frame)
             ),
             Self::Order { frame } => words!(
                 "The time of frame {frame} does not follow that of the frame before it. Convert the film with ffmpeg.",
-                "El tiempo del fotograma {frame} no sigue al del anterior. Convierte el vídeo con ffmpeg."
+                "El tiempo del fotograma {frame} no sigue al del anterior. Convierte el vídeo con ffmpeg.",
+                frame = counted(*frame)
             ),
             Self::Long { frames } => words!(
                 "The film is too long to be tracked at once. Choose a part of at most {frames} frames.",
@@ -87,14 +104,34 @@ impl Refusal {
                 "The picture is uniform at the clicked place. Click an edge that moves.",
                 "La imagen es uniforme en el punto elegido. Pulsa un borde que se mueva.",
             ),
+            Self::Noise { frame } => words!(
+                "The clicked place in frame {frame} does not stand out of the noise of the film. Click the edge of the surface.",
+                "El punto elegido en el fotograma {frame} no sobresale del ruido del vídeo. Pulsa el borde de la superficie.",
+                frame = counted(*frame)
+            ),
+            Self::Left { frame } => words!(
+                "The other frames do not show what was clicked in frame {frame}. Click the edge of the surface where it is sharp.",
+                "Los demás fotogramas no muestran lo elegido en el fotograma {frame}. Pulsa el borde de la superficie donde se vea nítido.",
+                frame = counted(*frame)
+            ),
+            Self::PlainMark { number } => words!(
+                "The picture is uniform at mark {number}. Choose marks with an edge on all sides, such as dots.",
+                "La imagen es uniforme en la marca {number}. Elige marcas con borde por todos lados, como puntos."
+            ),
             Self::Mark { number, frame } => words!(
                 "Mark {number} cannot be found in frame {frame}. Choose marks that stay in the picture.",
-                "La marca {number} no se encuentra en el fotograma {frame}. Elige marcas que no salgan de la imagen."
+                "La marca {number} no se encuentra en el fotograma {frame}. Elige marcas que no salgan de la imagen.",
+                frame = counted(*frame)
             ),
             Self::Many { greatest } => words!(
-                "At most {greatest} can be followed at once.",
-                "Se pueden seguir {greatest} a la vez como máximo."
+                "There are more than {greatest} marks. Choose at most {greatest}.",
+                "Hay más de {greatest} marcas. Elige {greatest} como máximo."
             ),
         }
     }
+}
+
+/// A frame as people count: from 1.
+fn counted(frame: usize) -> Words {
+    Words::same((frame + 1).to_string())
 }

@@ -109,7 +109,7 @@ fn what_cannot_be_tracked_is_refused() {
     let marks = Marks::new(vec![[1.0, 1.0]; 5]);
     assert_eq!(marks.err(), Some(Refusal::Many { greatest: 4 }));
     let mut marks = Marks::new(vec![[50.0, 40.0]]).expect("a mark");
-    assert_eq!(marks.take(0, &flat), Err(Refusal::Plain));
+    assert_eq!(marks.take(0, &flat), Err(Refusal::PlainMark { number: 1 }));
 }
 
 #[test]

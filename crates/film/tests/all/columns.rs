@@ -225,6 +225,31 @@ fn what_cannot_be_tracked_is_refused() {
 }
 
 #[test]
+fn a_click_where_no_surface_is_gives_no_track() {
+    let empty = Tube { hidden: (-1.0, f64::INFINITY), ..Tube::default() };
+    let finish = |frames: &[Frame], frame: usize, position: [f64; 2]| {
+        taken(frames, Settings::new(Click { frame, position })).finish().map(|_| ())
+    };
+    for noise in [0.5, 2.0, 8.0] {
+        let wall = film(&empty, &Camera { noise, frames: 40, ..Camera::default() });
+        let tube = film(&Tube::default(), &Camera { noise, frames: 60, ..Camera::default() });
+        for place in [[91.0, 100.0], [91.0, 180.0], [50.0, 60.0]] {
+            assert_eq!(finish(&wall, 7, place), Err(Refusal::Noise { frame: 7 }), "wall, {noise}, {place:?}");
+        }
+        let [x, y] = tube[0].seen;
+        for place in [[x, y + 60.0], [x, y - 60.0], [x + 40.0, y], [x - 40.0, y + 10.0]] {
+            assert_eq!(finish(&tube, 0, place), Err(Refusal::Noise { frame: 0 }), "tube, {noise}, {place:?}");
+        }
+    }
+    // Without noise the empty tube has a profile, which the path leaves for the surface.
+    let tube = film(&Tube::default(), &Camera { noise: 0.0, frames: 60, ..Camera::default() });
+    for beside in [60.0, -60.0] {
+        let [x, y] = tube[0].seen;
+        assert_eq!(finish(&tube, 0, [x, y + beside]), Err(Refusal::Left { frame: 0 }), "{beside}");
+    }
+}
+
+#[test]
 fn numbers_without_sense_do_no_harm() {
     let frames = film(&Tube::default(), &Camera { frames: 20, ..Camera::default() });
     let odd = [f64::NAN, f64::INFINITY, -1.0, 0.0, 1e300, 1e-300];

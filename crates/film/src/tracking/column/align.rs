@@ -68,10 +68,13 @@ pub(crate) fn align(pattern: &Pattern, strip: &Strip, pose: &mut Pose, between: 
     let mut weights = Weights::default();
     let mut model = vec![(0.0, 0.0); pattern.window.width()];
     let (lowest, highest) = (between.0.max(0.0), between.1.min(pattern.window.grid.rows as f64 - 1.0));
-    let mut agreement = Agreement::default();
+    // A row that no pixel decides is equally likely anywhere between the two.
+    let width = (highest - lowest).max(0.0);
+    let unknown = Agreement { variance: width * width / 12.0, ..Agreement::default() };
+    let mut agreement = unknown;
     for _ in 0..STEPS {
         let sums = Sums::of(pattern, strip, pose, &mut weights, &mut model);
-        let Some(([slope, gain, offset], inverse)) = solve(sums.matrix, sums.side) else { return agreement };
+        let Some(([slope, gain, offset], inverse)) = solve(sums.matrix, sums.side) else { return unknown };
         let count = sums.matrix[2][2];
         let explained = slope * sums.side[0] + gain * sums.side[1] + offset * sums.side[2];
         let squares = (sums.squares - explained).max(0.0);
@@ -79,7 +82,7 @@ pub(crate) fn align(pattern: &Pattern, strip: &Strip, pose: &mut Pose, between: 
         let residual = squares / (count - 3.0).max(1.0);
         pose.offset += offset;
         if gain <= 0.0 {
-            return Agreement { score: 0.0, squares, count, ..agreement };
+            return Agreement { squares, count, ..unknown };
         }
         pose.gain = gain;
         // Where the surface is lower by one row, the picture there is that of a row higher.

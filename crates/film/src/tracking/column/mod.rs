@@ -5,6 +5,7 @@
 
 mod align;
 mod bore;
+mod contrast;
 mod exposure;
 mod path;
 mod pattern;
@@ -195,7 +196,7 @@ impl Column {
     ///
     /// # Errors
     ///
-    /// Where there are too few frames, or the clicked place is uniform.
+    /// Where there are too few frames, or the clicked place shows nothing that can be followed.
     pub fn advance(&mut self, steps: usize) -> Result<bool, Refusal> {
         let short = Refusal::Short { frames: FEWEST };
         let Some(layout) = self.layout.as_ref().filter(|_| self.strips.len() >= FEWEST) else { return Err(short) };

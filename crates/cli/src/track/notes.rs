@@ -33,15 +33,21 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
     if track.points.is_empty() {
         notes.push(words("it was found in no frame", "no se encontró en ningún fotograma"));
     }
+    if rests(track) {
+        notes.push(words(
+            "it moves by less than a pixel; if it should move, click the edge that does",
+            "se mueve menos de un píxel; si debería moverse, elige el borde que lo hace",
+        ));
+    }
     notes.extend(track.camera());
     let doubtful: Vec<usize> = track.points.iter().filter(|point| point.doubtful).map(|point| point.frame).collect();
     if !doubtful.is_empty() {
         let (count, of) = (doubtful.len(), track.points.len());
-        let listed: Vec<String> = doubtful.iter().take(LISTED).map(usize::to_string).collect();
+        let listed: Vec<String> = doubtful.iter().take(LISTED).map(|frame| (frame + 1).to_string()).collect();
         let listed = listed.join(", ") + if count > LISTED { ", ..." } else { "" };
         notes.push(words!(
-            "in doubt: {count} of {of} frames, {listed} (counted from 0); look at them before you use their rows",
-            "dudosos: {count} de {of} fotogramas, {listed} (contados desde 0); míralos antes de usar sus filas"
+            "in doubt: {count} of {of} frames, {listed} (counted from 1); look at them before you use their rows",
+            "dudosos: {count} de {of} fotogramas, {listed} (contados desde 1); míralos antes de usar sus filas"
         ));
     }
     if let Some(frame) = track.lost {
@@ -55,12 +61,22 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
             _ => words("later frames have no row", "los fotogramas posteriores no tienen fila"),
         };
         notes.push(words!(
-            "lost from frame {frame} on (counted from 0; {time} s of the film), where nothing resembles what was clicked; {then}",
-            "perdido desde el fotograma {frame} (contado desde 0; {time} s del vídeo), donde nada se parece a lo elegido; {then}",
-            frame = Words::same(frame.to_string()),
+            "lost from frame {frame} on (counted from 1; {time} s of the film), where nothing resembles what was clicked; {then}",
+            "perdido desde el fotograma {frame} (contado desde 1; {time} s del vídeo), donde nada se parece a lo elegido; {then}",
+            frame = Words::same((frame + 1).to_string()),
             time = displayed(time),
             then = then
         ));
     }
     notes
+}
+
+/// Whether the positions lie within a pixel: a mark on the wall, say, in place of the surface.
+fn rests(track: &Track) -> bool {
+    (0..2).all(|axis| {
+        let values = track.points.iter().map(|point| point.position[axis]);
+        let (least, most) =
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
+        most - least < 1.0
+    }) && track.points.len() > 1
 }

@@ -82,13 +82,13 @@ fn another_number_of_frames_is_an_error_with_both_numbers() {
     for (frames, expected) in
         [(10, ["lists 12 frames", "10 could be decoded"]), (13, ["lists 12 frames", "13 were decoded"])]
     {
-        let done = with_decoder(&coded("h264.mp4"), &y4m([96, 64], frames, grey), &["--surface", "32,40"]);
+        let done = with_decoder(&coded("h264.mp4"), &y4m([96, 64], frames, grey), &["--surface", "32,60"]);
         assert_eq!((done.code, done.stdout.as_str()), (2, ""));
         for part in expected.into_iter().chain(["ffmpeg reports: a complaint"]) {
             assert!(done.stderr.contains(part), "lacks «{part}»: {}", done.stderr);
         }
     }
-    let part = ["--surface", "32,40", "--until", "0.29"];
+    let part = ["--surface", "32,60", "--until", "0.29"];
     let done = with_decoder(&coded("h264.mp4"), &y4m([96, 64], 10, grey), &part);
     assert_eq!((done.code, numbers(&done.stdout).len()), (0, 9), "{}", done.stderr);
 }

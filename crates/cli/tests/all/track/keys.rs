@@ -29,8 +29,8 @@ fn bodies_are_found_again_by_key_frames_of_their_own() {
     let done = track(&film, &["--body", &first, "--body", &second, "--format", "json"]);
     assert_eq!(done.code, 0, "{}", done.stderr);
     for part in [
-        "track 1: lost from frame 20 on (counted from 0; 0.666 s of the film)",
-        "track 2: lost from frame 40 on (counted from 0; 1.333 s of the film)",
+        "track 1: lost from frame 21 on (counted from 1; 0.666 s of the film)",
+        "track 2: lost from frame 41 on (counted from 1; 1.333 s of the film)",
         "it is found again later",
     ] {
         assert!(done.stderr.contains(part), "lacks «{part}»: {}", done.stderr);

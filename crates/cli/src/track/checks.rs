@@ -1,15 +1,19 @@
 //! What is refused before the first frame is decoded.
 
-use super::arguments::{Place, Point, Track as Arguments, TrackFormat};
-use super::clock;
+use super::arguments::{Given, Place, Point, Track as Arguments, TrackFormat};
+use super::clock::{self, Clock};
 use super::opened::{Opened, refused_with};
 use crate::failure::Failure;
+use film::tracking::Known;
 use std::path::{Path, PathBuf};
-use units::words;
+use units::number::fixed;
+use units::{Words, words};
 
 /// Surfaces and bodies that are tracked at once.
 const MOST_SURFACES: usize = 2;
 const MOST_BODIES: usize = 4;
+/// By this part a stated time may exceed what a frame lasts: people round 1/29.97 s to 33.4 ms.
+const ROUNDED: f64 = 0.01;
 
 /// Refuses what no film could satisfy.
 pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
@@ -35,8 +39,8 @@ pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
     if tubes > 0 && tubes != surfaces {
         return Err(Failure::in_words(
             words!(
-                "--tube is given {tubes} times for {surfaces} surfaces",
-                "--tube aparece {tubes} veces para {surfaces} superficies"
+                "there are as many tubes as surfaces, or none; here --tube: {tubes}, --surface: {surfaces}",
+                "hay tantos tubos como superficies, o ninguno; aquí --tube: {tubes}, --surface: {surfaces}"
             ),
             words(
                 "write --tube once for each --surface, in the same order, or not at all for upright tubes",
@@ -55,6 +59,33 @@ pub struct Targets {
     pub table: Option<PathBuf>,
     /// Without one there is none.
     pub report: Option<PathBuf>,
+}
+
+/// The form of the tables: the one that is asked for, else by the ending of the file; of several films the output is a folder.
+pub fn format(arguments: &Arguments) -> Result<TrackFormat, Failure> {
+    let file = arguments.output.as_deref().filter(|_| arguments.films.len() == 1);
+    let (Some(path), None) = (file, arguments.format) else {
+        return Ok(arguments.format.unwrap_or(TrackFormat::Csv));
+    };
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
+    match ending.as_str() {
+        "csv" => Ok(TrackFormat::Csv),
+        "xlsx" => Ok(TrackFormat::Xlsx),
+        "json" => Ok(TrackFormat::Json),
+        _ => {
+            let name = path.display();
+            Err(Failure::in_words(
+                words!(
+                    "--output {name}: the ending is none of a table",
+                    "--output {name}: la terminación no es de una tabla"
+                ),
+                words(
+                    "end its name in .csv (a table), .xlsx (a workbook) or .json (an object), or say the form with --format",
+                    "termina su nombre en .csv (una tabla), .xlsx (un libro de cálculo) o .json (un objeto), o indica la forma con --format",
+                ),
+            ))
+        }
+    }
 }
 
 /// Where the results of each film go.
@@ -131,7 +162,7 @@ fn beside(film: &Path, folder: Option<&Path>, ending: &str) -> PathBuf {
     folder.map_or_else(|| film.with_file_name(&name), |folder| folder.join(&name))
 }
 
-/// Refuses points outside the picture.
+/// Refuses points outside the picture, and bodies larger than it.
 pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
     let [width, height] = film.upright_size();
     let clicked = |places: &[Place]| places.iter().map(|place| place.position).collect::<Vec<Point>>();
@@ -153,6 +184,49 @@ pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
             );
             return Err(refused_with(&film.path, why, hint));
         }
+    }
+    let most = width.min(height) / 2.0;
+    let mut radii = arguments.body.iter().filter_map(|body| body.radius);
+    if let Some(radius) = radii.find(|radius| *radius > most) {
+        let why = words!(
+            "a body of radius {radius} does not fit into the picture, which is {width} pixels wide and {height} high",
+            "un cuerpo de radio {radius} no cabe en la imagen, que mide {width} píxeles de ancho y {height} de alto"
+        );
+        let hint = words(
+            "write --body X,Y,R with the radius R in pixels, or leave R out: it is found then",
+            "escribe --body X,Y,R con el radio R en píxeles, o quita R: entonces se halla solo",
+        );
+        return Err(refused_with(&film.path, why, hint));
+    }
+    Ok(())
+}
+
+/// Refuses an exposure or a readout longer than a frame lasts.
+pub fn durations(film: &Opened, clock: &Clock, arguments: &Arguments) -> Result<(), Failure> {
+    // A film of one frame has no rate.
+    let Some(rate) = clock.rate else { return Ok(()) };
+    let lasts = 1.0 / (rate * clock.factor);
+    for (name, given) in [("--exposure", arguments.exposure), ("--readout", arguments.readout)] {
+        let Some(Given(Known::Seconds(seconds))) = given else { continue };
+        if seconds.abs() <= lasts * (1.0 + ROUNDED) {
+            continue;
+        }
+        let milliseconds = |seconds: f64| Words::each(|language| fixed(1e3 * seconds, 1, language.style()));
+        let half = milliseconds(lasts / 2.0);
+        let why = words!(
+            "{name} is {given} ms, and a frame lasts {lasts} ms: no frame takes longer than until the next one",
+            "{name} es {given} ms y un fotograma dura {lasts} ms: ninguno tarda más que hasta el siguiente",
+            name = Words::same(name),
+            given = milliseconds(seconds),
+            lasts = milliseconds(lasts)
+        );
+        let hint = words!(
+            "write a time up to {lasts} ms, such as '{half} [ms]', or auto; a number without a unit is in seconds",
+            "escribe un tiempo de hasta {lasts} ms, como '{half} [ms]', o auto; un número sin unidad está en segundos",
+            lasts = milliseconds(lasts),
+            half = half
+        );
+        return Err(refused_with(&film.path, why, hint));
     }
     Ok(())
 }

@@ -30,11 +30,12 @@ use units::{Language, Words, words};
 /// Tracks each film and writes its table. A film that cannot be tracked does not keep the others from being tracked.
 pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     checks::arguments(arguments)?;
-    let targets = checks::outputs(arguments, format(arguments))?;
+    let format = checks::format(arguments)?;
+    let targets = checks::outputs(arguments, format)?;
     let several = arguments.films.len() > 1;
     let mut failed = false;
     for (film, target) in arguments.films.iter().zip(&targets) {
-        let result = one(film, target, arguments, terminal);
+        let result = one(film, (target, format), arguments, terminal);
         match result {
             Err(Failure::Request { message, hint }) if several => {
                 let language = terminal.language;
@@ -48,13 +49,19 @@ pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     if failed { Err(Failure::Argument) } else { Ok(()) }
 }
 
-fn one(path: &Path, targets: &Targets, arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
+fn one(
+    path: &Path,
+    (targets, format): (&Targets, TrackFormat),
+    arguments: &Arguments,
+    terminal: Terminal,
+) -> Result<(), Failure> {
     if let Some(failure) = project::refusal(path) {
         return Err(failure);
     }
     let film = Opened::open(path)?;
     checks::points(&film, arguments)?;
     let clock = Clock::of(&film, arguments)?;
+    checks::durations(&film, &clock, arguments)?;
     let calibration = lengths::calibration(&film, arguments)?;
     let bar = progress(path);
     let followed = following::follow(&film, &clock, arguments, &bar);
@@ -64,7 +71,7 @@ fn one(path: &Path, targets: &Targets, arguments: &Arguments, terminal: Terminal
     let found = notes::notes(&followed.tracks, &table, &calibration, &film.times);
     let notes: Vec<Words> = [film.notes.clone(), clock.notes.clone(), followed.notes.clone(), found].concat();
     let language = terminal.language;
-    let bytes = match format(arguments) {
+    let bytes = match format {
         TrackFormat::Csv => text(&table, &calibration).into_bytes(),
         TrackFormat::Xlsx => workbook(path, &table, &calibration, &notes, language),
         TrackFormat::Json => {
@@ -107,16 +114,6 @@ fn workbook(path: &Path, table: &Table, calibration: &Calibration, notes: &[Word
         .map(|text| vec![Cell::from(text)]);
     let about = Sheet { name: language.pick("Film", "Vídeo").to_owned(), rows: rows.collect(), header: true };
     Workbook { sheets: vec![Sheet::of_film(&name, &heads, &values, calibration.relative_sigma()), about] }.xlsx()
-}
-
-fn format(arguments: &Arguments) -> TrackFormat {
-    let ending = || arguments.output.as_ref()?.extension()?.to_str().map(str::to_ascii_lowercase);
-    let by_ending = || match ending().as_deref() {
-        Some("json") => TrackFormat::Json,
-        Some("xlsx") => TrackFormat::Xlsx,
-        _ => TrackFormat::Csv,
-    };
-    arguments.format.unwrap_or_else(by_ending)
 }
 
 /// Shown on a terminal; indicatif shows nothing where the standard error is none.

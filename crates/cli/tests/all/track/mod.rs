@@ -113,7 +113,7 @@ fn a_body_is_followed_until_it_is_lost() {
     let done = track(&film, &["--body", "30,100"]);
     assert_eq!(done.code, 0, "{}", done.stderr);
     assert!(done.stdout.starts_with("t [s],x [px],y [px],sigma_x [px],sigma_y [px]\r\n"), "{}", done.stdout);
-    assert!(done.stderr.contains("lost from frame 60 on (counted from 0; 2.000 s of the film)"), "{}", done.stderr);
+    assert!(done.stderr.contains("lost from frame 61 on (counted from 1; 2.000 s of the film)"), "{}", done.stderr);
     assert!(done.stderr.contains("later frames have no row"), "{}", done.stderr);
     let rows = numbers(&done.stdout);
     assert_eq!(rows.len(), 60);
@@ -241,7 +241,7 @@ fn what_cannot_be_tracked_is_refused_with_words() {
     let flat = named("flat.y4m", &y4m([WIDTH, HEIGHT], 5, |_, _, _| 90));
     let two = named("two.y4m", &y4m([WIDTH, HEIGHT], 2, tubes));
     let missing = folder.path().join("missing.mp4");
-    let cases: [(&Path, &[&str], &str); 18] = [
+    let cases: [(&Path, &[&str], &str); 22] = [
         (&film, &[], "--surface X,Y"),
         (
             &film,
@@ -252,11 +252,19 @@ fn what_cannot_be_tracked_is_refused_with_words() {
         (&film, &["--surface", "50"], "write two numbers of pixels"),
         (&film, &["--surface", "1,1", "--surface", "2,2", "--surface", "3,3"], "at most 2 surfaces"),
         (&film, &["--surface", "50,42", "--body", "50,42"], "cannot be used with"),
-        (&film, &["--surface", "50,42", "--surface", "110,78", "--tube", "50,1,50,119"], "once for each --surface"),
+        (&film, &["--surface", "50,42", "--surface", "110,78", "--tube", "50,1,50,119"], "--tube: 1, --surface: 2"),
         (&film, &["--surface", "50,42", "--scale", "1,1,2,1=1 [cm]"], "too close together"),
         (&film, &["--surface", "50,42", "--rate", "0"], "--rate 0 is not possible"),
         (&film, &["--surface", "50,42", "--from", "10"], "no frame lies between"),
         (&flat, &["--body", "20,20"], "uniform"),
+        (&flat, &["--surface", "50,42", "--marks", "20,20 100,90"], "uniform at mark 1"),
+        (&film, &["--surface", "80,60"], "The clicked place in frame 1 does not stand out of the noise"),
+        (&film, &["--body", "50,42,61"], "radius 61 does not fit into the picture, which is 160 pixels wide"),
+        (
+            &film,
+            &["--surface", "50,42", "--output", "tubes.docx"],
+            "--output tubes.docx: the ending is none of a table",
+        ),
         (&two, &["--surface", "50,42"], "at least 3 frames"),
         (&gif, &["--surface", "1,1"], "animated GIF"),
         (&text, &["--surface", "1,1"], "not a film"),
@@ -279,7 +287,7 @@ fn what_cannot_be_tracked_is_refused_with_words() {
 #[test]
 fn quantities_that_make_no_sense_are_refused() {
     let (_folder, film) = tubes_film();
-    let cases: [(&[&str], &[&str]); 22] = [
+    let cases: [(&[&str], &[&str]); 25] = [
         (&["--from", "1 [kg]"], &["--from 1 [kg]: kg is not a unit of time", "such as --from 1.5"]),
         (&["--until", "1 [m/s]"], &["--until 1 [m/s]: m/s is not a unit of time"]),
         (&["--from", "-1"], &["--from -1 lies before the first frame", "a film begins at 0 s", "leave --from out"]),
@@ -293,6 +301,9 @@ fn quantities_that_make_no_sense_are_refused() {
         (&["--exposure", "inf"], &["inf is not a finite number"]),
         (&["--readout", "NaN"], &["NaN is not a finite number"]),
         (&["--readout", "20 [mm]"], &["mm is not a unit of time"]),
+        (&["--exposure", "0.04"], &["--exposure is 40.0 ms, and a frame lasts 33.3 ms", "such as '16.7 [ms]'"]),
+        (&["--readout", "-0.04"], &["--readout is −40.0 ms"]),
+        (&["--exposure", "0.03", "--rate", "8"], &["a frame lasts 4.2 ms"]),
         (&["--readout", "60"], &["no camera takes 10 s or more for a frame"]),
         (&["--rate", "-8"], &["--rate -8 is not possible: the factor is greater than zero and finite", "such as 8"]),
         (&["--rate", "inf"], &["--rate inf is not possible"]),

@@ -100,7 +100,7 @@ fn a_report_that_would_replace_something_else_is_refused() {
     let page = folder.path().join("report.html");
     let cases: [(&[&str], &str); 2] = [
         (&["--report", "report.pdf"], "a report is an HTML page"),
-        (&["--report", word(&page), "--output", word(&page)], "name one file"),
+        (&["--report", word(&page), "--output", word(&page), "--format", "csv"], "name one file"),
     ];
     for (words, expected) in cases {
         let done = track(&film, &[&["--surface", "50,42"], words].concat());

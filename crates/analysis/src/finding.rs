@@ -7,7 +7,7 @@ use crate::stencil::Stencil;
 use crate::tracker::Remark;
 use units::Language::{self, Spanish};
 pub(crate) use words::readings;
-use words::{called, clock, decimal, missing, reading, rounded_step, runs, separator};
+use words::{backwards, called, clock, decimal, missing, reading, rounded_step, runs, separator, word};
 
 /// Something a person should know about their data. Lines and rows count from 1; times are in SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,7 +16,7 @@ pub enum Finding {
     Sheet(String),
     /// What the positions of a project of Tracker are.
     Project(Remark),
-    /// A word stands where a number should; the cell became a gap.
+    /// A word, or a number too large for a double, stands where a number should; the cell became a gap.
     Word {
         /// The line of the file.
         line: usize,
@@ -173,10 +173,7 @@ impl Finding {
                 format!("el libro tiene varias hojas; se leyó la primera con una tabla: «{name}»"),
             ),
             Self::Project(remark) => remark.text(language),
-            Self::Word { line, column, text } => say(
-                format!("line {line}, column {column}: `{text}` is not a number and became a gap"),
-                format!("línea {line}, columna {column}: «{text}» no es un número y quedó como hueco"),
-            ),
+            Self::Word { line, column, text } => word(*line, column, text, language),
             Self::MoreWords(count) => say(
                 format!("{count} more cells are not numbers and became gaps"),
                 format!("otras {count} celdas no son números y quedaron como huecos"),
@@ -310,10 +307,7 @@ impl Finding {
                     reading(*time, unit, language)
                 ),
             ),
-            Self::Backwards { time, unit, count } => say(
-                format!("the time runs backwards {count}×, first to {}", reading(*time, unit, language)),
-                format!("el tiempo retrocede {count}×, primero a {}", reading(*time, unit, language)),
-            ),
+            Self::Backwards { time, unit, count } => backwards(*time, unit, *count, language),
             Self::Uneven(jitter) => say(
                 format!(
                     "the rows are unevenly spaced: their distances vary by {} %",

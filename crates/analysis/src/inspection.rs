@@ -168,14 +168,15 @@ impl Sampling {
     pub fn findings(&self, times: &[f64], unit: &'static str) -> Vec<Finding> {
         let mut findings = Vec::new();
         let time = |rows: &[usize]| rows.first().and_then(|row| times.get(*row)).copied().unwrap_or(f64::NAN);
+        if !self.backwards.is_empty() {
+            // Distances of rows that are not in the order of time say nothing of gaps or of the clock.
+            return vec![Finding::Backwards { time: time(&self.backwards), unit, count: self.backwards.len() }];
+        }
         if !self.missing.is_empty() {
             findings.push(Finding::Missing { gaps: self.missing.clone(), unit });
         }
         if !self.doubled.is_empty() {
             findings.push(Finding::Doubled { time: time(&self.doubled), unit, count: self.doubled.len() });
-        }
-        if !self.backwards.is_empty() {
-            findings.push(Finding::Backwards { time: time(&self.backwards), unit, count: self.backwards.len() });
         }
         match (self.rounded_to, self.rate) {
             (Some(to), _) => findings.push(Finding::RoundedTimes { to, unit }),

@@ -63,8 +63,7 @@ pub(super) fn runs(names: &[String], language: Language) -> String {
 }
 
 pub(super) fn missing(gaps: &[Gap], unit: &str, language: Language) -> String {
-    // Times that run back can leave the same frames out again and again.
-    let count: u128 = gaps.iter().map(|gap| u128::from(gap.last - gap.first) + 1).sum();
+    let count: u64 = gaps.iter().map(|gap| gap.last - gap.first + 1).sum();
     let mut text = match (count, language) {
         (1, English) => "1 frame is missing: ".to_owned(),
         (1, Spanish) => "falta 1 fotograma: ".to_owned(),
@@ -86,6 +85,40 @@ pub(super) fn missing(gaps: &[Gap], unit: &str, language: Language) -> String {
         text.push_str(if language == Spanish { "; y otros" } else { "; and others" });
     }
     text
+}
+
+pub(super) fn backwards(time: f64, unit: &str, count: usize, language: Language) -> String {
+    let time = reading(time, unit, language);
+    match (count, language) {
+        (1, English) => format!(
+            "the rows are not in the order of time: the row at {time} is earlier than the row before; fits and cycles sort the rows by time, so divide the file there if the clock began again"
+        ),
+        (1, Spanish) => format!(
+            "las filas no siguen el orden del tiempo: la fila en {time} es anterior a la precedente; los ajustes y los ciclos ordenan las filas por tiempo, así que divide ahí el archivo si el reloj volvió a empezar"
+        ),
+        (_, English) => format!(
+            "the rows are not in the order of time: {count} are earlier than the row before, the first at {time}; fits and cycles sort them by time"
+        ),
+        (_, Spanish) => format!(
+            "las filas no siguen el orden del tiempo: {count} son anteriores a la precedente, la primera en {time}; los ajustes y los ciclos las ordenan por tiempo"
+        ),
+    }
+}
+
+/// A cell that became a gap: a number beyond the largest one, or no number.
+pub(super) fn word(line: usize, column: &str, text: &str, language: Language) -> String {
+    let has_digit = text.contains(|character: char| character.is_ascii_digit());
+    let too_large = has_digit && text.replace(',', ".").parse::<f64>().is_ok_and(f64::is_infinite);
+    match (too_large, language) {
+        (true, English) => format!(
+            "line {line}, column {column}: `{text}` is beyond the range of numbers here, ±1.8e308, and became a gap"
+        ),
+        (true, Spanish) => format!(
+            "línea {line}, columna {column}: «{text}» está fuera del intervalo de los números aquí, ±1,8e308, y quedó como hueco"
+        ),
+        (false, English) => format!("line {line}, column {column}: `{text}` is not a number and became a gap"),
+        (false, Spanish) => format!("línea {line}, columna {column}: «{text}» no es un número y quedó como hueco"),
+    }
 }
 
 pub(super) fn rounded_step(interval: f64, rate: f64, language: Language) -> String {

@@ -1,12 +1,19 @@
-//! Runs that stand below each other, each under the same header and with a clock that begins again.
+//! Runs that stand below each other, with a clock that begins again.
 
 use super::cells::COLUMNS;
+use super::roles;
 use crate::table::{Column, Table};
+use units::Dimension;
 
-/// Puts runs beside each other as bodies, `Run 1` and `Run 2`, if the times begin again where the header stands again. `repeats`
-/// are the rows before which it does, ascending.
+/// A run has at least so many rows. A row in the wrong place begins none.
+const SHORTEST: usize = 3;
+
+/// Puts runs beside each other as bodies, `Run 1` and `Run 2`, if the times begin again where the header stands again, or from the
+/// first time without a header. `repeats` are the rows before which the header stands, ascending.
 pub(super) fn side_by_side(table: &mut Table, repeats: &[usize]) {
     let length = table.rows();
+    let found = if repeats.is_empty() { restarts(table) } else { Vec::new() };
+    let repeats = if repeats.is_empty() { &found } else { repeats };
     let mut starts = vec![0];
     starts.extend(repeats.iter().copied().filter(|row| (1..length).contains(row)));
     let ends: Vec<usize> = starts.iter().skip(1).copied().chain([length]).collect();
@@ -41,4 +48,24 @@ pub(super) fn side_by_side(table: &mut Table, repeats: &[usize]) {
         }
     }
     table.columns = columns;
+}
+
+/// The rows at which the only clock of a table begins again at its first time, within a step; none unless the times of every run
+/// between them increase.
+fn restarts(table: &Table) -> Vec<usize> {
+    let independent: Vec<usize> = table.independent().collect();
+    let [clock] = independent[..] else { return Vec::new() };
+    let column = &table.columns[clock];
+    let of_time = column.unit.as_ref().is_some_and(|unit| unit.dimension == Dimension::TIME);
+    let times = &column.values;
+    let [first, second, ..] = times[..] else { return Vec::new() };
+    let step = second - first;
+    if !(of_time || column.name.is_empty() || roles::is_time(&column.name)) || step.is_nan() || step <= 0.0 {
+        return Vec::new();
+    }
+    let starts: Vec<usize> = (1..times.len()).filter(|row| times[*row] <= times[*row - 1]).collect();
+    let ends = starts.iter().copied().skip(1).chain([times.len()]);
+    let again = |(start, end): (&usize, usize)| end - start >= SHORTEST && (times[*start] - first).abs() <= step;
+    let all = times.iter().all(|time| time.is_finite()) && starts.first().is_some_and(|start| *start >= SHORTEST);
+    if all && starts.iter().zip(ends).all(again) { starts } else { Vec::new() }
 }

@@ -59,6 +59,27 @@ const RUNS: &[Case] = &[
 ! line 5 has no number and was passed over
 ! there are 2 runs, each with its own clock: Run 1, Run 2; a column is named with its run, `Run 2.y`",
     ),
+    (
+        "runs below each other without a header between them",
+        "t [s],y\n0,30\n0.5,28\n1,23\n0,20\n0.5,15\n1,12\n1.5,10\n",
+        "*Run 1.t [s] header: 0 0.5 1 ·
+1:Run 1.y [] not stated: 30 28 23 ·
+*Run 2.t [s] header: 0 0.5 1 1.5
+3:Run 2.y [] not stated: 20 15 12 10
+! there are 2 runs, each with its own clock: Run 1, Run 2; a column is named with its run, `Run 2.y`",
+    ),
+    (
+        "a row in the wrong place begins no run",
+        "t [s],y\n0,30\n0.5,28\n1,23\n0,20\n1.5,15\n",
+        "*t [s] header: 0 0.5 1 0 1.5
+1:y [] not stated: 30 28 23 20 15",
+    ),
+    (
+        "values that repeat are no clock",
+        "angle [deg],y\n0,30\n1,28\n2,23\n0,20\n1,15\n2,12\n",
+        "*angle [deg] header: 0 1 2 0 1 2
+1:y [] not stated: 30 28 23 20 15 12",
+    ),
 ];
 
 /// Clocks.
@@ -178,4 +199,28 @@ fn times_of_no_use_are_said() {
     let unstated = findings("t,y\n0,1\n1,2\n2,3\n");
     assert!(unstated.len() == 1 && unstated[0].contains("they are taken for seconds"), "{unstated:?}");
     assert!(findings("t [s],y\n0,1\n1,2\n2,3\n").is_empty());
+}
+
+#[test]
+fn rows_out_of_order_are_not_described_as_gaps() {
+    let found = |text: &str, language: Language| -> Vec<String> {
+        let table = import::text(text.as_bytes()).expect("a table").table;
+        analysis::inspection::inspect(&table).findings.iter().map(|finding| finding.text(language)).collect()
+    };
+    let shuffled = "t [s],y\n0.3,1\n0.1,2\n0.5,3\n0.2,5\n0.4,3\n0,2\n";
+    assert_eq!(
+        found(shuffled, Language::English),
+        [
+            "the rows are not in the order of time: 3 are earlier than the row before, the first at 0.1 s; fits and cycles sort them by time"
+        ]
+    );
+    let exchanged = "t [s],y\n0,1\n0.1,2\n0.3,5\n0.2,3\n0.4,2\n0.5,1\n";
+    assert_eq!(
+        found(exchanged, Language::English),
+        [
+            "the rows are not in the order of time: the row at 0.2 s is earlier than the row before; fits and cycles sort the rows by time, so \
+          divide the file there if the clock began again"
+        ]
+    );
+    assert!(found(exchanged, Language::Spanish)[0].contains("ordenan las filas por tiempo"));
 }

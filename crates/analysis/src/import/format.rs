@@ -212,8 +212,26 @@ fn most_frequent(numbers: impl Iterator<Item = usize>) -> usize {
     occurrences.into_values().max().unwrap_or(0)
 }
 
-/// What can be, the likelier first.
+/// The delimiter that a line declares, as the first one of a file may do for Excel: `sep=;`.
+pub(super) fn declared(line: &str) -> Option<u8> {
+    let line = line.trim_end_matches(['\n', '\r']).trim_matches('"');
+    let (_, sign) = line.split_once('=').filter(|(name, _)| name.eq_ignore_ascii_case("sep"))?;
+    match sign.as_bytes() {
+        [byte] if byte.is_ascii() && !byte.is_ascii_alphanumeric() => Some(*byte),
+        b"\\t" => Some(b'\t'),
+        _ => None,
+    }
+}
+
+/// What can be, the likelier first: what the first line declares, if it does.
 fn candidates(lines: &[&str]) -> Vec<(Delimiter, u8)> {
+    let all = possible(lines);
+    let Some(byte) = lines.first().and_then(|line| declared(line)) else { return all };
+    let own: Vec<_> = all.into_iter().filter(|(delimiter, _)| delimiter.byte() == Some(byte)).collect();
+    if own.is_empty() { vec![(Delimiter::Other(byte), b'.'), (Delimiter::Other(byte), b',')] } else { own }
+}
+
+fn possible(lines: &[&str]) -> Vec<(Delimiter, u8)> {
     use Delimiter::{Blank, Blanks, Comma, CommaAndBlank, Other, Semicolon, Tab};
     let mut candidates = vec![(Tab, b'.'), (Tab, b','), (Semicolon, b'.'), (Semicolon, b',')];
     // `1,5, 2,5`: some commas have a blank behind them, others have none.

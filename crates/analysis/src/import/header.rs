@@ -2,9 +2,9 @@
 
 use super::cells::{Cells, Delimiter};
 use super::label::{self, Label};
-use super::number;
 use super::roles::is_time;
 use super::{clock, unit_words};
+use super::{format, number};
 use crate::finding::Finding;
 use crate::origin::UnitOrigin;
 use crate::run_name;
@@ -28,6 +28,10 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, columns: usize, finding
     let mut filled: Vec<&str> = Vec::new();
     // A title has a blank line under it, the name of a body has not.
     let mut titles = 0;
+    let lines = match lines {
+        [first, rest @ ..] if format::declared(first).is_some() => rest,
+        all => all,
+    };
     for line in lines {
         let bare = uncommented(line);
         if bare.trim().is_empty() {

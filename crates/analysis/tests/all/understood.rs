@@ -34,6 +34,31 @@ pub type Case = (&'static str, &'static str, &'static str);
 /// Odd cells in the first rows.
 const HEADERS: &[Case] = &[
     (
+        "a number beyond the largest one",
+        "t [s];y\n0,0;1,5\n0,1;-1e400\n0,2;2,0\n",
+        "*t [s] header: 0 0.1 0.2
+1:y [] not stated: 1.5 · 2 (1 words, `-1e400` in line 3)
+! line 3, column y: `-1e400` is beyond the range of numbers here, ±1.8e308, and became a gap",
+    ),
+    (
+        "Excel's line for the delimiter",
+        "sep=;\nt [s];y [cm]\n0,0;1,5\n0,1;2,5\n",
+        "*t [s] header: 0 0.1
+1:y [cm] header: 1.5 2.5",
+    ),
+    (
+        "the same in quotation marks, with a rare delimiter and without names",
+        "\"sep=^\"\n0^1.5\n1^2.5\n",
+        "* [] not stated: 0 1
+1: [] not stated: 1.5 2.5",
+    ),
+    (
+        "the same with a tab as programs write it",
+        "SEP=\\t\nt [s]\ty\n0\t1,5\n1\t2,5\n",
+        "*t [s] header: 0 1
+1:y [] not stated: 1.5 2.5",
+    ),
+    (
         "a failed formula in the first row",
         "t [s],y [cm],v [cm/s]\n0.0,1.5,#DIV/0!\n0.1,2.5,10\n0.2,2.0,-5\n",
         "*t [s] header: 0 0.1 0.2

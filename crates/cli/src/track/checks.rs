@@ -39,8 +39,8 @@ pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
     if tubes > 0 && tubes != surfaces {
         return Err(Failure::in_words(
             words!(
-                "there are as many tubes as surfaces, or none; here --tube: {tubes}, --surface: {surfaces}",
-                "hay tantos tubos como superficies, o ninguno; aquí --tube: {tubes}, --surface: {surfaces}"
+                "--tube and --surface differ in number: {tubes} and {surfaces}",
+                "--tube y --surface difieren en número: {tubes} y {surfaces}"
             ),
             words(
                 "write --tube once for each --surface, in the same order, or not at all for upright tubes",

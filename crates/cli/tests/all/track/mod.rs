@@ -252,7 +252,7 @@ fn what_cannot_be_tracked_is_refused_with_words() {
         (&film, &["--surface", "50"], "write two numbers of pixels"),
         (&film, &["--surface", "1,1", "--surface", "2,2", "--surface", "3,3"], "at most 2 surfaces"),
         (&film, &["--surface", "50,42", "--body", "50,42"], "cannot be used with"),
-        (&film, &["--surface", "50,42", "--surface", "110,78", "--tube", "50,1,50,119"], "--tube: 1, --surface: 2"),
+        (&film, &["--surface", "50,42", "--surface", "110,78", "--tube", "50,1,50,119"], "--tube and --surface differ in number: 1 and 2"),
         (&film, &["--surface", "50,42", "--scale", "1,1,2,1=1 [cm]"], "too close together"),
         (&film, &["--surface", "50,42", "--rate", "0"], "--rate 0 is not possible"),
         (&film, &["--surface", "50,42", "--from", "10"], "no frame lies between"),

@@ -274,7 +274,11 @@ fn quantity(text: &str) -> Result<(f64, Option<Unit>), String> {
     }
     let end = text.find(|c: char| c == '[' || c.is_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
     let (value, unit) = text.split_at(end);
-    let value = finite(value.trim().parse().map_err(|_| format!("`{text}` does not begin with a number"))?)?;
+    let no_number = |_| match value.trim().split_once(',') {
+        Some((whole, decimals)) => format!("`{whole},{decimals}` has a comma; write {whole}.{decimals}"),
+        None => format!("`{text}` does not begin with a number"),
+    };
+    let value = finite(value.trim().parse().map_err(no_number)?)?;
     let unit = unit.trim_matches(['[', ']', ' ']);
     Ok((value, Some(Unit::parse(unit).map_err(|_| format!("`{unit}` is not a known unit"))?)))
 }

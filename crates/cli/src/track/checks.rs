@@ -2,6 +2,7 @@
 
 use super::arguments::{Given, Place, Point, Track as Arguments, TrackFormat};
 use super::clock::{self, Clock};
+use super::following::HALF_WIDTH;
 use super::opened::{Opened, refused_with};
 use crate::failure::Failure;
 use film::tracking::Known;
@@ -48,7 +49,30 @@ pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
             ),
         ));
     }
+    places(arguments)?;
     clock::part(arguments)?;
+    Ok(())
+}
+
+/// Refuses two clicks at one place: one thing would be followed twice.
+fn places(arguments: &Arguments) -> Result<(), Failure> {
+    let first = |places: &[Place]| places.first().copied();
+    let marks = arguments.marks.iter().flat_map(|marks| &marks.0);
+    let all: [(&str, Vec<Place>); 3] = [
+        ("--surface", arguments.surface.iter().filter_map(|surface| first(&surface.places)).collect()),
+        ("--body", arguments.body.iter().filter_map(|body| first(&body.places)).collect()),
+        ("--marks", marks.map(|mark| Place { position: *mark, time: None }).collect()),
+    ];
+    for (name, places) in all {
+        let same = |at: usize| places[..at].iter().any(|place| place == &places[at]);
+        if let Some(at) = (1..places.len()).find(|at| same(*at)) {
+            let [x, y] = places[at].position;
+            return Err(Failure::in_words(
+                words!("{name}: {x},{y} is given twice", "{name}: {x},{y} aparece dos veces"),
+                words("give each thing its own place", "indica para cada cosa su propio lugar"),
+            ));
+        }
+    }
     Ok(())
 }
 
@@ -185,6 +209,7 @@ pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
             return Err(refused_with(&film.path, why, hint));
         }
     }
+    off_axis(film, arguments)?;
     let most = width.min(height) / 2.0;
     let mut radii = arguments.body.iter().filter_map(|body| body.radius);
     if let Some(radius) = radii.find(|radius| *radius > most) {
@@ -195,6 +220,31 @@ pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
         let hint = words(
             "write --body X,Y,R with the radius R in pixels, or leave R out: it is found then",
             "escribe --body X,Y,R con el radio R en píxeles, o quita R: entonces se halla solo",
+        );
+        return Err(refused_with(&film.path, why, hint));
+    }
+    Ok(())
+}
+
+/// Refuses a click further from the axis of its tube than the strip that is searched.
+fn off_axis(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
+    let [_, height] = film.upright_size();
+    for (surface, [[x, y], [u, v]]) in arguments.surface.iter().zip(&arguments.tube) {
+        let (along, down) = (u - x, v - y);
+        let length = (along * along + down * down).sqrt();
+        let distance = |place: &Place| {
+            let [p, q] = place.position;
+            ((p - x) * down - (q - y) * along).abs() / length
+        };
+        let Some(place) = surface.places.iter().find(|place| distance(place) > HALF_WIDTH * height) else { continue };
+        let ([p, q], distance) = (place.position, distance(place));
+        let why = words!(
+            "--surface {p},{q} is {distance:.0} pixels from the axis of its tube, --tube {x},{y},{u},{v}",
+            "--surface {p},{q} está a {distance:.0} píxeles del eje de su tubo, --tube {x},{y},{u},{v}"
+        );
+        let hint = words(
+            "write two points on the axis of the tube in which the surface is, such as its ends",
+            "escribe dos puntos del eje del tubo en que está la superficie, como sus extremos",
         );
         return Err(refused_with(&film.path, why, hint));
     }

@@ -13,7 +13,7 @@ use indicatif::ProgressBar;
 use units::{Words, words};
 
 /// Half the width of the strip around a tube, as a part of the height of the upright picture.
-const HALF_WIDTH: f64 = 1.0 / 16.0;
+pub const HALF_WIDTH: f64 = 1.0 / 16.0;
 
 /// What was found in a film, in pixels of the stored picture.
 #[derive(Debug)]

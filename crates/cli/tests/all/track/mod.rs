@@ -241,7 +241,7 @@ fn what_cannot_be_tracked_is_refused_with_words() {
     let flat = named("flat.y4m", &y4m([WIDTH, HEIGHT], 5, |_, _, _| 90));
     let two = named("two.y4m", &y4m([WIDTH, HEIGHT], 2, tubes));
     let missing = folder.path().join("missing.mp4");
-    let cases: [(&Path, &[&str], &str); 22] = [
+    let cases: [(&Path, &[&str], &str); 25] = [
         (&film, &[], "--surface X,Y"),
         (
             &film,
@@ -252,13 +252,20 @@ fn what_cannot_be_tracked_is_refused_with_words() {
         (&film, &["--surface", "50"], "write two numbers of pixels"),
         (&film, &["--surface", "1,1", "--surface", "2,2", "--surface", "3,3"], "at most 2 surfaces"),
         (&film, &["--surface", "50,42", "--body", "50,42"], "cannot be used with"),
-        (&film, &["--surface", "50,42", "--surface", "110,78", "--tube", "50,1,50,119"], "--tube and --surface differ in number: 1 and 2"),
+        (
+            &film,
+            &["--surface", "50,42", "--surface", "110,78", "--tube", "50,1,50,119"],
+            "--tube and --surface differ in number: 1 and 2",
+        ),
         (&film, &["--surface", "50,42", "--scale", "1,1,2,1=1 [cm]"], "too close together"),
         (&film, &["--surface", "50,42", "--rate", "0"], "--rate 0 is not possible"),
         (&film, &["--surface", "50,42", "--from", "10"], "no frame lies between"),
         (&flat, &["--body", "20,20"], "uniform"),
         (&flat, &["--surface", "50,42", "--marks", "20,20 100,90"], "uniform at mark 1"),
         (&film, &["--surface", "80,60"], "The clicked place in frame 1 does not stand out of the noise"),
+        (&film, &["--surface", "50,42", "--surface", "50,42"], "--surface: 50,42 is given twice"),
+        (&film, &["--surface", "50,42", "--marks", "9,9 70,9 9,9"], "--marks: 9,9 is given twice"),
+        (&film, &["--surface", "50,42", "--tube", "110,1,110,119"], "is 60 pixels from the axis of its tube"),
         (&film, &["--body", "50,42,61"], "radius 61 does not fit into the picture, which is 160 pixels wide"),
         (
             &film,
@@ -287,7 +294,7 @@ fn what_cannot_be_tracked_is_refused_with_words() {
 #[test]
 fn quantities_that_make_no_sense_are_refused() {
     let (_folder, film) = tubes_film();
-    let cases: [(&[&str], &[&str]); 25] = [
+    let cases: [(&[&str], &[&str]); 26] = [
         (&["--from", "1 [kg]"], &["--from 1 [kg]: kg is not a unit of time", "such as --from 1.5"]),
         (&["--until", "1 [m/s]"], &["--until 1 [m/s]: m/s is not a unit of time"]),
         (&["--from", "-1"], &["--from -1 lies before the first frame", "a film begins at 0 s", "leave --from out"]),
@@ -309,6 +316,7 @@ fn quantities_that_make_no_sense_are_refused() {
         (&["--rate", "inf"], &["--rate inf is not possible"]),
         (&["--rate", "8 [s]"], &["write a number without a unit, such as 8"]),
         (&["--scale", "10,10,110,10=20"], &["the distance 20 has no unit: write two marks and their distance"]),
+        (&["--scale", "10,10,110,10=20,5 [cm]"], &["`20,5` has a comma; write 20.5"]),
         (&["--scale", "10,10,110,10=20 [s]"], &["s is not a unit of length"]),
         (&["--scale", "10,10,110,10=-20 [cm]"], &["greater than zero, not -20 cm"]),
         (&["--scale", "10,10,110,10=inf"], &["inf is not a finite number"]),

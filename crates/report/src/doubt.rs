@@ -1,17 +1,37 @@
-//! A doubt about the numbers of a fit themselves: a best value at an end of the range in which it was searched.
+//! Doubts about the numbers of a fit themselves: a best value at an end of the range in which it was searched, and a curve that
+//! oscillates faster than its record was sampled.
 
 use analysis::fit::{Estimate, Outcome, Task};
 use units::Language;
 use units::number::{plain, with_unit};
 
-/// A sentence for each number that the end of its range has stopped.
-pub fn at_ends(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
-    outcome.stopped().map(|one| at_end(one, task, language)).collect()
+/// A text for each number that the end of its range has stopped, and for each record that is undersampled.
+pub fn doubts(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
+    let at_ends = outcome.stopped().map(|one| at_end(one, task, language));
+    let undersampled = outcome.undersampled.iter().map(|&record| undersampled(record, task, language));
+    at_ends.chain(undersampled).collect()
+}
+
+/// `run 2: `, where there are several.
+fn of_record(record: Option<usize>, task: &Task) -> String {
+    let record = record.and_then(|record| task.records.get(record)).filter(|_| task.records.len() > 1);
+    record.map_or_else(String::new, |record| [&record.name, ": "].concat())
+}
+
+fn undersampled(record: usize, task: &Task, language: Language) -> String {
+    let text = language.pick(
+        "The fitted curve oscillates faster than the sampling can show: it turns more than once between two values. A slower \
+         oscillation can pass through the same values (aliasing). Give the frequency a start value or a range below half the \
+         sampling rate, and fit again.",
+        "La curva ajustada oscila más rápido de lo que el muestreo puede mostrar: cambia de sentido más de una vez entre dos valores. \
+         Una oscilación más lenta puede pasar por los mismos valores (aliasing). Da a la frecuencia un valor inicial o un intervalo por \
+         debajo de la mitad de la frecuencia de muestreo y ajusta de nuevo.",
+    );
+    [&of_record(Some(record), task), text].concat()
 }
 
 fn at_end(one: &Estimate, task: &Task, language: Language) -> String {
-    let record = one.record.and_then(|record| task.records.get(record)).filter(|_| task.records.len() > 1);
-    let record = record.map_or_else(String::new, |record| [&record.name, ": "].concat());
+    let record = of_record(one.record, task);
     let value = with_unit(&plain(one.unit.from_si(one.value), 5, language.style()), &one.unit);
     [
         &record,
@@ -22,7 +42,7 @@ fn at_end(one: &Estimate, task: &Task, language: Language) -> String {
             " is in doubt: it stands at an end of the range in which it was searched, and a better value may lie beyond. It has no \
              standard error, and those of the other parameters take it for exact. Widen its range, or check the theory and the units.",
             " es dudoso: está en un extremo del intervalo en que se buscó, y puede haber un valor mejor más allá. No tiene error estándar, \
-             y los de los demás parámetros lo toman por exacto. Amplíe su intervalo o revise la teoría y las unidades.",
+             y los de los demás parámetros lo toman por exacto. Amplía su intervalo o revisa la teoría y las unidades.",
         ),
     ]
     .concat()

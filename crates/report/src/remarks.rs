@@ -11,7 +11,7 @@ const NAMED: usize = 5;
 
 /// Sentences in English or Spanish, doubts about the numbers first; `independent` is the name and the unit of the independent variable.
 pub fn remarks(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
-    let doubts = doubt::at_ends(outcome, task, language);
+    let doubts = doubt::doubts(outcome, task, language);
     doubts.into_iter().chain(beside(outcome, task, independent, language)).collect()
 }
 

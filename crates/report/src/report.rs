@@ -39,7 +39,7 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// Doubts about the numbers.
     pub(crate) fn doubts(&self) -> Vec<String> {
-        doubt::at_ends(self.outcome, self.task, self.language)
+        doubt::doubts(self.outcome, self.task, self.language)
     }
 
     /// What has to be known beside the numbers, without the doubts.

@@ -218,6 +218,26 @@ fn a_number_at_an_end_of_its_range_is_in_doubt() {
     assert!(!texts(&html(&fit("linear", "swing.txt").report("en"))).contains("is in doubt"));
 }
 
+/// Five values a second show 10 rad/s, three do not.
+#[test]
+fn an_alias_is_in_doubt() {
+    let (times, values) = level();
+    let doubted = |every: usize, language: &str| {
+        let (times, values): (Vec<f64>, Vec<f64>) =
+            times.iter().copied().zip(values.iter().copied()).step_by(every).unzip();
+        let mut document = theory("linear");
+        let record = record(&mut document, "swing.txt", &times, &values);
+        let fit = fitted("linear", document, vec![record], |_| ());
+        let page = texts(&html(&fit.report(language)));
+        let start = match language {
+            "en" => "The fitted curve oscillates faster than the sampling can show",
+            _ => "La curva ajustada oscila más rápido de lo que el muestreo puede mostrar",
+        };
+        page.matches(start).count()
+    };
+    assert_eq!([doubted(10, "en"), doubted(10, "es"), doubted(6, "en")], [1, 1, 0]);
+}
+
 /// Two records, one of them with its velocity: columns and headings tell them apart.
 #[test]
 fn several_records_stand_side_by_side() {

@@ -35,6 +35,7 @@ mod student;
 mod symmetry;
 mod task;
 mod trace;
+mod undersampled;
 mod verdict;
 mod weights;
 mod window;

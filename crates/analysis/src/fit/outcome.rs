@@ -14,6 +14,7 @@ use super::problem::Problem;
 use super::robust::{self, Reweighted, Reweighting};
 use super::search::Search;
 use super::statistics::RunsTest;
+use super::undersampled::undersampled;
 use std::sync::Arc;
 use units::Unit;
 
@@ -78,6 +79,8 @@ pub struct Outcome {
     pub correlation: Vec<f64>,
     /// What the data cannot determine.
     pub undetermined: Vec<Undetermined>,
+    /// The records whose fitted curve oscillates faster than their samples can show, of a finished fit.
+    pub undersampled: Vec<usize>,
     /// What a robust loss has changed; `None` for least squares.
     pub reweighted: Option<Reweighted>,
     /// By record and observation.
@@ -172,6 +175,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
         wanders: covariance.wanders(),
         correlation: estimate::correlation(&covariance.textbook, best.x.len(), parameters.len()),
         undetermined: undetermined(&covariance.flat, &names, &best.x),
+        undersampled: if course.finished { undersampled(problem, best) } else { Vec::new() },
         settings: (0..problem.task.records.len()).map(|record| problem.parameters(record, &best.x)).collect(),
         origins: origins(problem, best),
         parameters,

@@ -30,15 +30,7 @@ pub(super) fn traces(problem: &mut Problem, best: &Search, covariance: &Covarian
         let steps = count.max(2) - 1;
         let times: Vec<f64> = (0..=steps).map(|step| first + (last - first) * (step as f64 / steps as f64)).collect();
         for observation in 0..plan.expressions.len() {
-            // Beside a measured 0, the residual is the model's value.
-            let point =
-                |row| Point { row, observation, value: 0.0, weight: 1.0, trust: 1.0, share: 1.0, measured: true };
-            let points = (0..times.len()).map(point).collect();
-            let plan =
-                Plan { times: times.clone(), points, expressions: plan.expressions.clone(), origin: plan.origin };
-            let mut values = vec![f64::NAN; times.len()];
-            let mut slopes = Jacobian::new(times.len(), best.x.len());
-            problem.record_residuals(record, &plan, &best.x, 0, &mut values, &mut slopes);
+            let (values, slopes) = values_at(problem, (record, plan), observation, &best.x, &times);
             let error = |row| {
                 let gradient: Vec<f64> = (0..best.x.len()).map(|column| slopes.column(column)[row]).collect();
                 covariance.robust(&gradient).sqrt()
@@ -48,4 +40,22 @@ pub(super) fn traces(problem: &mut Problem, best: &Search, covariance: &Covarian
         }
     }
     traces
+}
+
+/// The model's values of an observation at any ascending `times`, NaN where it has none, with their derivatives by the numbers `x`.
+pub(super) fn values_at(
+    problem: &mut Problem,
+    (record, plan): (usize, &Plan),
+    observation: usize,
+    x: &[f64],
+    times: &[f64],
+) -> (Vec<f64>, Jacobian) {
+    // Beside a measured 0, the residual is the model's value.
+    let point = |row| Point { row, observation, value: 0.0, weight: 1.0, trust: 1.0, share: 1.0, measured: true };
+    let points = (0..times.len()).map(point).collect();
+    let plan = Plan { times: times.to_vec(), points, expressions: plan.expressions.clone(), origin: plan.origin };
+    let mut values = vec![f64::NAN; times.len()];
+    let mut slopes = Jacobian::new(times.len(), x.len());
+    problem.record_residuals(record, &plan, x, 0, &mut values, &mut slopes);
+    (values, slopes)
 }

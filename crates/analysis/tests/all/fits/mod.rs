@@ -8,4 +8,5 @@ mod nist;
 mod parts;
 mod robust;
 mod scale;
+mod undersampled;
 mod utube;

@@ -1,15 +1,18 @@
-//! Doubts about the numbers of a fit themselves: a best value at an end of the range in which it was searched, and a curve that
-//! oscillates faster than its record was sampled.
+//! Doubts about the numbers of a fit themselves: values far from all others that have decided it, a best value at an end of the
+//! range in which it was searched, and a curve that oscillates faster than its record was sampled.
 
+use crate::outliers::outliers;
 use analysis::fit::{Estimate, Outcome, Task};
-use units::Language;
 use units::number::{plain, with_unit};
+use units::{Language, Unit};
 
-/// A text for each number that the end of its range has stopped, and for each record that is undersampled.
-pub fn doubts(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
+/// A text of the values far from all others, for each number that the end of its range has stopped, and for each record that is
+/// undersampled; `independent` is the name and the unit of the independent variable.
+pub fn doubts(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
+    let misled = outliers(outcome, task, independent, language).filter(|_| outcome.misled);
     let at_ends = outcome.stopped().map(|one| at_end(one, task, language));
     let undersampled = outcome.undersampled.iter().map(|&record| undersampled(record, task, language));
-    at_ends.chain(undersampled).collect()
+    misled.into_iter().chain(at_ends).chain(undersampled).collect()
 }
 
 /// `run 2: `, where there are several.

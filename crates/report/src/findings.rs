@@ -60,6 +60,7 @@ pub fn warnings(page: &mut Page, report: &Report<'_>) {
             "La búsqueda no llegó a su fin: estos números son los mejores encontrados, no un resultado.",
         )));
     }
+    sentences.extend(report.doubts().iter().map(|text| escaped(text)));
     sentences.extend(outcome.undetermined.iter().map(|one| escaped(&one.text(language))));
     let quantity = |one: &Estimate, si: f64| {
         [&plain(one.unit.from_si(si), 5, language.style()), " ", &unit_text(&one.unit.text)]
@@ -68,7 +69,6 @@ pub fn warnings(page: &mut Page, report: &Report<'_>) {
             .to_owned()
     };
     sentences.extend(outcome.rival_text(language, quantity).map(|text| escaped(&text)));
-    sentences.extend(report.doubts().iter().map(|text| escaped(text)));
     if sentences.is_empty() {
         return;
     }

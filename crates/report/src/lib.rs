@@ -9,6 +9,7 @@ mod export;
 mod film;
 mod findings;
 mod markup;
+mod outliers;
 mod page;
 mod png;
 mod ranking;

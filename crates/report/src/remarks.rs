@@ -2,22 +2,21 @@
 //! correlation.
 
 use crate::doubt;
-use analysis::fit::{Estimate, FilmScale, Loss, Outcome, Outlier, Task};
-use units::number::{Group, fixed, plain, with_unit};
+use crate::outliers::{outliers, sigmas};
+use analysis::fit::{Estimate, FilmScale, Loss, Outcome, Task};
+use units::number::{Group, fixed, plain};
 use units::{Language, Unit};
-
-/// No more outliers than this are named one by one, those farthest off.
-const NAMED: usize = 5;
 
 /// Sentences in English or Spanish, doubts about the numbers first; `independent` is the name and the unit of the independent variable.
 pub fn remarks(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
-    let doubts = doubt::doubts(outcome, task, language);
+    let doubts = doubt::doubts(outcome, task, independent, language);
     doubts.into_iter().chain(beside(outcome, task, independent, language)).collect()
 }
 
 /// The same without doubts about the numbers.
 pub fn beside(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
-    let sentences = [loss(outcome, language), outliers(outcome, task, independent, language), short(outcome, language)];
+    let outliers = outliers(outcome, task, independent, language).filter(|_| !outcome.misled);
+    let sentences = [loss(outcome, language), outliers, short(outcome, language)];
     scales(outcome, task, language).into_iter().chain(sentences.into_iter().flatten()).collect()
 }
 
@@ -48,37 +47,40 @@ fn scales(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
 fn loss(outcome: &Outcome, language: Language) -> Option<String> {
     let robust = outcome.reweighted.as_ref()?;
     let style = language.style();
-    let of_normal = match robust.loss {
-        Loss::Squares | Loss::Tukey => "",
-        Loss::Huber => language.pick(" (of normal residuals, 18 % would)", " (con residuos normales sería el 18 %)"),
-    };
-    let mut text = [
-        language.pick("Fitted with ", "Ajustado con "),
-        robust.loss.name(language),
-        ": ",
-        &robust.less.to_string(),
-        language.pick(" of ", " de "),
-        &robust.count.to_string(),
-        language.pick(" values count less", " valores cuentan menos"),
-        of_normal,
-        ", ",
-        &robust.half.to_string(),
-        language.pick(" less than half.", " menos de la mitad."),
-    ]
-    .concat();
+    let mut text = [language.pick("Fitted with ", "Ajustado con "), robust.loss.name(language), ": "].concat();
+    let [less, half, count] = [robust.less, robust.half, robust.count].map(|count| count.to_string());
+    let of_all = [language.pick::<&str>(" of ", " de "), &count, language.pick(" values", " valores")].concat();
+    match robust.loss {
+        // With Tukey's loss all values count less.
+        Loss::Squares | Loss::Tukey => text.extend([
+            language.pick::<&str>("the weight is below one half for ", "el peso es menor que la mitad para "),
+            &half,
+            &of_all,
+            ".",
+        ]),
+        Loss::Huber => text.extend([
+            language.pick::<&str>("the weight is reduced for ", "el peso es menor para "),
+            &less,
+            &of_all,
+            language.pick(
+                " (of normal residuals, for 18 %), and below one half for ",
+                " (con residuos normales, para el 18 %) y menor que la mitad para ",
+            ),
+            &half,
+            ".",
+        ]),
+    }
     let change = |(one, least): (&Estimate, &f64)| {
         let error = one.stderr_hac.filter(|error| *error > 0.0)?;
         Some((one.name.clone(), (one.value - least) / error))
     };
     let changes = outcome.parameters.iter().zip(&robust.least_squares).filter_map(change);
     if let Some((name, most)) = changes.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs())) {
-        let sign = if most < 0.0 { "−" } else { "+" };
         text.extend([
             language.pick(" Against least squares ", " Frente a los mínimos cuadrados, "),
             &name,
             language.pick(" changes most, by ", " es lo que más cambia, en "),
-            sign,
-            &fixed(most.abs(), 1, style),
+            &sigmas(most, style),
             language.pick(" standard errors.", " errores estándar."),
         ]);
     }
@@ -87,60 +89,6 @@ fn loss(outcome: &Outcome, language: Language) -> Option<String> {
         " El residuo RMS es el de todos los valores; R² y χ² no proceden.",
     ));
     Some(text)
-}
-
-/// `y = 3.2 cm at t = 1.4 s (+21 standard deviations from the others)`
-fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Option<String> {
-    let mut farthest: Vec<&Outlier> = outcome.outliers.iter().collect();
-    farthest.sort_by(|one, other| other.sigmas.abs().total_cmp(&one.sigmas.abs()));
-    let style = language.style();
-    let quantity = |name: &str, si: f64, shown: &Unit| {
-        let number = plain(shown.from_si(si), 5, style);
-        [name, " = ", &with_unit(&number, shown)].concat()
-    };
-    let named = |one: &&Outlier| {
-        let fit = outcome.outlying(one)?;
-        let value = quantity(&fit.name, *fit.measured.get(one.row)?, &fit.unit);
-        let time = quantity(independent.0, *fit.times.get(one.row)?, independent.1);
-        let record = task.records.get(one.record).filter(|_| task.records.len() > 1);
-        let record = record.map_or_else(String::new, |record| [&record.name, ": "].concat());
-        let sign = if one.sigmas > 0.0 { "+" } else { "−" };
-        let sigmas = fixed(one.sigmas.abs(), if one.sigmas.abs() < 10.0 { 1 } else { 0 }, style);
-        Some([&record, &value, language.pick::<&str>(" at ", " en "), &time, " (", sign, &sigmas, " σ)"].concat())
-    };
-    let mut list: Vec<String> = farthest.iter().take(NAMED).filter_map(named).collect();
-    if list.is_empty() {
-        return None;
-    }
-    let more = farthest.len().saturating_sub(NAMED);
-    if more > 0 {
-        list.push([&more.to_string(), language.pick::<&str>(" more", " más")].concat());
-    }
-    let squares = outcome.reweighted.is_none();
-    let (head, advice) = if farthest.len() == 1 {
-        (
-            language.pick("One value is an outlier: ", "Un valor es atípico: "),
-            language.pick(
-                "; σ is the scatter of the others. Check it, or fit with a robust loss.",
-                "; σ es la dispersión de los demás. Revíselo o ajuste con una pérdida robusta.",
-            ),
-        )
-    } else {
-        (
-            language.pick(" values are outliers: ", " valores son atípicos: "),
-            language.pick(
-                "; σ is the scatter of the others. Check them, or fit with a robust loss.",
-                "; σ es la dispersión de los demás. Revíselos o ajuste con una pérdida robusta.",
-            ),
-        )
-    };
-    let count = if farthest.len() == 1 { String::new() } else { farthest.len().to_string() };
-    let advice = if squares {
-        advice
-    } else {
-        language.pick("; σ is the scatter of the others.", "; σ es la dispersión de los demás.")
-    };
-    Some([&count, head, &language.join(&list), advice].concat())
 }
 
 /// That standard errors are uncertain themselves.

@@ -4,7 +4,7 @@ use crate::film::Film;
 use crate::{doubt, remarks};
 use analysis::fit::{Interval, Outcome, Task, Trace};
 use document::Document;
-use units::Language;
+use units::{Language, Unit};
 
 /// A finished fit and where it comes from.
 #[derive(Clone, Copy, Debug)]
@@ -39,12 +39,17 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// Doubts about the numbers.
     pub(crate) fn doubts(&self) -> Vec<String> {
-        doubt::doubts(self.outcome, self.task, self.language)
+        doubt::doubts(self.outcome, self.task, self.independent(), self.language)
     }
 
     /// What has to be known beside the numbers, without the doubts.
     pub(crate) fn remarks(&self) -> Vec<String> {
+        remarks::beside(self.outcome, self.task, self.independent(), self.language)
+    }
+
+    /// The name and the unit of the independent variable.
+    fn independent(&self) -> (&str, &Unit) {
         let independent = &self.document.program.model.independent;
-        remarks::beside(self.outcome, self.task, (&independent.name, &independent.unit), self.language)
+        (&independent.name, &independent.unit)
     }
 }

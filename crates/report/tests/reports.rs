@@ -3,7 +3,7 @@
 
 mod support;
 
-use analysis::fit::{Target, Varied};
+use analysis::fit::{Loss, Target, Varied};
 use calamine::{Data, Reader};
 use report::{Ranking, csv, figure, html, ranking_csv, ranking_html, ranking_workbook, workbook};
 use support::{Fitted, fitted, level, observed, record, theory};
@@ -236,6 +236,31 @@ fn an_alias_is_in_doubt() {
         page.matches(start).count()
     };
     assert_eq!([doubted(10, "en"), doubted(10, "es"), doubted(6, "en")], [1, 1, 0]);
+}
+
+/// The value that has decided the fit is named before all else, and not the good ones beside it.
+#[test]
+fn a_value_far_from_all_others_is_named() {
+    let (times, mut values) = level();
+    values[80] = 9999.0;
+    let page = |loss: Loss, language: &str| {
+        let mut document = theory("linear");
+        let record = record(&mut document, "swing.txt", &times, &values);
+        let fit = fitted("linear", document, vec![record], |task| task.loss = loss);
+        texts(&html(&fit.report(language)))
+    };
+    for (language, expected) in [
+        ("en", "One value lies far from all others: y = 9999 m at t = 2.6667 s. It has decided the fit"),
+        ("es", "Un valor está muy lejos de todos los demás: y = 9999 m en t = 2,6667 s. Ha decidido el ajuste"),
+    ] {
+        let page = page(Loss::Squares, language);
+        assert_eq!(page.matches(expected).count(), 1, "{page}");
+        assert!(!page.contains("are outliers") && !page.contains("son atípicos"), "{page}");
+    }
+    let robust = page(Loss::Tukey, "en");
+    assert!(robust.contains("the weight is below one half for 3 of 240 values"), "{robust}");
+    assert!(robust.contains("One value is an outlier: y = 9999 m at t = 2.6667 s (+"), "{robust}");
+    assert!(!robust.contains("Another minimum"), "{robust}");
 }
 
 /// Two records, one of them with its velocity: columns and headings tell them apart.

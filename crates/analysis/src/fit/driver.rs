@@ -2,6 +2,7 @@
 
 use super::covariance::Covariance;
 use super::elsewhere::Elsewhere;
+use super::loss::Loss;
 use super::outcome::{self, Course, Outcome};
 use super::problem::Problem;
 use super::refine::Refinement;
@@ -193,7 +194,9 @@ impl Fit {
             self.course.starts += 1;
             self.current = Some(Current::whole(&self.problem, search));
         } else {
-            self.course.rival = best.and_then(|best| self.elsewhere.rival(&self.problem, best));
+            // A robust loss weighs sums of squares in another way.
+            let plain = best.filter(|_| self.problem.task.loss == Loss::Squares);
+            self.course.rival = plain.and_then(|best| self.elsewhere.rival(&self.problem, best));
             self.conclude();
         }
     }

@@ -1,10 +1,11 @@
 //! What the residuals of a fit are like: which values are off the others, and how those others follow each other. One value
 //! that is off decides nothing here: it is named, and left out.
 
+use super::apart::{Fitted, apart};
 use super::covariance::series;
 use super::linear::norm;
 use super::observed::ObservationFit;
-use super::outliers::Judged;
+use super::outliers::{Judged, Off};
 use super::plan::Plan;
 use super::problem::Problem;
 use super::statistics::{self, RunsTest};
@@ -19,7 +20,8 @@ pub struct Outlier {
     pub observation: usize,
     /// The row in the columns of its [`ObservationFit`].
     pub row: usize,
-    /// Its distance, measured minus what the others let expect, in standard deviations of these.
+    /// Its distance, measured minus what the others let expect, in standard deviations of these. Of a fit that is
+    /// [`super::Outcome::misled`], the others let expect their median.
     pub sigmas: f64,
 }
 
@@ -27,6 +29,8 @@ pub struct Outlier {
 pub(super) struct Judgement {
     /// The values off the others, in the order of records, observations and rows.
     pub outliers: Vec<Outlier>,
+    /// See [`super::Outcome::misled`].
+    pub misled: bool,
     /// How many values are judged.
     pub count: usize,
     /// Durbin and Watson's statistic.
@@ -56,7 +60,16 @@ impl Judgement {
             EXACT * spread[record][point.observation] * heaviest
         };
         let floors: Vec<f64> = series.iter().map(floor).collect();
-        let off = Judged { series: &series, basis, floors: &floors }.outliers(&mut residuals);
+        let fitted = |&place: &usize| {
+            let (_, point) = points[place];
+            Fitted { place, value: point.weight * point.value, residual: residuals[place] }
+        };
+        let far = |places: &Vec<usize>| apart(&mut places.iter().map(fitted).collect::<Vec<_>>());
+        let mut off: Vec<Off> = series.iter().flat_map(far).collect();
+        let misled = !off.is_empty();
+        if !misled {
+            off = Judged { series: &series, basis, floors: &floors }.outliers(&mut residuals);
+        }
         let kept: Vec<Vec<f64>> = series
             .iter()
             .map(|places| {
@@ -69,7 +82,7 @@ impl Judgement {
             })
             .collect();
         let kept: Vec<&[f64]> = kept.iter().map(Vec::as_slice).collect();
-        let outlier = |off: super::outliers::Off| {
+        let outlier = |off: Off| {
             let (record, point) = points[off.place];
             let observation = point.observation;
             let fit = observations.iter().find(|one| one.record == record && one.observation == observation)?;
@@ -80,6 +93,7 @@ impl Judgement {
         };
         Self {
             outliers: off.into_iter().filter_map(outlier).collect(),
+            misled,
             count: kept.iter().map(|series| series.len()).sum(),
             durbin_watson: statistics::durbin_watson(&kept),
             autocorrelation: statistics::autocorrelation(&kept),

@@ -1,6 +1,7 @@
 //! Fits a model to measured data: a [`Task`] says what is measured and what may vary, [`Fit`] works on it in slices, and
 //! [`Outcome`] is what is known in the end. All numbers are SI; names and units are the model's.
 
+mod apart;
 mod autoregression;
 mod bind;
 mod check;

@@ -56,6 +56,9 @@ pub struct Outcome {
     pub bic: f64,
     /// Values far beyond the scatter of the others.
     pub outliers: Vec<Outlier>,
+    /// Whether the outliers lie so far from all other values that the curve has followed them and does not describe the others. No
+    /// others are then called outliers.
+    pub misled: bool,
     /// How many values the next three judge: those of all observations that were measured, without outliers.
     pub judged: usize,
     /// Durbin and Watson's statistic of their residuals, each observation in units of its own scatter.
@@ -167,6 +170,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
         aicc,
         bic,
         outliers: judgement.outliers,
+        misled: judgement.misled,
         judged: judgement.count,
         durbin_watson: judgement.durbin_watson,
         autocorrelation: judgement.autocorrelation,

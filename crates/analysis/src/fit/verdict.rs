@@ -12,6 +12,8 @@ const FEW: f64 = 15.0;
 pub enum Verdict {
     /// Nothing is left over but rounding.
     Exact,
+    /// Values far from all others have decided the fit.
+    Misled,
     /// Residuals look random and, where errors were given, have their size.
     Compatible,
     /// Residuals look random but are larger than the given errors.
@@ -53,6 +55,9 @@ impl Outcome {
     pub fn verdict(&self) -> Verdict {
         if self.exact {
             return Verdict::Exact;
+        }
+        if self.misled {
+            return Verdict::Misled;
         }
         let known = self.judged >= LEAST;
         let correlation = BY_CHANCE / (self.judged as f64).sqrt();

@@ -19,6 +19,12 @@ impl Outcome {
                 "El ajuste es exacto: los residuos son menores que una milmillonésima parte de la dispersión de los valores. El \
                  AICc y el BIC son los de residuos de ese tamaño."
             }
+            (Verdict::Misled, English) => {
+                "The residuals do not judge the model: values far from all others have decided the fit."
+            }
+            (Verdict::Misled, Spanish) => {
+                "Los residuos no juzgan el modelo: unos valores muy alejados de todos los demás han decidido el ajuste."
+            }
             (Verdict::Compatible, English) => "The residuals look random: the model is compatible with the data.",
             (Verdict::Compatible, Spanish) => "Los residuos parecen aleatorios: el modelo es compatible con los datos.",
             (Verdict::TooLarge, English) => {
@@ -40,7 +46,7 @@ impl Outcome {
                  allow for it."
             }
             (Verdict::Structured, Spanish) => {
-                "Los residuos están autocorrelacionados: al modelo, o a la medición, le falta algo. Use los errores estándar que \
+                "Los residuos están autocorrelacionados: al modelo, o a la medición, le falta algo. Usa los errores estándar que \
                  lo tienen en cuenta."
             }
             (Verdict::Alternating, English) => {
@@ -141,13 +147,13 @@ impl Undetermined {
                 format!("The data determine only {combination}, not {names} each by itself; fix one of them.")
             }
             (Some(combination), _, Spanish) => {
-                format!("Los datos solo determinan {combination}, no {names} por separado; fije uno de ellos.")
+                format!("Los datos solo determinan {combination}, no {names} por separado; fija uno de ellos.")
             }
             (None, _, English) => {
                 format!("The data determine only combinations of {names}, not each by itself; fix some of them.")
             }
             (None, _, Spanish) => {
-                format!("Los datos solo determinan combinaciones de {names}, no cada uno por separado; fije alguno.")
+                format!("Los datos solo determinan combinaciones de {names}, no cada uno por separado; fija alguno.")
             }
         }
     }

@@ -64,7 +64,7 @@ pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
     text.push('\n');
     text.push_str(&quality(outcome, fitted));
     let _ = writeln!(text, "\n{}", outcome.verdict_text(Language::English));
-    for sentence in searches(outcome).into_iter().chain(fitted.remarks()) {
+    for sentence in fitted.remarks().into_iter().chain(searches(outcome)) {
         let _ = writeln!(text, "{sentence}");
     }
     let derived: Vec<&str> =

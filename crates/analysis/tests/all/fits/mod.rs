@@ -8,5 +8,6 @@ mod nist;
 mod parts;
 mod robust;
 mod scale;
+mod sentinels;
 mod undersampled;
 mod utube;

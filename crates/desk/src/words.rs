@@ -111,11 +111,6 @@ pub(crate) fn undetermined(language: Language) -> &'static str {
     language.pick("not determined by the data", "los datos no lo determinan")
 }
 
-/// Of a number that the end of its range has stopped.
-pub(crate) fn at_bound(language: Language) -> &'static str {
-    language.pick("at the end of its range", "en el extremo de su intervalo")
-}
-
 /// The truth behind a virtual measurement, and how many standard errors the answer is off.
 pub(crate) fn truth_is(language: Language, truth: &str, off: Option<&str>) -> String {
     let off = off.map(|off| language.pick(format!("; off by {off} σ"), format!("; desviación de {off} σ")));

@@ -125,10 +125,9 @@ fn row(page: &mut Page, report: &Report<'_>, estimate: &Estimate, interval: Opti
     };
     let value = if !estimate.determined {
         ["#<small>", language.pick("not determined", "no determinado"), "</small>"].concat()
-    } else if estimate.at_bound {
+    } else if let Some(stopped) = estimate.stopped_text(language) {
         let value = plain(estimate.unit.from_si(estimate.value), 6, style);
-        ["#", &escaped(&value), " <small>", language.pick("end of its range", "fin de su intervalo"), "</small>"]
-            .concat()
+        ["#", &escaped(&value), " <small>", stopped, "</small>"].concat()
     } else {
         ["#<b>", &escaped(&quoted(estimate, style)), "</b>"].concat()
     };

@@ -26,7 +26,8 @@ pub struct Estimate {
     pub value: f64,
     /// Whether the data determine it.
     pub determined: bool,
-    /// Whether it was stopped by the end of its range, so that it has no uncertainty.
+    /// Whether it was stopped by the end of its range, so that it has no standard error; of a quantity that follows from others,
+    /// whether all those were.
     pub at_bound: bool,
     /// The standard error for independent residuals.
     pub stderr: Option<f64>,
@@ -137,7 +138,9 @@ pub(super) fn estimates(problem: &Problem, best: &Search, covariance: &Covarianc
             let determined = values[place].is_finite()
                 && gradient.iter().all(|value| value.is_finite())
                 && covariance.determines(&gradient);
-            let certain = determined && covariance.dof > 0.0;
+            let (stopped, free): (Vec<usize>, Vec<usize>) =
+                (0..size).filter(|&number| gradient[number] != 0.0).partition(|&number| best.at_bound(number));
+            let certain = determined && !free.is_empty() && covariance.dof > 0.0;
             let Uncertainty { stderr, stderr_hac, freedom } = Uncertainty::along(&gradient, covariance, certain);
             derived.push(Estimate {
                 name: quantity.name.clone(),
@@ -147,7 +150,7 @@ pub(super) fn estimates(problem: &Problem, best: &Search, covariance: &Covarianc
                 record: own_values.then_some(record),
                 value: values[place],
                 determined,
-                at_bound: false,
+                at_bound: free.is_empty() && !stopped.is_empty(),
                 stderr,
                 stderr_hac,
                 freedom,

@@ -136,6 +136,18 @@ impl Outcome {
     }
 }
 
+impl Estimate {
+    /// Why it has no standard error, where the end of a range has stopped it or all that it follows from.
+    pub fn stopped_text(&self, language: Language) -> Option<&'static str> {
+        self.at_bound.then_some(match (self.target, language) {
+            (Some(_), English) => "at the end of its range",
+            (Some(_), Spanish) => "en el extremo de su intervalo",
+            (None, English) => "no error: its parameter is at the end of the range",
+            (None, Spanish) => "sin error: su parámetro está en el extremo del intervalo",
+        })
+    }
+}
+
 impl Undetermined {
     /// What cannot be determined, in a sentence.
     pub fn text(&self, language: Language) -> String {

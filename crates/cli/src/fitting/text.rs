@@ -113,8 +113,8 @@ fn estimates(estimates: &[Estimate], intervals: &[Option<[Interval; 2]>], fitted
         let value = one.unit.from_si(one.value);
         let error = one.stderr_hac.map(|error| one.unit.from_si(error));
         let shown = if one.determined { concise(value, error, Style::POINT) } else { "not determined".to_owned() };
-        let remark = match (one.at_bound, one.stderr) {
-            (true, _) => "at the end of its range".to_owned(),
+        let remark = match (one.stopped_text(Language::English), one.stderr) {
+            (Some(stopped), _) => stopped.to_owned(),
             (_, Some(error)) => format!("±{}", number::plain(one.unit.from_si(error), 2, Style::POINT)),
             _ => String::new(),
         };

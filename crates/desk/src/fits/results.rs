@@ -262,8 +262,8 @@ impl Desk {
         let error = error(one);
         let remark = if !one.determined {
             words::undetermined(self.play.language()).to_owned()
-        } else if one.at_bound {
-            words::at_bound(self.play.language()).to_owned()
+        } else if let Some(stopped) = one.stopped_text(self.play.language()) {
+            stopped.to_owned()
         } else if let Some(value) = self.truth(fit, one) {
             let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
             let truth = self.play.quantity_text(value, group.unit());

@@ -6,6 +6,7 @@ use analysis::fit::{Fit, Outcome, Record, Undetermined, Varied, Verdict};
 use analysis::virtual_record::tracked_velocities;
 use engine::Method;
 use program::Model;
+use units::Language;
 
 fn frames(rate: f64, count: u32) -> Vec<f64> {
     (0..count).map(|row| f64::from(row) / rate).collect()
@@ -291,13 +292,20 @@ fn the_rest_of_a_record_is_predicted() {
 
 #[test]
 fn what_is_stopped_by_its_range_has_no_error() {
-    let line = model("parameter a = 1 [m]\nparameter s = 0 [m/s] in -1..0.2\ny = a + s*t");
+    let line =
+        model("parameter a = 1 [m]\nparameter s = 0 [m/s] in -1..0.2\nslope = 2*s\nlater = a + s*5 [s]\ny = a + s*t");
     let times = frames(10.0, 50);
     let values = noisy(&times, 0.01, 10, |t| 2.0 + 0.3 * t);
     let observed = || record(vec![observation(&line, "y", 0, &times, &values)]);
     let outcome = fitted(&line, task(&line, observed(), &["a", "s"]));
     let stopped = outcome.estimate("s").unwrap();
     assert!(stopped.at_bound && stopped.value == 0.2 && stopped.stderr.is_none());
+    // Nor has what follows from it alone.
+    let slope = outcome.estimate("slope").unwrap();
+    assert_eq!((slope.value, slope.stderr, slope.stderr_hac, slope.at_bound), (0.4, None, None, true));
+    assert_eq!(slope.stopped_text(Language::English), Some("no error: its parameter is at the end of the range"));
+    let (later, a) = (outcome.estimate("later").unwrap(), outcome.estimate("a").unwrap());
+    assert!(later.stderr == a.stderr && !later.at_bound && later.stopped_text(Language::English).is_none());
     let mut held = task(&line, observed(), &["a"]);
     held.parameters[parameter(&line, "s")] = 0.2;
     let held = fitted(&line, held);

@@ -2,8 +2,8 @@
 //! range in which it was searched, and a curve that oscillates faster than its record was sampled.
 
 use crate::outliers::outliers;
+use crate::written::quantity;
 use analysis::fit::{Estimate, Outcome, Task};
-use units::number::{plain, with_unit};
 use units::{Language, Unit};
 
 /// A text of the values far from all others, for each number that the end of its range has stopped, and for each record that is
@@ -35,7 +35,7 @@ fn undersampled(record: usize, task: &Task, language: Language) -> String {
 
 fn at_end(one: &Estimate, task: &Task, language: Language) -> String {
     let record = of_record(one.record, task);
-    let value = with_unit(&plain(one.unit.from_si(one.value), 5, language.style()), &one.unit);
+    let value = quantity(one.value, &one.unit, language.style());
     [
         &record,
         &one.name,

@@ -190,7 +190,7 @@ fn place(out: &mut String, figure: &Figure, x: f64, y: f64) {
 }
 
 /// The greatest residual, SI.
-fn greatest(fit: &ObservationFit) -> f64 {
+pub fn greatest(fit: &ObservationFit) -> f64 {
     greatest_where(fit, |_| true)
 }
 

@@ -1,10 +1,11 @@
 //! The same as numbers: a workbook and CSV.
 
 use crate::Report;
-use crate::results::{label, quoted, size};
+use crate::results::{label, quoted, readable_units, size};
 use analysis::csv::{self, Dialect};
 use analysis::fit::{Estimate, ObservationFit};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
+use units::number::with_unit;
 
 /// What was measured, fitted and left over, row by row, as CSV: of each observation the time, the measured value, the
 /// fitted one, the residual, and 1 where the value was fitted. `decimal_comma` is for a spreadsheet that expects one.
@@ -124,7 +125,8 @@ pub fn results(report: &Report<'_>) -> Sheet {
         .map(Cell::from)
         .to_vec(),
     ];
-    rows.extend(outcome.parameters.iter().chain(&outcome.derived).map(|estimate| result(report, estimate)));
+    let estimates = [readable_units(&outcome.parameters), readable_units(&outcome.derived)].concat();
+    rows.extend(estimates.iter().map(|estimate| result(report, estimate)));
     rows.push(Vec::new());
     let unit = outcome.rmse_unit.text.clone();
     let mut say = |name: &str, value: Option<f64>, unit: &str| {
@@ -176,7 +178,7 @@ fn result(report: &Report<'_>, estimate: &Estimate) -> Vec<Cell> {
         error(estimate.stderr_hac),
         error(estimate.stderr),
         estimate.unit.text.as_str().into(),
-        quoted(estimate, language.style()).into(),
+        with_unit(&quoted(estimate, language.style()), &estimate.unit).into(),
     ]
 }
 

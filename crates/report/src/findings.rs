@@ -2,8 +2,10 @@
 
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
+use crate::written;
 use analysis::fit::{Estimate, ObservationFit, Outcome, Verdict};
-use units::number::{Group, Style, fixed, near_one, plain, unit_text};
+use units::Unit;
+use units::number::{Group, Style, fixed, near_one, plain};
 
 /// The numbers at the head of a report.
 pub fn numbers(page: &mut Page, report: &Report<'_>) {
@@ -39,14 +41,16 @@ pub fn rmse(outcome: &Outcome, style: Style) -> String {
 }
 
 /// A difference of SI size with three digits and a unit that suits it.
-pub fn with_unit(si: f64, shown: &units::Unit, style: Style) -> String {
+pub fn with_unit(si: f64, shown: &Unit, style: Style) -> String {
     Group::of_residuals(shown, &[si], 3, style).quantity(si).replace(' ', "\u{a0}")
 }
 
-/// Whether the verdict is a warning.
+/// Whether the verdict is a warning, or the numbers are in doubt.
 pub fn warns(outcome: &Outcome) -> bool {
-    !matches!(outcome.verdict(), Verdict::Exact | Verdict::Compatible | Verdict::Unknown)
+    !matches!(outcome.verdict(), Verdict::Exact | Verdict::Compatible)
         || !outcome.outliers.is_empty()
+        || outcome.stopped().next().is_some()
+        || !outcome.undersampled.is_empty()
 }
 
 /// What cannot be determined, what was stopped, and whether the search came to its end.
@@ -62,12 +66,7 @@ pub fn warnings(page: &mut Page, report: &Report<'_>) {
     }
     sentences.extend(report.doubts().iter().map(|text| escaped(text)));
     sentences.extend(outcome.undetermined.iter().map(|one| escaped(&one.text(language))));
-    let quantity = |one: &Estimate, si: f64| {
-        [&plain(one.unit.from_si(si), 5, language.style()), " ", &unit_text(&one.unit.text)]
-            .concat()
-            .trim_end()
-            .to_owned()
-    };
+    let quantity = |one: &Estimate, si: f64| written::quantity(si, &one.unit, language.style());
     sentences.extend(outcome.rival_text(language, quantity).map(|text| escaped(&text)));
     if sentences.is_empty() {
         return;
@@ -175,7 +174,7 @@ fn by_observation(page: &mut Page, report: &Report<'_>) {
             escaped(record(report, fit)),
             observed,
             cell(&used.to_string()),
-            cell(&with_unit(fit.rmse, &fit.unit, style)),
+            cell(&written::sizes(report.outcome, &fit.name, style).quantity(fit.rmse)),
             cell(&near_one(fit.r2, style)),
         ];
         page.row(&cells.each_ref().map(String::as_str));
@@ -221,8 +220,8 @@ pub fn prediction(page: &mut Page, report: &Report<'_>) {
             escaped(record(report, fit)),
             symbol(&fit.name),
             cell(&outside.n.to_string()),
-            cell(&with_unit(outside.rmse, &fit.unit, style)),
-            cell(&with_unit(fit.rmse, &fit.unit, style)),
+            cell(&written::sizes(report.outcome, &fit.name, style).quantity(outside.rmse)),
+            cell(&written::sizes(report.outcome, &fit.name, style).quantity(fit.rmse)),
             cell(&fixed(outside.rmse / fit.rmse, 2, style)),
         ];
         page.row(&cells.each_ref().map(String::as_str));

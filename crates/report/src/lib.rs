@@ -17,6 +17,7 @@ mod remarks;
 mod report;
 mod results;
 mod theory;
+mod written;
 
 pub use drawing::figure;
 pub use export::{csv, workbook};
@@ -27,3 +28,4 @@ pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};
 pub use remarks::remarks;
 pub use report::Report;
 pub use results::{label, once, readable_units};
+pub use written::{quantity, sizes};

@@ -1,7 +1,8 @@
 //! The values of a record that are off the others, in words.
 
+use crate::written::quantity;
 use analysis::fit::{Outcome, Outlier, Task};
-use units::number::{Style, fixed, plain, with_unit};
+use units::number::{Style, fixed, plain};
 use units::{Language, Unit};
 
 /// No more outliers than this are named one by one, those farthest off.
@@ -12,14 +13,11 @@ pub fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), lang
     let mut farthest: Vec<&Outlier> = outcome.outliers.iter().collect();
     farthest.sort_by(|one, other| other.sigmas.abs().total_cmp(&one.sigmas.abs()));
     let style = language.style();
-    let quantity = |name: &str, si: f64, shown: &Unit| {
-        let number = plain(shown.from_si(si), 5, style);
-        [name, " = ", &with_unit(&number, shown)].concat()
-    };
+    let named_quantity = |name: &str, si: f64, unit: &Unit| [name, " = ", &quantity(si, unit, style)].concat();
     let named = |one: &&Outlier| {
         let fit = outcome.outlying(one)?;
-        let value = quantity(&fit.name, *fit.measured.get(one.row)?, &fit.unit);
-        let time = quantity(independent.0, *fit.times.get(one.row)?, independent.1);
+        let value = named_quantity(&fit.name, *fit.measured.get(one.row)?, &fit.unit);
+        let time = named_quantity(independent.0, *fit.times.get(one.row)?, independent.1);
         let record = task.records.get(one.record).filter(|_| task.records.len() > 1);
         let record = record.map_or_else(String::new, |record| [&record.name, ": "].concat());
         let distance = if outcome.misled { String::new() } else { [" (", &sigmas(one.sigmas, style), " σ)"].concat() };

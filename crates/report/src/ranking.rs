@@ -255,6 +255,7 @@ fn caution(page: &mut Page, language: Language, rows: &[Row<'_>]) {
 fn residuals(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     page.heading(language.pick("What they leave over", "Lo que dejan sin explicar"));
     let records = rows.iter().map(|row| row.report.task.records.len()).max().unwrap_or(0);
+    let mut beyond = false;
     for record in 0..records {
         let of = |row: &Row<'_>| {
             row.report.outcome.observations.iter().position(|fit| fit.record == record && fit.observation == 0)
@@ -262,6 +263,7 @@ fn residuals(page: &mut Page, language: Language, rows: &[Row<'_>]) {
         let fits: Vec<(&Row<'_>, &ObservationFit)> =
             rows.iter().filter_map(|row| Some((row, row.report.outcome.observations.get(of(row)?)?))).collect();
         let reach = fits.iter().map(|(_, fit)| 1.05 * drawing::telling(fit)).fold(0.0, f64::max);
+        beyond |= fits.iter().any(|(_, fit)| drawing::greatest(fit) > reach);
         let last = record + 1 == records;
         if let Some((row, fit)) = fits.first().filter(|_| records > 1) {
             page.element("h3", findings::record(row.report, fit));
@@ -274,16 +276,15 @@ fn residuals(page: &mut Page, language: Language, rows: &[Row<'_>]) {
         if last {
             let caption = if records > 1 {
                 language.pick(
-                    "Measured minus fitted, those of one record on one scale. What lies beyond it is not drawn.",
-                    "Medido menos ajustado, los de un registro en la misma escala. Lo que queda fuera no se dibuja.",
+                    "Measured minus fitted, those of one record on one scale.",
+                    "Medido menos ajustado, los de un registro en la misma escala.",
                 )
             } else {
-                language.pick(
-                    "Measured minus fitted, all on one scale. What lies beyond it is not drawn.",
-                    "Medido menos ajustado, todo en la misma escala. Lo que queda fuera no se dibuja.",
-                )
+                language
+                    .pick("Measured minus fitted, all on one scale.", "Medido menos ajustado, todo en la misma escala.")
             };
-            page.element("figcaption", caption);
+            let rest = language.pick(" What lies beyond it is not drawn.", " Lo que queda fuera no se dibuja.");
+            page.element("figcaption", &[caption, if beyond { rest } else { "" }].concat());
         }
         page.raw("</figure>\n");
     }

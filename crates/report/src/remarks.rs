@@ -20,23 +20,37 @@ pub fn beside(outcome: &Outcome, task: &Task, independent: (&str, &Unit), langua
     scales(outcome, task, language).into_iter().chain(sentences.into_iter().flatten()).collect()
 }
 
-/// `Scale of the film 1.0003 ± 0.0012 (prior ± 0.0015)`
+/// A scale that is more standard errors of its calibration than this away from 1 contradicts it.
+const CONTRADICTS: f64 = 3.0;
+
+/// `Scale of the film 1.0003 ± 0.0012 (prior 1 ± 0.0015)`, and whether that contradicts the prior.
 fn scales(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
     let sentence = |scale: &FilmScale| {
         let error = scale.stderr.unwrap_or(scale.prior);
         let group = Group::of_errors(&Unit::dimensionless(), &[(scale.value, error)], language.style());
         let record = task.records.get(scale.record).filter(|_| task.records.len() > 1);
         let record = record.map_or_else(String::new, |record| [&record.name, ": "].concat());
+        let away = (scale.value - 1.0) / scale.prior;
+        let contradiction = [
+            language.pick::<&str>(" It is ", " Está a "),
+            &sigmas(away, language.style()),
+            language.pick(
+                " standard errors of the calibration away from 1: check the length that calibrates the film, and the theory.",
+                " errores estándar de la calibración de 1: revisa la longitud que calibra el vídeo, y la teoría.",
+            ),
+        ];
+        let contradiction = if away.abs() > CONTRADICTS { contradiction.concat() } else { String::new() };
         [
             record.as_str(),
             language.pick::<&str>("Scale of the film ", "Escala del vídeo: "),
             &group.with_error(scale.value, error),
-            language.pick::<&str>(" (prior ± ", " (a priori ± "),
+            language.pick::<&str>(" (prior 1 ± ", " (a priori 1 ± "),
             &plain(scale.prior, 2, language.style()),
             language.pick::<&str>(
                 "); the standard errors of lengths include it.",
                 "); los errores estándar de las longitudes lo incluyen.",
             ),
+            &contradiction,
         ]
         .concat()
     };
@@ -102,7 +116,7 @@ fn short(outcome: &Outcome, language: Language) -> Option<String> {
             language
                 .pick(
                     "The errors cannot be told from a random walk in so short a record: take the standard errors for lower limits.",
-                    "En un registro tan corto los errores no se distinguen de un paseo aleatorio: tome los errores estándar por \
+                    "En un registro tan corto los errores no se distinguen de un paseo aleatorio: toma los errores estándar por \
                      límites inferiores.",
                 )
                 .to_owned(),

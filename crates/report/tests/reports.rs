@@ -3,14 +3,10 @@
 
 mod support;
 
-use analysis::fit::{Loss, Target, Varied};
 use calamine::{Data, Reader};
 use report::{Ranking, csv, figure, html, ranking_csv, ranking_html, ranking_workbook, workbook};
-use support::{Fitted, fitted, level, observed, record, theory};
+use support::{Fitted, fitted, level, observed, parsed, record, texts, theory};
 use units::number::Style;
-
-/// The place of `gamma` among the parameters of the theory.
-const GAMMA: usize = 5;
 
 /// The record of known truth, fitted with a theory until 6 s.
 fn fit(name: &str, file: &str) -> Fitted {
@@ -18,27 +14,6 @@ fn fit(name: &str, file: &str) -> Fitted {
     let mut document = theory(name);
     let record = record(&mut document, file, &times, &values);
     fitted(name, document, vec![record], |task| task.until = Some(6.0))
-}
-
-/// The tree of a page: all that this crate writes is XML as well, but for the doctype's and the empty elements.
-fn parsed(page: &str) -> String {
-    let page = page.replace("<!doctype html>", "");
-    let mut closed = String::new();
-    for (number, piece) in page.split("<meta ").enumerate() {
-        match piece.split_once('>') {
-            Some((attributes, rest)) if number > 0 => closed += &format!("<meta {attributes}/>{rest}"),
-            _ => closed += piece,
-        }
-    }
-    closed
-}
-
-fn texts(page: &str) -> String {
-    let source = parsed(page);
-    let tree = roxmltree::Document::parse(&source).unwrap_or_else(|error| panic!("{error}"));
-    let texts =
-        tree.descendants().filter(|node| node.is_text() && node.parent_element().unwrap().tag_name().name() != "style");
-    texts.filter_map(|node| node.text()).collect::<Vec<_>>().join(" ")
 }
 
 #[test]
@@ -189,78 +164,6 @@ fn the_workbook_holds_results_data_and_curves() {
     assert_eq!(inside, 181, "frames up to 6 s");
     let curves = book.worksheet_range("Curves").unwrap();
     assert_eq!(curves.get_size(), (601, 3));
-}
-
-#[test]
-fn a_number_at_an_end_of_its_range_is_in_doubt() {
-    let (times, values) = level();
-    let mut document = theory("linear");
-    let record = record(&mut document, "swing.txt", &times, &values);
-    // The record has 0.4 /s.
-    let stopped = fitted("linear", document, vec![record], |task| {
-        let name = |varied: &Varied| matches!(varied.target, Target::Parameter(index) if index == GAMMA);
-        task.varied.iter_mut().filter(|varied| name(varied)).for_each(|varied| varied.bounds = Some((0.0, 0.3)));
-    });
-    let (english, spanish) =
-        ("gamma = 0.3 1/s is in doubt: it stands at an end", "gamma = 0,3 1/s es dudoso: está en un extremo");
-    for (language, expected) in [("en", english), ("es", spanish)] {
-        let report = stopped.report(language);
-        let page = texts(&html(&report));
-        assert_eq!(page.matches(expected).count(), 1, "{page}");
-        let mut book: calamine::Xlsx<_> =
-            calamine::open_workbook_from_rs(std::io::Cursor::new(workbook(&report))).unwrap();
-        let sheet = if language == "en" { "Results" } else { "Resultados" };
-        let results = book.worksheet_range(sheet).unwrap();
-        let said = |cell: &Data| matches!(cell, Data::String(text) if text.starts_with(expected));
-        assert!(results.rows().any(|row| row.iter().any(said)), "{language}");
-    }
-    // Within its range there is no doubt.
-    assert!(!texts(&html(&fit("linear", "swing.txt").report("en"))).contains("is in doubt"));
-}
-
-/// Five values a second show 10 rad/s, three do not.
-#[test]
-fn an_alias_is_in_doubt() {
-    let (times, values) = level();
-    let doubted = |every: usize, language: &str| {
-        let (times, values): (Vec<f64>, Vec<f64>) =
-            times.iter().copied().zip(values.iter().copied()).step_by(every).unzip();
-        let mut document = theory("linear");
-        let record = record(&mut document, "swing.txt", &times, &values);
-        let fit = fitted("linear", document, vec![record], |_| ());
-        let page = texts(&html(&fit.report(language)));
-        let start = match language {
-            "en" => "The fitted curve oscillates faster than the sampling can show",
-            _ => "La curva ajustada oscila más rápido de lo que el muestreo puede mostrar",
-        };
-        page.matches(start).count()
-    };
-    assert_eq!([doubted(10, "en"), doubted(10, "es"), doubted(6, "en")], [1, 1, 0]);
-}
-
-/// The value that has decided the fit is named before all else, and not the good ones beside it.
-#[test]
-fn a_value_far_from_all_others_is_named() {
-    let (times, mut values) = level();
-    values[80] = 9999.0;
-    let page = |loss: Loss, language: &str| {
-        let mut document = theory("linear");
-        let record = record(&mut document, "swing.txt", &times, &values);
-        let fit = fitted("linear", document, vec![record], |task| task.loss = loss);
-        texts(&html(&fit.report(language)))
-    };
-    for (language, expected) in [
-        ("en", "One value lies far from all others: y = 9999 m at t = 2.6667 s. It has decided the fit"),
-        ("es", "Un valor está muy lejos de todos los demás: y = 9999 m en t = 2,6667 s. Ha decidido el ajuste"),
-    ] {
-        let page = page(Loss::Squares, language);
-        assert_eq!(page.matches(expected).count(), 1, "{page}");
-        assert!(!page.contains("are outliers") && !page.contains("son atípicos"), "{page}");
-    }
-    let robust = page(Loss::Tukey, "en");
-    assert!(robust.contains("the weight is below one half for 3 of 240 values"), "{robust}");
-    assert!(robust.contains("One value is an outlier: y = 9999 m at t = 2.6667 s (+"), "{robust}");
-    assert!(!robust.contains("Another minimum"), "{robust}");
 }
 
 /// Two records, one of them with its velocity: columns and headings tell them apart.

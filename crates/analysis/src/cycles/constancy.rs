@@ -82,12 +82,11 @@ impl Constancy {
             (Quantity::Amplitude | Quantity::AngularFrequency, Spanish) => "La",
             (_, Spanish) => "El",
         };
-        let test = |chi_square: f64, freedom: usize| {
-            if language == Spanish {
-                format!("(ji cuadrado {} con {freedom} grados de libertad)", fixed(chi_square))
-            } else {
-                format!("(chi-square {} for {freedom} degrees of freedom)", fixed(chi_square))
-            }
+        let test = |chi_square: f64, freedom: usize| match (language, freedom) {
+            (Spanish, 1) => format!("(ji cuadrado {} con 1 grado de libertad)", fixed(chi_square)),
+            (Spanish, _) => format!("(ji cuadrado {} con {freedom} grados de libertad)", fixed(chi_square)),
+            (_, 1) => format!("(chi-square {} for 1 degree of freedom)", fixed(chi_square)),
+            _ => format!("(chi-square {} for {freedom} degrees of freedom)", fixed(chi_square)),
         };
         match *self {
             Self::Alone(mean) if language == Spanish => {

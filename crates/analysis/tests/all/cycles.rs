@@ -224,6 +224,9 @@ fn words_say_a_change_only_where_there_is_one() {
         Language::ALL
             .map(|language| constancy.text(Quantity::Period, language, &written, &|value| format!("{value:.1}")))
     };
+    let [english, spanish] = said(&[1.0, 1.01], 0.01, 2);
+    assert!(english.ends_with("(chi-square 0.5 for 1 degree of freedom)."), "{english}");
+    assert!(spanish.ends_with("(ji cuadrado 0.5 con 1 grado de libertad)."), "{spanish}");
     let [english, spanish] = said(&[1.0, 1.1, 0.9, 1.0, 0.9, 1.1, 1.0, 1.1, 0.9], 0.01, 2);
     assert!(english.contains("without a trend: 1.00 s on average"), "{english}");
     assert!(spanish.contains("sin tendencia: 1.00 s en promedio"), "{spanish}");

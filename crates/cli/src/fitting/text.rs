@@ -137,11 +137,12 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
     let number = |value: f64| number::plain(value, 5, Style::POINT);
     columns.push(vec!["values, degrees of freedom".to_owned(), format!("{}, {}", outcome.n, outcome.dof)]);
     for one in &outcome.observations {
-        columns.push(vec![format!("RMSE of {}", called(one, fitted)), in_unit(one, one.rmse)]);
+        let sizes = report::sizes(outcome, &one.name, Style::POINT);
+        columns.push(vec![format!("RMSE of {}", called(one, fitted)), sizes.quantity(one.rmse)]);
         if let Some(outside) = one.outside {
             columns.push(vec![
                 format!("RMSE of {} outside the fitted part", called(one, fitted)),
-                format!("{} ({} values)", in_unit(one, outside.rmse), outside.n),
+                format!("{} ({} values)", sizes.quantity(outside.rmse), outside.n),
             ]);
         }
     }
@@ -180,10 +181,7 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
 
 /// From where was searched, and whether another minimum fits as well, in sentences.
 pub fn searches(outcome: &Outcome) -> Vec<String> {
-    let quantity = |one: &Estimate, si: f64| {
-        let number = number::plain(one.unit.from_si(si), 5, Style::POINT);
-        format!("{number} {}", unit_text(&one.unit.text)).trim_end().to_owned()
-    };
+    let quantity = |one: &Estimate, si: f64| report::quantity(si, &one.unit, Style::POINT);
     outcome.search_texts(Language::English).into_iter().chain(outcome.rival_text(Language::English, quantity)).collect()
 }
 
@@ -192,8 +190,7 @@ pub fn searches(outcome: &Outcome) -> Vec<String> {
 pub fn beginnings(fitted: &Fitted) -> Vec<(String, String)> {
     let clock = &fitted.theory.document.program.model.independent;
     let beginning = |(record, origin): (usize, &f64)| {
-        let reading = number::plain(clock.unit.from_si(*origin), 5, Style::POINT);
-        let mut when = format!("{} = {reading} {}", clock.name, unit_text(&clock.unit.text));
+        let mut when = format!("{} = {}", clock.name, report::quantity(*origin, &clock.unit, Style::POINT));
         let of_record = fitted.outcome.observations.iter().filter(|one| one.record == record);
         let early: usize = of_record.map(|one| one.early).sum();
         if early > 0 {

@@ -96,3 +96,25 @@ impl Fitted {
 pub fn record(document: &mut Document, name: &str, times: &[f64], values: &[f64]) -> Record {
     Record { name: name.to_owned(), observations: vec![observed(document, "y", times, values)], ..Record::default() }
 }
+
+/// The tree of a page: all that this crate writes is XML as well, but for the doctype's and the empty elements.
+pub fn parsed(page: &str) -> String {
+    let page = page.replace("<!doctype html>", "");
+    let mut closed = String::new();
+    for (number, piece) in page.split("<meta ").enumerate() {
+        match piece.split_once('>') {
+            Some((attributes, rest)) if number > 0 => closed += &format!("<meta {attributes}/>{rest}"),
+            _ => closed += piece,
+        }
+    }
+    closed
+}
+
+/// What the page says.
+pub fn texts(page: &str) -> String {
+    let source = parsed(page);
+    let tree = roxmltree::Document::parse(&source).unwrap_or_else(|error| panic!("{error}"));
+    let texts =
+        tree.descendants().filter(|node| node.is_text() && node.parent_element().unwrap().tag_name().name() != "style");
+    texts.filter_map(|node| node.text()).collect::<Vec<_>>().join(" ")
+}

@@ -39,7 +39,7 @@ pub(super) fn clock(column: &str, days: bool, wrapped: usize, minutes: bool, lan
     }
     if minutes {
         text.push_str(if language == Spanish {
-            "; «12:30» se toma como 12 minutos y 30 segundos: si son horas y minutos, indíquelo en el encabezado, «t [hh:mm]»"
+            "; «12:30» se toma como 12 minutos y 30 segundos: si son horas y minutos, indícalo en el encabezado, «t [hh:mm]»"
         } else {
             "; `12:30` is taken for 12 minutes and 30 seconds: if these are hours and minutes, say so in the header, `t [hh:mm]`"
         });

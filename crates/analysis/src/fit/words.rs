@@ -20,10 +20,10 @@ impl Outcome {
                  AICc y el BIC son los de residuos de ese tamaño."
             }
             (Verdict::Misled, English) => {
-                "The residuals do not judge the model: values far from all others have decided the fit."
+                "The residuals cannot be used to judge the model: values far from all others have decided the fit."
             }
             (Verdict::Misled, Spanish) => {
-                "Los residuos no juzgan el modelo: unos valores muy alejados de todos los demás han decidido el ajuste."
+                "Los residuos no sirven para juzgar el modelo: unos valores muy alejados de todos los demás han decidido el ajuste."
             }
             (Verdict::Compatible, English) => "The residuals look random: the model is compatible with the data.",
             (Verdict::Compatible, Spanish) => "Los residuos parecen aleatorios: el modelo es compatible con los datos.",

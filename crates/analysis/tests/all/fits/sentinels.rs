@@ -3,6 +3,7 @@
 use crate::support::Noise;
 use crate::support::fitting::{DAMPED_COSINE, DAMPED_COSINE_NAMES, model, observation, record, task, value};
 use analysis::fit::{Fit, Loss, Outcome, Task, Verdict};
+use units::Language;
 
 /// The fit of 100 good values, those of some rows replaced.
 fn fit(loss: Loss, replaced: &[(usize, f64)]) -> Outcome {
@@ -37,7 +38,15 @@ fn the_sentinel_is_named_and_no_good_value() {
             }
         }
     }
-    assert!(fit(Loss::Squares, &[(40, 9999.0)]).misled);
+    let misled = fit(Loss::Squares, &[(40, 9999.0)]);
+    assert!(misled.misled);
+    assert_eq!(
+        Language::ALL.map(|language| misled.verdict_text(language)),
+        [
+            "The residuals cannot be used to judge the model: values far from all others have decided the fit.",
+            "Los residuos no sirven para juzgar el modelo: unos valores muy alejados de todos los demás han decidido el ajuste.",
+        ]
+    );
     assert!(!fit(Loss::Huber, &[(40, 9999.0)]).misled);
 }
 

@@ -211,6 +211,12 @@ impl Desk {
         targets.into_iter().map(varied).collect()
     }
 
+    /// The zero of the scale, as something that is varied.
+    pub(super) fn varied_zero(&self) -> Varied {
+        let shared = self.fits.setup.is_same(ZEROS[1], true);
+        Varied { target: Target::Offset(0), shared, ..Varied::parameter(0) }
+    }
+
     /// The losses by name, and which of them fits are asked for.
     pub fn fit_losses(&self) -> (Vec<&'static str>, usize) {
         let names = Loss::ALL.iter().map(|loss| loss.name(self.play.language())).collect();

@@ -43,7 +43,8 @@ impl Desk {
     }
 
     /// Begins to fit each of these documents, with what it says is varied, to the records that take part. What a person
-    /// has said to be one number for all records, or held at each record's own value, is so in every theory that has it.
+    /// has said to be one number for all records, or held at each record's own value, is so in every theory that has it. The zero
+    /// of a film is varied in every theory that needs it.
     ///
     /// # Errors
     /// Nothing to follow.
@@ -55,10 +56,14 @@ impl Desk {
             };
             let varied =
                 document.program.vary.iter().map(|&index| Varied { shared: shared(index), ..Varied::parameter(index) });
-            let varied: Vec<Varied> = varied.collect();
+            let mut varied: Vec<Varied> = varied.collect();
+            let parts = self.parts(&document, &varied, false);
+            if self.varied_zero_of(&document.program.model, &varied, &parts) {
+                varied.push(self.varied_zero());
+            }
             let definition = Definition {
                 file,
-                parts: self.parts(&document, &varied, false),
+                parts,
                 varied,
                 parameters: parameters.iter().map(|parameter| parameter.value).collect(),
                 window: self.fits.setup.window,

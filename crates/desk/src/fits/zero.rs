@@ -1,8 +1,10 @@
 //! Whether the zero of the scale is varied as long as a person has not chosen.
 
 use crate::Desk;
+use crate::fits::fit::Part;
 use crate::records::recognise::observed;
-use crate::records::record::Record;
+use crate::records::record::Use;
+use analysis::fit::{Target, Varied};
 use program::{Model, Node, NodeId, along};
 use units::Dimension;
 
@@ -10,20 +12,34 @@ impl Desk {
     /// Whether the zeros of the clock and of the scale are varied: as chosen, otherwise the scale's where a record needs it.
     pub(super) fn varied_zeros(&self) -> [bool; 2] {
         let [clock, scale] = self.fits.setup.zeros;
-        let needed = || self.taking_part().into_iter().filter_map(|id| self.record(id)).any(|one| self.needs_zero(one));
+        let varied = self.fits.setup.varied.iter().enumerate().filter(|(_, varied)| **varied);
+        let varied: Vec<usize> = varied.map(|(index, _)| index).collect();
+        let needed = || {
+            let records = self.taking_part().into_iter().filter_map(|id| self.record(id));
+            records.into_iter().any(|one| self.needs_zero(self.play.model(), &varied, one.id, &one.uses))
+        };
         [clock.unwrap_or(false), scale.unwrap_or_else(needed)]
     }
 
+    /// Whether the zero of the scale is varied in a fit of another model, which follows these records: where one needs it,
+    /// unless a person has chosen that it is known.
+    pub(super) fn varied_zero_of(&self, model: &Model, varied: &[Varied], parts: &[Part]) -> bool {
+        let parameter = |varied: &Varied| match varied.target {
+            Target::Parameter(index) => Some(index),
+            _ => None,
+        };
+        let varied: Vec<usize> = varied.iter().filter_map(parameter).collect();
+        self.fits.setup.zeros[1] != Some(false)
+            && parts.iter().any(|part| self.needs_zero(model, &varied, part.record, &part.uses))
+    }
+
     /// Whether a record has lengths of a film, whose zero is a click or not known at all, and no varied parameter is that zero.
-    fn needs_zero(&self, record: &Record) -> bool {
-        let model = self.play.model();
-        let Some(used) = record.uses.iter().find(|used| used.fitted) else { return false };
-        let varied = self.fits.setup.varied.iter().enumerate().filter(|(_, varied)| **varied);
-        self.films.of_record(record.id).is_some()
+    fn needs_zero(&self, model: &Model, varied: &[usize], record: u32, uses: &[Use]) -> bool {
+        let Some(used) = uses.iter().find(|used| used.fitted) else { return false };
+        self.films.of_record(record).is_some()
             && used.meaning.unit.dimension == Dimension::LENGTH
-            && observed(model, &used.meaning.quantity).is_some_and(|quantity| {
-                !varied.into_iter().any(|(index, _)| shifts(model, quantity.node, index as u32))
-            })
+            && observed(model, &used.meaning.quantity)
+                .is_some_and(|quantity| !varied.iter().any(|index| shifts(model, quantity.node, *index as u32)))
     }
 }
 

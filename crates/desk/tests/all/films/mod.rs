@@ -6,6 +6,7 @@ mod projects;
 mod records;
 mod scene;
 mod work;
+mod zero;
 
 use crate::support::open;
 use desk::film::containers::Orientation;
@@ -117,7 +118,7 @@ fn a_fit_of_a_film_finds_the_truth() {
         detail.sentences
     );
     // The marks are 100 pixels apart: 0.7 pixels are 0.7 %.
-    let scale = "Scale of the film 1.000 ± 0.007 (prior ± 0.0071)";
+    let scale = "Scale of the film 1.000 ± 0.007 (prior 1 ± 0.0071)";
     assert!(detail.sentences.iter().any(|one| one.starts_with(scale)), "{:?}", detail.sentences);
     for (name, truth) in [("omega", (OMEGA * OMEGA + DECAY * DECAY).sqrt()), ("beta", DECAY)] {
         let text = &detail.estimates.iter().find(|one| one.name == name).unwrap().value;
@@ -125,46 +126,6 @@ fn a_fit_of_a_film_finds_the_truth() {
         let (value, error) = text.split_once('±').unwrap();
         let (off, error) = (number(value) - truth, number(error));
         assert!(off.abs() < 3.0 * error && error < 0.01, "{name} = {text} for {truth}");
-    }
-}
-
-/// Whether each of the film's zeros is varied.
-fn zeros(desk: &Desk) -> Vec<bool> {
-    desk.fit_choices().into_iter().filter(|choice| choice.name.is_empty()).map(|choice| choice.varied).collect()
-}
-
-#[test]
-fn the_zero_of_a_film_is_varied_unless_somebody_or_the_theory_says_otherwise() {
-    let mut desk = tracked();
-    assert_eq!(zeros(&desk), [false, true]);
-    desk.vary(5, false);
-    assert_eq!(zeros(&desk), [false, false]);
-    // Without an origin heights count from the lower edge of the picture.
-    let mut desk = tracked();
-    desk.calibrate_film(CalibrationForm { origin: None, ..ruler() }, None).unwrap();
-    (0..4).for_each(|choice| desk.vary(choice, true));
-    desk.begin_fit("column.md").unwrap();
-    while desk.advance_fit() {}
-    let detail = desk.fit_detail(desk.fits()[0].id).unwrap();
-    let omega = desk.play().course().parameters()[0];
-    assert!((omega - (OMEGA * OMEGA + DECAY * DECAY).sqrt()).abs() < 0.01, "{omega} {:?}", detail.sentences);
-    // A parameter that shifts the whole curve is the zero already: `c`, or the start of a fall.
-    let fall = THEORY.replace("y'' + 2*beta*y' + omega^2*y = 0", "y'' + beta*y' = -9.8 [m/s^2]");
-    let level = THEORY
-        .replace("omega = 7.5", "c = 0 [cm] in -9..9\nparameter omega = 7.5")
-        .replace("y'' + 2*beta*y' + omega^2*y = 0", "z'' + 2*beta*z' + omega^2*z = 0")
-        .replace("y(0)  =", "y = z + c\nz(0)  =")
-        .replace("y'(0) =", "z'(0) =");
-    for (theory, own) in [(fall, "y_0"), (level, "c")] {
-        let mut desk = open(&theory, &[]);
-        desk.open_film(identity("swing.mp4"), container(75)).unwrap();
-        desk.follow_in_film(surface()).unwrap();
-        track(&mut desk, &frame);
-        desk.calibrate_film(ruler(), None).unwrap();
-        assert_eq!(zeros(&desk), [false, true], "{own}");
-        let place = desk.fit_choices().iter().find(|choice| choice.name == own).unwrap().index;
-        desk.vary(place, true);
-        assert_eq!(zeros(&desk), [false, false], "{own}");
     }
 }
 

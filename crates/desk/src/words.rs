@@ -58,6 +58,19 @@ pub(crate) fn missed(language: Language) -> &'static str {
     language.pick("The curve misses what the data show.", "La curva no capta lo que muestran los datos.")
 }
 
+/// Of a fit that values far from all others have decided.
+pub(crate) fn misled(language: Language) -> &'static str {
+    language.pick("Values far from all others have decided it.", "Lo han decidido valores muy alejados de los demás.")
+}
+
+/// Of a curve at an alias of the frequency.
+pub(crate) fn undersampled(language: Language) -> &'static str {
+    language.pick(
+        "The curve oscillates faster than the samples can show.",
+        "La curva oscila más rápido de lo que las muestras pueden mostrar.",
+    )
+}
+
 /// At which reading of a record's clock initial values hold, and how many values lie before it.
 pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) -> String {
     let mut text = language.pick(

@@ -108,8 +108,14 @@ impl Desk {
         if !outcome.converged {
             return Some(words::not_converged(language).to_owned());
         }
-        if outcome.verdict() == Verdict::Missed {
-            return Some(words::missed(language).to_owned());
+        let why = match outcome.verdict() {
+            _ if !outcome.undersampled.is_empty() => Some(words::undersampled(language)),
+            Verdict::Misled => Some(words::misled(language)),
+            Verdict::Missed => Some(words::missed(language)),
+            _ => None,
+        };
+        if let Some(why) = why {
+            return Some(why.to_owned());
         }
         let names: Vec<String> = outcome.stopped().map(|one| play::symbol(&one.name)).collect();
         (!names.is_empty()).then(|| words::stopped(language, &names.join(", ")))

@@ -37,12 +37,10 @@ pub fn contents(page: &mut Page, film: &Film, language: Language) {
 
 fn caption(picture: &FilmPicture, language: Language) -> String {
     let mut text = match picture.view {
-        FilmView::Frame(frame) => [
-            language.pick::<&str>("Frame ", "Fotograma "),
-            &frame.to_string(),
-            language.pick::<&str>(" (counted from 0).", " (contado desde 0)."),
-        ]
-        .concat(),
+        // People count from 1, as the page does.
+        FilmView::Frame(frame) => {
+            [language.pick::<&str>("Frame ", "Fotograma "), &(frame + 1).to_string(), "."].concat()
+        }
         FilmView::SpaceTime => language
             .pick(
                 "The strip along the tube from every frame, side by side: time to the right.",

@@ -46,7 +46,7 @@ fn a_report_shows_the_frame_with_its_marks_and_the_space_time_picture() {
         "160 × 120 px",
         "90, 30 /s, 2.967 s",
         "20 cm",
-        "Frame 0 (counted from 0).",
+        "Frame 1.",
         "Scale: a pixel is 2 mm",
         "30.00 frames/s",
         "The strip along the tube from every frame",

@@ -24,7 +24,7 @@ fn the_report_of_a_fit_shows_the_film() {
         "<dd>75, 30 /s, 2.467 s</dd>",
         "<dt>Calibrated by</dt>\n<dd>10 cm</dd>",
         "with a standard error of 0.71 %",
-        "Frame 0 (counted from 0). Yellow: what was tracked. Red: the fitted curve. Blue: the calibration and its zero.",
+        "Frame 1. Yellow: what was tracked. Red: the fitted curve. Blue: the calibration and its zero.",
         "The strip along the tube from every frame",
     ] {
         assert!(page.contains(text), "{text}");

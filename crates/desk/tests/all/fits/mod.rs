@@ -58,6 +58,19 @@ fn fit(desk: &mut Desk) -> FitDetail {
     desk.fit_detail(last).unwrap()
 }
 
+/// One 9999 that stands for no measurement decides a fit of least squares.
+#[test]
+fn a_fit_that_one_value_decides_is_in_doubt() {
+    let mut desk = Desk::open(theory("linear"));
+    let record = film(0.24, DAMPING, 1);
+    let (time, _) = record.lines().nth(100).unwrap().split_once(' ').unwrap();
+    let wrong = |row: &str| if row.starts_with(time) { format!("{time} 9999") } else { row.to_owned() };
+    let record: Vec<String> = record.lines().map(wrong).collect();
+    desk.add_record("sentinel.txt", record.join("\n").as_bytes()).unwrap();
+    let detail = fit(&mut desk);
+    assert_eq!(detail.doubt.as_deref(), Some("Values far from all others have decided it."), "{:?}", detail.sentences);
+}
+
 /// A column of 2 m and more swings too slowly for the record.
 #[test]
 fn a_fit_that_misses_the_record_is_in_doubt() {

@@ -6,7 +6,7 @@ use crate::open::{File, Read};
 use crate::translation::Texts;
 use crate::{questions, scene, settings};
 use model::{Diagnostic, Span};
-use program::Edition;
+use program::{Block, Edition, Section};
 use std::collections::BTreeMap;
 use units::{Language, words};
 
@@ -51,7 +51,7 @@ impl File<'_> {
         let mut written = 0;
         let mut surplus = Vec::new();
         let mut warnings = Vec::new();
-        let (sections, questions, _) = self.prose(&mut found, |raw| {
+        let (mut prose, mut questions, _) = self.prose(&mut found, |raw| {
             questions::check_translation(raw, &mut warnings);
             written += 1;
             if written > numbers.len() {
@@ -67,15 +67,17 @@ impl File<'_> {
                 span,
             )
         }));
-        if written < numbers.len() {
-            let message = match numbers.len() - written {
-                1 => words("a question has no translation", "una pregunta no tiene traducción"),
-                missing => {
-                    words!("{missing} questions have no translation", "{missing} preguntas no tienen traducción")
+        if let Some(original) = program.editions.first() {
+            for question in numbers.iter().skip(written).filter_map(|number| *number) {
+                let asks = |section: &Section| section.blocks.contains(&Block::Question(question));
+                if let Some(number) = original.sections.iter().position(asks) {
+                    prose.question_of(question, number, &original.sections[number]);
                 }
-            };
-            found.push(Diagnostic::warning("untranslated", message, language.span));
+            }
+            found.extend(questions::untranslated(&mut questions, &original.questions, language.span));
         }
+        let (sections, faults) = prose.finish();
+        found.extend(faults);
         let original = program.editions.first().and_then(|original| original.scene.as_ref());
         let scene =
             original.map(|scene| scene::translated(scene, scene_words, &mut texts, Language::of(&language.text)));

@@ -13,7 +13,7 @@ use crate::scene::SceneText;
 use crate::settings;
 use crate::{plots, presets, scene, vary};
 use model::{Checked, Diagnostic, Span, Statement};
-use program::{Edition, Program, Question, QuestionText, Section};
+use program::{Edition, Program, Question, QuestionText};
 use std::collections::BTreeMap;
 use units::{Language, words};
 
@@ -148,12 +148,14 @@ impl<'a> File<'a> {
         }));
         let mut compiled: Vec<Question> = Vec::new();
         let mut earlier: Vec<Option<usize>> = Vec::new();
-        let (sections, texts, questions) = self.prose(&mut further, |raw| {
+        let (prose, texts, questions) = self.prose(&mut further, |raw| {
             let question = questions::compile(&mut expressions, raw, &earlier);
             earlier.push(question.is_some().then_some(compiled.len()));
             compiled.extend(question);
             *earlier.last()?
         });
+        let (sections, found) = prose.finish();
+        further.extend(found);
         further.append(&mut expressions.diagnostics);
         self.diagnostics.extend(further);
         let edition = Edition {
@@ -192,7 +194,7 @@ impl<'a> File<'a> {
         &self,
         diagnostics: &mut Vec<Diagnostic>,
         mut place: impl FnMut(&RawQuestion) -> Option<usize>,
-    ) -> (Vec<Section>, Vec<QuestionText>, Vec<Option<usize>>) {
+    ) -> (Prose<'a>, Vec<QuestionText>, Vec<Option<usize>>) {
         let mut prose = Prose::new(self.outline.source());
         let mut texts: Vec<QuestionText> = Vec::new();
         let mut numbers = Vec::new();
@@ -221,8 +223,6 @@ impl<'a> File<'a> {
                 _ => {}
             }
         }
-        let (sections, found) = prose.finish();
-        diagnostics.extend(found);
-        (sections, texts, numbers)
+        (prose, texts, numbers)
     }
 }

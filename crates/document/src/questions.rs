@@ -121,6 +121,53 @@ pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Completes the questions of a translation with the texts of the originals that it lacks, and warns of these at `place`.
+pub fn untranslated(texts: &mut Vec<QuestionText>, originals: &[QuestionText], place: Span) -> Option<Diagnostic> {
+    texts.resize_with(originals.len(), QuestionText::default);
+    let mut missing = Vec::new();
+    for ((number, text), original) in (1..).zip(texts).zip(originals) {
+        let is_whole = *text == QuestionText::default();
+        if text.prompt.is_empty() && !original.prompt.is_empty() {
+            text.prompt.clone_from(&original.prompt);
+            missing.push(words!("question {number}", "la pregunta {number}"));
+        }
+        let parts = [
+            (
+                &mut text.hint,
+                &original.hint,
+                words!("the hint of question {number}", "la pista de la pregunta {number}"),
+            ),
+            (
+                &mut text.explanation,
+                &original.explanation,
+                words!("the explanation of question {number}", "la explicación de la pregunta {number}"),
+            ),
+        ];
+        for (part, original, name) in parts {
+            if part.as_ref().is_none_or(String::is_empty) && original.is_some() {
+                part.clone_from(original);
+                missing.extend((!is_whole).then_some(name));
+            }
+        }
+    }
+    let message = match missing.as_slice() {
+        [] => return None,
+        [one] => words!("{one} has no translation", "{one} no tiene traducción", one = one),
+        several => {
+            let number = several.len();
+            words!(
+                "{number} texts of questions have no translation",
+                "{number} textos de preguntas no tienen traducción"
+            )
+        }
+    };
+    let warning = Diagnostic::warning("untranslated", message, place).with_hint(words(
+        "until they are translated, readers see the original",
+        "mientras no se traduzcan, se muestra el original",
+    ));
+    Some(if missing.len() > 1 { missing.into_iter().fold(warning, Diagnostic::with_note) } else { warning })
+}
+
 /// Compiles what a question computes. `earlier` says which question of the document each one before it is, if it is any.
 pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Option<usize>]) -> Option<Question> {
     let source = expressions.source;

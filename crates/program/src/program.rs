@@ -115,7 +115,7 @@ pub struct Edition {
     pub sections: Vec<Section>,
     /// The equations of the model, each a `<math>` element, in the order of the text.
     pub equations: Vec<String>,
-    /// The words of the questions; in a translation possibly fewer than there are questions.
+    /// The words of the questions; those that a translation lacks are in the document's own language.
     pub questions: Vec<QuestionText>,
     /// The scene with its texts translated.
     pub scene: Option<Scene>,

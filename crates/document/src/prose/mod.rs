@@ -56,6 +56,21 @@ impl<'a> Prose<'a> {
         self.block(Block::Question(index));
     }
 
+    /// Adds the place of a question that stands in the section of this number of another edition, `theirs`: in the section of the same
+    /// number and level here, or else at the end, below the heading that it has there.
+    pub fn question_of(&mut self, index: usize, number: usize, theirs: &Section) {
+        let counterpart = |(place, ours): &(usize, &mut Section)| {
+            ours.level == theirs.level && (*place == number || ours.title == theirs.title)
+        };
+        let question = Block::Question(index);
+        if let Some((_, ours)) = self.sections.iter_mut().enumerate().rfind(counterpart) {
+            ours.blocks.push(question);
+        } else {
+            let id = self.new_id(&theirs.title);
+            self.sections.push(Section { id, blocks: vec![question], ..theirs.clone() });
+        }
+    }
+
     /// The HTML of a text that is part of something else. Headings in it are paragraphs in bold.
     pub fn fragment(&mut self, range: Range<usize>) -> String {
         let range = trim(self.source, range);

@@ -132,7 +132,7 @@ fn what_is_wrong_with_a_translation() {
     assert_eq!(
         findings,
         [
-            "1: a question has no translation",
+            "1: question 2 has no translation",
             "1: 4 texts have no translation",
             "1: `step` in a translation means nothing",
             "1: a translation has no `model` of its own",
@@ -148,6 +148,57 @@ fn what_is_wrong_with_a_translation() {
     assert_eq!(findings, ["1: the translation does not say its language", "2: the document exists in `en` already"]);
     let (_, findings) = open("---\ntranslates: base.md\n---\n", &[]);
     assert_eq!(findings, ["0: this is a translation, which has no model of its own"]);
+}
+
+/// Where each question stands, and what the reader of a translation sees of it.
+#[test]
+fn what_a_translation_lacks_of_questions_is_shown_in_the_language_of_the_document() {
+    let question = |text: &str| format!("```question\n{text}\nanswer: h within 2 %\n```\n");
+    let why = question("Why?\nhint: Look.\nexplanation: So.");
+    let source = format!("{MODEL}Text\n\n# One\n\n{why}\n# Two\n\n{}{}", question("How?"), question("When?"));
+    let asked = |translation: &str| {
+        let (document, findings) = open(&source, &[&format!("---\nlanguage: es\n---\n{translation}")]);
+        let program = document.unwrap().program;
+        let mut shown = String::new();
+        for section in program.sections("es") {
+            shown += &format!("[{} {}]", section.id, section.title);
+            for block in &section.blocks {
+                let Block::Question(number) = block else { continue };
+                let text = program.question_text("es", *number);
+                for part in [Some(&text.prompt), text.hint.as_ref(), text.explanation.as_ref()].into_iter().flatten() {
+                    shown += &format!(" {}", part.trim().trim_start_matches("<p>").trim_end_matches("</p>"));
+                }
+            }
+        }
+        let about: Vec<String> = findings.into_iter().filter(|found| found.contains("question")).collect();
+        (shown, about.join("; "))
+    };
+    for (translation, shown, findings) in [
+        (
+            "Texto\n\n# Uno\n\n```question\n¿Por qué?\n```\n# Dos\n\n```question\n¿Cómo?\n```\n",
+            "[doc ][doc-uno Uno] ¿Por qué? Look. So.[doc-dos Dos] ¿Cómo? When?",
+            "1: 3 texts of questions have no translation",
+        ),
+        (
+            "Texto\n\n# Uno\n\n```question\n¿Por qué?\nhint: Mira.\nexplanation: Así.\n```\n",
+            "[doc ][doc-uno Uno] ¿Por qué? Mira. Así.[doc-two Two] How? When?",
+            "1: 2 texts of questions have no translation",
+        ),
+        (
+            "Texto\n\n# Two\n\n```question\nhint: Mira.\nexplanation: Así.\n```\n# Two\n\n```question\n¿Cómo?\n```\n```question\n¿Cuándo?\n```\n",
+            "[doc ][doc-two Two] Why? Mira. Así.[doc-two-2 Two] ¿Cómo? ¿Cuándo?",
+            "1: question 1 has no translation",
+        ),
+        // Without the words before the first heading the numbers of the sections differ.
+        (
+            "# Uno\n\n```question\n¿Por qué?\nhint: Mira.\nexplanation: Así.\n```\n",
+            "[doc-uno Uno] ¿Por qué? Mira. Así.[doc-two Two] How? When?",
+            "1: 2 texts of questions have no translation",
+        ),
+        ("", "[doc-one One] Why? Look. So.[doc-two Two] How? When?", "1: 3 texts of questions have no translation"),
+    ] {
+        assert_eq!(asked(translation), (shown.to_owned(), findings.to_owned()));
+    }
 }
 
 #[test]

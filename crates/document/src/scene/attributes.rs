@@ -1,9 +1,12 @@
 //! Attributes: those that are allowed, with the values of the model in them.
 
 use super::allowed::{ATTRIBUTES, REFERRING, danger, is_id, is_idle, reference};
+use super::appearance::misfit;
 use super::builder::Builder;
-use super::choice::{is_colour, palette};
+use super::colours::{is_colour, palette};
 use super::template::{self, RawPiece};
+use crate::source::trim;
+use model::{Diagnostic, Span};
 use program::{Attribute, Kind, Piece, Template};
 use std::ops::Range;
 use units::words;
@@ -47,12 +50,16 @@ impl Builder<'_, '_> {
             && is_colour(&text)
         {
             let placed = self.expressions.bare(expression.clone())?;
-            let piece = if placed.value.kind == Kind::Text {
-                self.colour(placed)?
-            } else {
-                Piece::Value { index: self.value(placed)?, decimals: None }
-            };
-            return Some(Attribute { name: text, value: vec![piece] });
+            if placed.value.kind != Kind::Text {
+                let message = words("a colour is a text, and this is none", "un color es un texto, y esto no lo es");
+                let hint = words!(
+                    "such as `{text}=\"{{if x > 0 then \"mark\" else \"liquid\"}}\"`",
+                    "por ejemplo `{text}=\"{{if x > 0 then \"mark\" else \"liquid\"}}\"`"
+                );
+                self.refuse_at(message, placed.span, Some(hint));
+                return None;
+            }
+            return Some(Attribute { name: text, value: vec![self.colour(placed)?] });
         }
         if let [RawPiece::Literal(literal)] = &raw[..]
             && let Some(id) = reference(literal)
@@ -91,8 +98,31 @@ impl Builder<'_, '_> {
                 value,
             );
         }
+        if let Some(found) = self.misfit(&text, &raw, value) {
+            self.expressions.diagnostics.push(found);
+            return None;
+        }
         let value = raw.into_iter().map(|piece| self.piece(piece, true)).collect::<Option<Template>>()?;
         Some(Attribute { name: text, value })
+    }
+
+    /// Reports a colour or a number that browsers would pass over.
+    fn misfit(&self, name: &str, raw: &[RawPiece], place: Range<usize>) -> Option<Diagnostic> {
+        let written: String = raw
+            .iter()
+            .map(|piece| match piece {
+                RawPiece::Literal(literal) => literal.as_str(),
+                RawPiece::Placeholder { .. } => "0",
+            })
+            .collect();
+        let place = trim(self.expressions.source, place);
+        let span = Span::new(place.start, place.end);
+        let mut found = misfit(name, &written, span)?;
+        if raw.iter().any(|piece| matches!(piece, RawPiece::Placeholder { .. })) {
+            // It would write over the values of the model.
+            found.fixes.clear();
+        }
+        Some(found)
     }
 
     /// `id` and `class`, which hold no values of the model.

@@ -84,6 +84,11 @@ impl Builder<'_, '_> {
         self.expressions.diagnostics.push(diagnostic);
     }
 
+    /// Reports what is left out.
+    pub fn refuse_at(&mut self, message: Words, span: Span, hint: Option<Words>) {
+        self.refuse(message, span.start..span.end, hint);
+    }
+
     /// Reports a word that is left out, with the one that was probably meant.
     pub fn refuse_word(&mut self, message: Words, range: Range<usize>, meant: Option<&str>) {
         let mut diagnostic = Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));

@@ -1,81 +1,13 @@
 //! Attributes that take one of several texts by the value of an expression: whether an element is shown, and colours.
 
 use super::builder::Builder;
+use super::colours::{colour, no_colour};
 use crate::expressions::Placed;
-use model::{Diagnostic, Span};
+use model::Diagnostic;
 use program::{Attribute, Kind, Node, NodeId, Piece};
 use std::collections::BTreeSet;
 use std::ops::Range;
-use units::{Words, words};
-
-/// The theme's colours by the names that documents use, each with a colour for where there is no theme.
-pub const PALETTE: [(&str, &str); 6] = [
-    ("text", "currentColor"),
-    ("liquid", "var(--liquid, #3f9fc0)"),
-    ("liquid-deep", "var(--liquid-deep, #1c7699)"),
-    ("glass", "var(--glass, #6d7d86)"),
-    ("accent", "var(--accent, #0a6076)"),
-    ("mark", "var(--mark, #c4551d)"),
-];
-
-/// Colours that have a name in every browser.
-const NAMED: [&str; 34] = [
-    "none",
-    "transparent",
-    "currentColor",
-    "black",
-    "white",
-    "gray",
-    "grey",
-    "silver",
-    "red",
-    "maroon",
-    "crimson",
-    "tomato",
-    "orange",
-    "gold",
-    "yellow",
-    "olive",
-    "lime",
-    "green",
-    "teal",
-    "turquoise",
-    "cyan",
-    "blue",
-    "navy",
-    "purple",
-    "violet",
-    "indigo",
-    "magenta",
-    "pink",
-    "salmon",
-    "brown",
-    "tan",
-    "beige",
-    "khaki",
-    "orchid",
-];
-
-/// Whether an attribute is a colour.
-pub fn is_colour(attribute: &str) -> bool {
-    matches!(attribute, "fill" | "stroke" | "color" | "stop-color")
-}
-
-/// What a name of the palette stands for.
-pub fn palette(name: &str) -> Option<&'static str> {
-    PALETTE.iter().find(|(known, _)| *known == name.trim()).map(|(_, colour)| *colour)
-}
-
-/// A colour as it is written into the page: of the palette, a named one, or `#rgb` and `#rrggbb`.
-fn colour(text: &str) -> Option<String> {
-    let text = text.trim();
-    let is_hexadecimal =
-        |digits: &str| matches!(digits.len(), 3 | 6) && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
-    palette(text)
-        .or_else(|| NAMED.into_iter().find(|known| *known == text))
-        .map(str::to_owned)
-        .or_else(|| text.strip_prefix('#').filter(|digits| is_hexadecimal(digits)).map(|_| text.to_owned()))
-}
+use units::words;
 
 impl Builder<'_, '_> {
     /// `visible="CONDITION"`
@@ -109,8 +41,8 @@ impl Builder<'_, '_> {
             match colour(name) {
                 Some(colour) => texts.push((number, colour)),
                 None if leaves.contains(&number) => {
-                    let (message, hint) = no_colour(name);
-                    self.refuse_at(message, chosen.span, Some(hint));
+                    let found = no_colour(name, chosen.span);
+                    self.expressions.diagnostics.push(found);
                     return None;
                 }
                 None => {}
@@ -144,20 +76,4 @@ impl Builder<'_, '_> {
         }
         all_known
     }
-
-    /// Reports what is left out.
-    pub fn refuse_at(&mut self, message: Words, span: Span, hint: Option<Words>) {
-        self.refuse(message, span.start..span.end, hint);
-    }
-}
-
-fn no_colour(name: &str) -> (Words, Words) {
-    let palette = PALETTE.map(|(name, _)| name).join(", ");
-    (
-        words!("\"{name}\" is not a colour", "«{name}» no es un color"),
-        words!(
-            "colours are those of the page ({palette}), common English names such as red, and `#c4551d`",
-            "los colores son los de la página ({palette}), nombres ingleses comunes como red, y `#c4551d`"
-        ),
-    )
 }

@@ -1,10 +1,13 @@
 //! The drawing: SVG with `{expressions}`, reduced to what is known to be harmless.
 
 mod allowed;
+mod amounts;
+mod appearance;
 mod attributes;
 mod build;
 mod builder;
 mod choice;
+mod colours;
 mod drag;
 mod elements;
 mod frame;
@@ -25,7 +28,7 @@ mod xml;
 
 pub(crate) use allowed::ELEMENTS;
 pub(crate) use build::{build, build_marked};
-pub(crate) use choice::PALETTE;
+pub(crate) use colours::PALETTE;
 pub(crate) use marks::Marks;
 pub use parts::Part;
 pub(crate) use parts::{ARC_RADIUS, BOB_RADIUS, PARTS, part, part_of};

@@ -1,6 +1,8 @@
 //! A scene's `<style>`: rules of its own. The page shows each scene in a shadow tree, which its rules do not leave.
 
 use super::allowed::{danger, is_id, is_property};
+use super::appearance::misfit;
+use super::colours::{is_colour, palette};
 use model::{Diagnostic, Span};
 use std::ops::Range;
 use units::{Words, words};
@@ -12,7 +14,7 @@ pub fn rules(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
     while let Some(length) = source[at..range.end].find('}') {
         let place = at..at + length;
         at = place.end + 1;
-        match rule(source, place) {
+        match rule(source, place, diagnostics) {
             Ok(rule) => allowed.push_str(&rule),
             Err((message, range)) => diagnostics.push(refusal(message, range)),
         }
@@ -35,8 +37,8 @@ fn refusal(message: Words, range: Range<usize>) -> Diagnostic {
 
 type Refusal = (Words, Range<usize>);
 
-/// `selectors { declarations`
-fn rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
+/// `selectors { declarations`. What a browser would pass over is reported and left out.
+fn rule(source: &str, rule: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Result<String, Refusal> {
     let text = &source[rule.clone()];
     let Some((selectors, declarations)) = text.split_once('{') else {
         return Err((
@@ -67,6 +69,11 @@ fn rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
                 range,
             ));
         }
+        if let Some(found) = misfit(name, value, Span::new(range.end - value.len(), range.end)) {
+            diagnostics.push(found);
+            continue;
+        }
+        let value = palette(value).filter(|_| is_colour(name)).unwrap_or(value);
         confined.push_str(&format!("{name}:{value};"));
     }
     Ok(format!("{}{{{confined}}}", selectors.join(",")))
@@ -110,6 +117,15 @@ mod tests {
             ".a, g.b > #c:hover { fill: var(--liquid); stroke-width: 2 }\npath{}",
             ".a,g.b > #c:hover{fill:var(--liquid);stroke-width:2;}path{}",
             &[],
+        );
+    }
+
+    #[test]
+    fn colours_of_the_page_have_their_names_and_faulty_values_are_left_out() {
+        check(
+            ".a { fill: mark; stroke-width: 2 } .b { fill: bleu; stroke-width: abc; opacity: 0.5 }",
+            ".a{fill:var(--mark, #c4551d);stroke-width:2;}.b{opacity:0.5;}",
+            &["\"bleu\" is not a colour", "`stroke-width` cannot be `abc`"],
         );
     }
 

@@ -56,6 +56,55 @@ fn check(scene: &str, expected: &str, messages: &[&str]) {
     assert_eq!(scene, expected);
 }
 
+/// What browsers would pass over in silence, and the remedies.
+#[test]
+fn colours_and_numbers_of_attributes_are_checked() {
+    for (attribute, message, remedy) in [
+        ("fill='bleu'", "\"bleu\" is not a colour", "blue"),
+        ("stroke='rojo'", "\"rojo\" is not a colour", "red"),
+        ("fill=' Liquit '", "\"Liquit\" is not a colour", "liquid"),
+        ("fill='2'", "\"2\" is not a colour", ""),
+        ("fill='#12345'", "\"#12345\" is not a colour", ""),
+        ("fill='rgb(1, 2)'", "\"rgb(1, 2)\" is not a colour", ""),
+        ("fill='rgb(1, {y/h}, x)'", "\"rgb(1, 0, x)\" is not a colour", ""),
+        ("fill='{y/h}'", "a colour is a text, and this is none", ""),
+        ("stroke-width='abc'", "`stroke-width` cannot be `abc`", ""),
+        ("stroke-width='-1'", "`stroke-width` cannot be `-1`", ""),
+        ("stroke-width='1,5 px'", "`stroke-width` cannot be `1,5 px`", "1.5px"),
+        ("stroke-width='1,{y/h}'", "`stroke-width` cannot be `1,0`", ""),
+        ("stroke-dasharray='5 a'", "`stroke-dasharray` cannot be `5 a`", ""),
+        ("opacity='half'", "`opacity` cannot be `half`", ""),
+        ("r='h'", "`r` cannot be `h`", ""),
+    ] {
+        let scene = format!("<svg viewBox='0 0 9 9'><circle {attribute}/></svg>");
+        let opened = open(&scene);
+        let [(0, found)] = &opened.diagnostics[..] else { panic!("{attribute}: {:?}", opened.diagnostics) };
+        assert_eq!(found.message.english, message);
+        let remedies: Vec<&str> = found.fixes.iter().map(|fix| fix.edits[0].text.as_str()).collect();
+        assert_eq!(remedies.join(" "), remedy, "{attribute}");
+        assert!(attribute.contains(opened.document.unwrap().source[found.span().range()].trim_matches(['{', '}'])));
+    }
+    for attribute in [
+        "fill=none",
+        "fill=CornflowerBlue",
+        "stroke=#1a2b3c4d",
+        "fill=rgb(1 2 3 / 50%)",
+        "fill=hsl(120deg, 50%, 50%)",
+        "fill=var(--mark, #c4551d)",
+        "stroke-width=2.5px",
+        "stroke-width=5%",
+        "stroke-dasharray=5, 3.5 2",
+        "stroke-dasharray=none",
+        "opacity=40%",
+        "font-size=larger",
+        "width=100%",
+        "x=1 2.5 3",
+    ] {
+        let (name, value) = attribute.split_once('=').unwrap();
+        inside(&format!("<circle {name}='{value}'/>"), &format!("<circle {attribute}>;"), &[]);
+    }
+}
+
 /// A scene with one thing inside.
 fn inside(content: &str, expected: &str, messages: &[&str]) {
     check(&format!("<svg viewBox=\"0 0 9 9\">{content}</svg>"), &format!("<svg viewBox=0 0 9 9>{expected};"), messages);

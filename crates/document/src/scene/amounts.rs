@@ -1,0 +1,90 @@
+//! Attributes whose value is a number: line widths, places, opacities.
+
+use model::{Diagnostic, Span};
+use units::words;
+
+/// What a value may be.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Amount {
+    /// A length, of either sign.
+    Length,
+    /// Several of them.
+    Lengths,
+    /// A length that is not negative, or one of these words.
+    Extent(&'static [&'static str]),
+    /// Several lengths that are not negative, or `none`.
+    Dashes,
+    /// A number or a percentage.
+    Number,
+}
+
+const SIZES: [&str; 9] =
+    ["xx-small", "x-small", "small", "medium", "large", "x-large", "xx-large", "smaller", "larger"];
+
+fn amount(attribute: &str) -> Option<Amount> {
+    match attribute {
+        "cx" | "cy" | "x1" | "y1" | "x2" | "y2" | "stroke-dashoffset" => Some(Amount::Length),
+        "x" | "y" | "dx" | "dy" => Some(Amount::Lengths),
+        "r" | "stroke-width" => Some(Amount::Extent(&[])),
+        "width" | "height" | "rx" | "ry" => Some(Amount::Extent(&["auto"])),
+        "font-size" => Some(Amount::Extent(&SIZES)),
+        "stroke-dasharray" => Some(Amount::Dashes),
+        "opacity" | "fill-opacity" | "stroke-opacity" | "stop-opacity" | "stroke-miterlimit" => Some(Amount::Number),
+        _ => None,
+    }
+}
+
+/// Reports a value that browsers would pass over. Values of the model in it count as 0.
+pub fn misfit(attribute: &str, text: &str, span: Span) -> Option<Diagnostic> {
+    let amount = amount(attribute)?;
+    let text = text.trim();
+    if fits(amount, text) {
+        return None;
+    }
+    let message = words!("`{attribute}` cannot be `{text}`", "`{attribute}` no puede ser `{text}`");
+    let hint = match amount {
+        Amount::Dashes => words(
+            "write lengths of dashes and gaps, such as `5 3`, or `none`",
+            "escribe longitudes de trazos y huecos, por ejemplo `5 3`, o `none`",
+        ),
+        Amount::Number => words(
+            "write a number, such as `0.5`, or an expression in braces, such as `{1 - x}`",
+            "escribe un número, por ejemplo `0.5`, o una expresión entre llaves, por ejemplo `{1 - x}`",
+        ),
+        Amount::Length | Amount::Lengths | Amount::Extent(_) => words(
+            "write a length in units of the drawing, such as `2.5`, or an expression in braces, such as `{10*x}`",
+            "escribe una longitud en unidades del dibujo, por ejemplo `2.5`, o una expresión entre llaves, por ejemplo `{10*x}`",
+        ),
+    };
+    let found = Diagnostic::error("scene-refused", message, span).with_hint(hint);
+    // `1,5` and `2 px`
+    let meant: String = text.replace(',', ".").split_whitespace().collect();
+    let is_one = !matches!(amount, Amount::Lengths | Amount::Dashes);
+    Some(if is_one && fits(amount, &meant) { found.with_fix(span, meant) } else { found })
+}
+
+fn fits(amount: Amount, text: &str) -> bool {
+    if matches!(text, "inherit" | "initial" | "unset" | "revert") {
+        return true;
+    }
+    let extent = |text: &str| length(text).is_some_and(|length| length >= 0.0);
+    let mut each =
+        text.split(|letter: char| letter == ',' || letter.is_whitespace()).filter(|length| !length.is_empty());
+    match amount {
+        Amount::Length => length(text).is_some(),
+        Amount::Lengths => each.all(|text| length(text).is_some()),
+        Amount::Extent(words) => extent(text) || words.contains(&text),
+        Amount::Dashes => text == "none" || each.all(extent),
+        Amount::Number => number(text.strip_suffix('%').unwrap_or(text)).is_some(),
+    }
+}
+
+/// A number with a unit of CSS or with none.
+fn length(text: &str) -> Option<f64> {
+    const UNITS: [&str; 11] = ["px", "rem", "em", "ex", "ch", "%", "pt", "pc", "mm", "cm", "in"];
+    number(UNITS.into_iter().find_map(|unit| text.strip_suffix(unit)).unwrap_or(text))
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|number: &f64| number.is_finite())
+}

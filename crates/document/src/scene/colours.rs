@@ -1,0 +1,124 @@
+//! Colours: those of the page's theme, and those of CSS.
+
+use super::allowed::danger;
+use model::{Diagnostic, Span};
+use units::{nearest, words};
+
+/// The theme's colours by the names that documents use, each with a colour for where there is no theme.
+pub const PALETTE: [(&str, &str); 6] = [
+    ("text", "currentColor"),
+    ("liquid", "var(--liquid, #3f9fc0)"),
+    ("liquid-deep", "var(--liquid-deep, #1c7699)"),
+    ("glass", "var(--glass, #6d7d86)"),
+    ("accent", "var(--accent, #0a6076)"),
+    ("mark", "var(--mark, #c4551d)"),
+];
+
+/// The named colours of CSS Color Module Level 4, section 6.1.
+#[rustfmt::skip]
+const NAMED: [&str; 148] = [
+    "aliceblue", "antiquewhite", "aqua", "aquamarine", "azure", "beige", "bisque", "black", "blanchedalmond", "blue", "blueviolet",
+    "brown", "burlywood", "cadetblue", "chartreuse", "chocolate", "coral", "cornflowerblue", "cornsilk", "crimson", "cyan",
+    "darkblue", "darkcyan", "darkgoldenrod", "darkgray", "darkgreen", "darkgrey", "darkkhaki", "darkmagenta", "darkolivegreen",
+    "darkorange", "darkorchid", "darkred", "darksalmon", "darkseagreen", "darkslateblue", "darkslategray", "darkslategrey",
+    "darkturquoise", "darkviolet", "deeppink", "deepskyblue", "dimgray", "dimgrey", "dodgerblue", "firebrick", "floralwhite",
+    "forestgreen", "fuchsia", "gainsboro", "ghostwhite", "gold", "goldenrod", "gray", "green", "greenyellow", "grey", "honeydew",
+    "hotpink", "indianred", "indigo", "ivory", "khaki", "lavender", "lavenderblush", "lawngreen", "lemonchiffon", "lightblue",
+    "lightcoral", "lightcyan", "lightgoldenrodyellow", "lightgray", "lightgreen", "lightgrey", "lightpink", "lightsalmon",
+    "lightseagreen", "lightskyblue", "lightslategray", "lightslategrey", "lightsteelblue", "lightyellow", "lime", "limegreen",
+    "linen", "magenta", "maroon", "mediumaquamarine", "mediumblue", "mediumorchid", "mediumpurple", "mediumseagreen",
+    "mediumslateblue", "mediumspringgreen", "mediumturquoise", "mediumvioletred", "midnightblue", "mintcream", "mistyrose",
+    "moccasin", "navajowhite", "navy", "oldlace", "olive", "olivedrab", "orange", "orangered", "orchid", "palegoldenrod",
+    "palegreen", "paleturquoise", "palevioletred", "papayawhip", "peachpuff", "peru", "pink", "plum", "powderblue", "purple",
+    "rebeccapurple", "red", "rosybrown", "royalblue", "saddlebrown", "salmon", "sandybrown", "seagreen", "seashell", "sienna",
+    "silver", "skyblue", "slateblue", "slategray", "slategrey", "snow", "springgreen", "steelblue", "tan", "teal", "thistle",
+    "tomato", "turquoise", "violet", "wheat", "white", "whitesmoke", "yellow", "yellowgreen",
+];
+
+/// Words of CSS that stand for a colour or for none.
+const KEYWORDS: [&str; 9] =
+    ["none", "transparent", "currentcolor", "inherit", "initial", "unset", "revert", "context-fill", "context-stroke"];
+
+/// What authors who write in Spanish call a colour.
+#[rustfmt::skip]
+const SPANISH: [(&str, &str); 19] = [
+    ("amarillo", "yellow"), ("azul", "blue"), ("blanco", "white"), ("celeste", "skyblue"), ("cian", "cyan"), ("dorado", "gold"),
+    ("granate", "maroon"), ("gris", "gray"), ("lila", "orchid"), ("marrón", "brown"), ("morado", "purple"),
+    ("naranja", "orange"), ("negro", "black"), ("ninguno", "none"), ("plateado", "silver"), ("rojo", "red"), ("rosa", "pink"),
+    ("turquesa", "turquoise"), ("verde", "green"),
+];
+
+/// Whether an attribute is a colour.
+pub fn is_colour(attribute: &str) -> bool {
+    matches!(attribute, "fill" | "stroke" | "color" | "stop-color")
+}
+
+/// What a name of the palette stands for.
+pub fn palette(name: &str) -> Option<&'static str> {
+    PALETTE.iter().find(|(known, _)| *known == name.trim()).map(|(_, colour)| *colour)
+}
+
+/// A colour as it is written into the page: of the palette, or of CSS.
+pub fn colour(text: &str) -> Option<String> {
+    let text = text.trim();
+    palette(text).or_else(|| (is_css(text) && danger(text).is_none()).then_some(text)).map(str::to_owned)
+}
+
+fn is_css(text: &str) -> bool {
+    let text = text.trim().to_ascii_lowercase();
+    if let Some(digits) = text.strip_prefix('#') {
+        return matches!(digits.len(), 3 | 4 | 6 | 8) && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+    }
+    match text.strip_suffix(')').and_then(|text| text.split_once('(')) {
+        Some(("var", inner)) => {
+            let (name, otherwise) = inner.split_once(',').unwrap_or((inner, "none"));
+            name.trim().starts_with("--") && is_css(otherwise)
+        }
+        // Of these only what every browser rejects.
+        Some(("color" | "color-mix" | "light-dark", inner)) => !inner.trim().is_empty(),
+        Some(("rgb" | "rgba" | "hsl" | "hsla" | "hwb" | "lab" | "lch" | "oklab" | "oklch", inner)) => {
+            let numbers: Vec<&str> =
+                inner.split([' ', ',', '/']).map(str::trim).filter(|number| !number.is_empty()).collect();
+            matches!(numbers.len(), 3 | 4) && numbers.into_iter().all(is_component)
+        }
+        Some(_) => false,
+        None => KEYWORDS.contains(&text.as_str()) || NAMED.contains(&text.as_str()),
+    }
+}
+
+/// `30`, `50%`, `120deg`
+fn is_component(text: &str) -> bool {
+    let number = ["%", "deg", "rad", "turn"].into_iter().find_map(|unit| text.strip_suffix(unit)).unwrap_or(text);
+    text == "none" || number.parse::<f64>().is_ok_and(f64::is_finite)
+}
+
+/// Reports a written colour that browsers would pass over, with the one that was probably meant.
+pub fn misfit(text: &str, span: Span) -> Option<Diagnostic> {
+    if colour(text).is_some() {
+        return None;
+    }
+    let found = no_colour(text, span);
+    Some(match meant(text) {
+        Some(meant) => found.with_fix(span, meant),
+        None => found,
+    })
+}
+
+/// That a text is no colour.
+pub fn no_colour(text: &str, span: Span) -> Diagnostic {
+    let text = text.trim();
+    let palette = PALETTE.map(|(name, _)| name).join(", ");
+    let message = words!("\"{text}\" is not a colour", "«{text}» no es un color");
+    let mut found = Diagnostic::error("scene-refused", message, span);
+    found.hints.extend(meant(text).map(|meant| words!("did you mean `{meant}`?", "¿querías decir `{meant}`?")));
+    found.with_hint(words!(
+        "colours are those of the page ({palette}), the names of CSS, such as red, and `#c4551d`",
+        "los colores son los de la página ({palette}), los nombres ingleses de CSS, como red, y `#c4551d`"
+    ))
+}
+
+fn meant(text: &str) -> Option<&'static str> {
+    let text = text.trim().to_lowercase();
+    let translated = SPANISH.into_iter().find(|(spanish, _)| *spanish == text).map(|(_, name)| name);
+    translated.or_else(|| nearest(&text, PALETTE.map(|(name, _)| name).into_iter().chain(NAMED)))
+}

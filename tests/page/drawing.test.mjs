@@ -116,6 +116,23 @@ visit("parts are placed, sized and turned by pointing, come to lie on the grid, 
   await eventually(async () => assert.match(await written(lab, "block"), /at="\(4 \[cm\], 0\.\d+ \[cm\]\)"/));
 });
 
+visit("a new part lands where its author has clicked, and beside what stands there", async (lab) => {
+  await drawing(lab);
+  await choose(lab, "Spring");
+  const cm = await centimetre(lab);
+  const [x, y] = await grip(lab, "beginning");
+  // The spring hangs at (0, 28 cm). A drag leaves no mark.
+  await lab.page.mouse.click(x + 10 * cm, y + 8 * cm);
+  await add(lab, "bob");
+  await becomes(lab, "bob", '<bob at="(10 [cm], 20 [cm])"/>');
+  await add(lab, "block");
+  await becomes(lab, "block", '<block at="(14 [cm], 16 [cm])" size="(6 [cm], 4 [cm])"/>');
+  await lab.page.mouse.click(x - 10 * cm, y + 8 * cm);
+  await add(lab, "wheel");
+  await becomes(lab, "wheel", '<wheel at="(-10 [cm], 20 [cm])" r="4 [cm]"/>');
+  await runs(lab);
+});
+
 visit("the fields show where an element is after each move, also in a text of the same length", async (lab) => {
   await drawing(lab);
   await add(lab, "block");

@@ -207,6 +207,36 @@ fn everything_in_the_palette_can_be_put_on_a_drawing() {
     }
 }
 
+/// What lies exactly on another element hides it.
+#[test]
+fn new_elements_come_to_lie_beside_those_that_are_there() {
+    let pixels = Measure { unit: String::new(), step: 5.0, scale: 1.0 };
+    for (start, measure, kinds, places) in [
+        (
+            framed("<bob at=\"(1 [cm], 0)\"/>"),
+            centimetres(),
+            ["bob", "block", "spring", "spring"],
+            ["at=\"(0, 0)\"", "at=\"(1 [cm], -1 [cm])\"", "from=\"(-5 [cm], 0)\"", "from=\"(-4 [cm], -1 [cm])\""],
+        ),
+        (
+            document_of("<circle cx=\"9\" cy=\"9\" r=\"2\"/>"),
+            pixels,
+            ["circle", "circle", "line", "circle"],
+            ["cx=\"0\" cy=\"0\"", "cx=\"10\" cy=\"10\"", "x1=\"0\" y1=\"0\"", "cx=\"20\" cy=\"20\""],
+        ),
+    ] {
+        let mut text = start;
+        for (name, place) in kinds.into_iter().zip(places) {
+            let kind = drawable().find(|kind| kind.name == name).unwrap();
+            let outline = document::read(&text);
+            let (edit, number) = add_element(&outline, kind, ([0.0; 2], 0.1), &measure, Language::English).unwrap();
+            text = apply(&text, &[edit]).unwrap();
+            assert!(element(&text, number).contains(place), "{place}: {text}");
+        }
+        opens(&text);
+    }
+}
+
 #[test]
 fn a_document_without_a_scene_gets_one() {
     let text = "---\ntitle: <b>Decay</b>\n---\n\n```model\ny' = -y/(1 [s])\ny(0) = 2 [m]\n```\n\n```plots\n\"Decay\": y against t\n```\n";

@@ -4,7 +4,7 @@ use super::arrange::{expect_beside, indent};
 use super::distance::Measure;
 use super::expect::drawing;
 use crate::BlockKind;
-use crate::drawing::{Part, shows_text};
+use crate::drawing::{Drawing, Part, shows_text};
 use crate::edit::{Edit, EditError, insert_block, line_end};
 use crate::outline::Outline;
 use crate::scene::part_of;
@@ -14,8 +14,11 @@ use units::Language;
 /// How lines are drawn at first.
 const LINE: &str = "stroke=\"text\" stroke-width=\"2\"";
 
+/// What of an element's attributes says where it is.
+const PLACING: [&str; 11] = ["at", "from", "to", "x", "y", "x1", "y1", "cx", "cy", "points", "d"];
+
 /// Adds an element in the middle of `at`, so large as `length`, both in the lengths of its place (SI, or units of the drawing): on
-/// top, in the first frame of the drawing, or in the drawing itself. Also its number.
+/// top, in the first frame of the drawing, or in the drawing itself; beside `at` where another element stands there. Also its number.
 ///
 /// # Errors
 ///
@@ -34,7 +37,11 @@ pub fn add_element(
         Some(frame) => (frame.opening, frame.span.end),
         None => (drawing.opening, drawing.end),
     };
-    let text = written(kind, at, length, measure, frame.is_some(), language);
+    let text = written_beside(&drawing, source, |aside| {
+        let aside = 2.0 * measure.step * f64::from(aside);
+        let at = [at[0] + aside, at[1] + if frame.is_some() { -aside } else { aside }];
+        written(kind, at, length, measure, frame.is_some(), language)
+    });
     let holder = if frame.is_some() { "frame" } else { "svg" };
     let edit = match source[opening.range()].strip_suffix("/>") {
         // A frame without content is opened for it.
@@ -97,6 +104,20 @@ fn plain(name: &str, [x, y]: [f64; 2], length: f64, measure: &Measure) -> String
         "text" => format!("x=\"{}\" y=\"{middle}\" fill=\"text\"", across(0.0)),
         _ => format!("points=\"{left},{middle} {},{top} {right},{middle}\" fill=\"none\" {LINE}", across(0.0)),
     }
+}
+
+/// The element in the first place where no other one is, which would hide it or be hidden.
+fn written_beside(drawing: &Drawing, source: &str, written: impl Fn(u32) -> String) -> String {
+    let is_free = |text: &String| {
+        let pieces: Vec<&str> = text.split('"').collect();
+        let attributes = pieces.chunks_exact(2).filter_map(|pair| Some((pair[0].strip_suffix('=')?, pair[1])));
+        let named = attributes.filter_map(|(before, value)| Some((before.rsplit(' ').next()?, value)));
+        let place: Vec<(&str, &str)> = named.filter(|(name, _)| PLACING.contains(name)).collect();
+        !drawing.items.iter().any(|item| place.iter().all(|(name, value)| item.value(source, name) == Some(value)))
+    };
+    // Each element takes one place.
+    let last = drawing.items.len() as u32;
+    (0..last).map(&written).find(is_free).unwrap_or_else(|| written(last))
 }
 
 /// An element as it is written at first.

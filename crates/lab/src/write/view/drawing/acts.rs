@@ -50,14 +50,14 @@ pub fn begin(hand: Hand) {
     }
 }
 
-/// Adds an element in the middle of the view.
+/// Adds an element where the author has clicked, or else in the middle of the view; beside what stands there.
 pub fn add(hand: Hand, kind: Part) {
     let Some(seen) = hand.seen.get_clone_untracked() else { return };
-    let (middle, length) = seen.middle();
+    let place = (seen.on_ground(seen.spot(hand.pointed.get_untracked())), seen.good_length());
     let (measure, language) = (seen.ground_measure(), hand.app.language.get_untracked());
     let mut added = None;
     let is_done = change(hand, |outline| {
-        let (edit, number) = add_element(outline, kind, (middle, length), &measure, language)?;
+        let (edit, number) = add_element(outline, kind, place, &measure, language)?;
         added = Some(number);
         Ok(vec![edit])
     });

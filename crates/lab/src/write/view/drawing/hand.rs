@@ -22,6 +22,8 @@ pub struct Hand {
     pub grid: Signal<bool>,
     /// Where everything stands in the picture.
     pub seen: Signal<Option<Seen>>,
+    /// Where in the picture the author has clicked last: there new elements are drawn, otherwise in its middle.
+    pub pointed: Signal<Option<[f64; 2]>>,
     /// What the pointer holds.
     pub held: Signal<Option<Held>>,
     /// Why the last change was refused.

@@ -38,6 +38,7 @@ pub fn view(app: App) -> HtmlDiv {
         chosen: create_signal(Vec::new()),
         grid: create_signal(true),
         seen: create_signal(None),
+        pointed: create_signal(None),
         held: create_signal(None),
         refusal: create_signal(None),
     };

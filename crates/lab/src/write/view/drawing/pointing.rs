@@ -54,6 +54,7 @@ impl Pointing {
             Some((number, Grip::Whole))
         });
         let Some(grip) = grip else {
+            hand.pointed.set(Some(at));
             hand.chosen.set(Vec::new());
             return;
         };
@@ -79,6 +80,7 @@ impl Pointing {
         let Some(held) = self.held_by(event) else { return };
         self.hand.held.set(None);
         if !held.is_moved() {
+            self.hand.pointed.set(Some(held.at));
             return;
         }
         let (number, grip) = held.grip;

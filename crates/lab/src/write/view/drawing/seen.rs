@@ -82,12 +82,38 @@ impl Seen {
         Measure::round(&self.ground.unit, GRID * self.pixel / self.ground.scale, self.ground.scale)
     }
 
-    /// The middle of the view in lengths of the ground, and how large something is there that is well seen.
-    pub fn middle(&self) -> ([f64; 2], f64) {
+    /// Where a new element is drawn in the picture: at a place of it, or else in its middle; beside that, by steps of the grid, as long
+    /// as an element of its size stands there.
+    pub fn spot(&self, pointed: Option<[f64; 2]>) -> [f64; 2] {
         let [left, top, width, height] = self.view_box;
+        let holds = |[x, y]: &[f64; 2]| (left..=left + width).contains(x) && (top..=top + height).contains(y);
+        let [mut x, mut y] = pointed.filter(holds).unwrap_or([left + width / 2.0, top + height / 2.0]);
+        let step = self.ground_measure().step * self.ground.scale;
+        let largest = 1.2 * self.good_length() * self.ground.scale;
+        let edges = self.items.iter().flatten().map(|item| item.edges);
+        let middle = |[left, top, right, bottom]: [f64; 4]| {
+            (right - left <= largest && bottom - top <= largest).then_some([(left + right) / 2.0, (top + bottom) / 2.0])
+        };
+        let middles: Vec<[f64; 2]> = edges.filter_map(middle).collect();
+        for _ in &middles {
+            if middles.iter().any(|other| (other[0] - x).abs() < step && (other[1] - y).abs() < step) {
+                (x, y) = (x + 2.0 * step, y + 2.0 * step);
+            }
+        }
+        [x, y]
+    }
+
+    /// A place of the picture in lengths of the ground.
+    pub fn on_ground(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let Ground { origin, scale, framed, .. } = &self.ground;
-        let (right, down) = ((left + width / 2.0 - origin[0]) / scale, (top + height / 2.0 - origin[1]) / scale);
-        ([right, if *framed { -down } else { down }], width.min(height) / 3.0 / scale)
+        let (right, down) = ((x - origin[0]) / scale, (y - origin[1]) / scale);
+        [right, if *framed { -down } else { down }]
+    }
+
+    /// How large something is that is well seen, in lengths of the ground.
+    pub fn good_length(&self) -> f64 {
+        let [_, _, width, height] = self.view_box;
+        width.min(height) / 3.0 / self.ground.scale
     }
 
     /// The element at a place of the picture of which nothing was hit: the smallest one whose edges, with a margin, hold it.

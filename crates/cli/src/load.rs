@@ -1,13 +1,14 @@
 //! Documents from files: a base document with the translations beside it, or the sources inside an exported page or a project.
 
 use crate::failure::Failure;
+use crate::quoted::quoted;
 use document::Opened;
 use document::page::{Source, read};
 use document::project::{PROJECT_ENDING, Project, ProjectError};
 use model::Severity;
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use units::Words;
+use units::{Words, words};
 
 /// The texts of a document: the base first, then its translations.
 #[derive(Debug)]
@@ -211,8 +212,34 @@ fn inside(path: &Path, sources: Vec<Source>) -> Sources {
 }
 
 fn read_text(path: &Path) -> Result<String, Failure> {
+    if path.is_dir() {
+        return Err(folder(path));
+    }
     let bytes = std::fs::read(path).map_err(|error| Failure::file("read", path, &error))?;
     text(bytes, &path.display().to_string())
+}
+
+/// A folder where a document is asked for, with the documents in it.
+fn folder(path: &Path) -> Failure {
+    let entries = std::fs::read_dir(path).into_iter().flatten();
+    let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    // Translations have their language before the ending.
+    let document = names.filter(|name| name.strip_suffix(".md").is_some_and(|stem| !stem.contains('.'))).min();
+    let (name, shown) = (path.display(), quoted(path));
+    let hint = match document {
+        Some(document) => {
+            let document = quoted(&path.join(document));
+            words!(
+                "name a document in it, such as {document}; `meniscus check {shown}/*.md` checks all of them",
+                "nombra un documento de ella, por ejemplo {document}; `meniscus check {shown}/*.md` los comprueba todos"
+            )
+        }
+        None => words!(
+            "it has no documents, `*.md`; `meniscus new {shown}` begins one",
+            "no tiene documentos, `*.md`; `meniscus new {shown}` empieza uno"
+        ),
+    };
+    Failure::in_words(words!("{name} is a folder, not a document", "{name} es una carpeta, no un documento"), hint)
 }
 
 fn standard_input() -> Result<String, Failure> {

@@ -21,6 +21,7 @@ mod load;
 mod lsp;
 mod output;
 mod page;
+mod quoted;
 mod rows;
 mod run;
 mod serve;

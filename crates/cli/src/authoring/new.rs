@@ -2,6 +2,7 @@
 
 use super::arguments::New;
 use crate::failure::Failure;
+use crate::quoted::quoted;
 use crate::terminal::Terminal;
 use document::TEMPLATES;
 use std::fs::{self, OpenOptions};
@@ -32,15 +33,15 @@ pub fn new(arguments: &New, terminal: Terminal) -> Result<(), Failure> {
         Err(error) => return Err(Failure::file("write", &path, &error)),
     };
     file.write_all(text.as_bytes()).map_err(|error| Failure::file("write", &path, &error))?;
-    let (path, folder) = (path.display(), directory.display());
+    let (written, path, folder) = (path.display(), quoted(&path), quoted(directory));
     terminal.print(&match language {
         Language::English => format!(
-            "Wrote {path}\n\n  meniscus serve {path}   shows it while you write it\n  meniscus check {path}   says what is wrong with it\n  \
+            "Wrote {written}\n\n  meniscus serve {path}   shows it while you write it\n  meniscus check {path}   says what is wrong with it\n  \
              meniscus export {path} --output page.html   makes one offline page of it\n  \
              meniscus build {folder} --output site   makes a web site of the folder\n"
         ),
         Language::Spanish => format!(
-            "Se escribió {path}\n\n  meniscus serve {path}   lo muestra mientras lo escribes\n  meniscus check {path}   dice qué errores tiene\n  \
+            "Se escribió {written}\n\n  meniscus serve {path}   lo muestra mientras lo escribes\n  meniscus check {path}   dice qué errores tiene\n  \
              meniscus export {path} --output page.html   hace de él una página sin conexión\n  \
              meniscus build {folder} --output site   hace de la carpeta un sitio web\n"
         ),

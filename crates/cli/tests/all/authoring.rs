@@ -21,6 +21,46 @@ fn a_new_document_is_without_findings_and_in_the_layout() {
     }
 }
 
+/// The commands that are shown work when they are copied into a shell.
+#[cfg(unix)]
+#[test]
+fn a_folder_with_blanks_is_quoted_in_commands() {
+    let directory = tempfile::tempdir().unwrap();
+    let folder = directory.path().join("my simulations");
+    let made = meniscus(&["new", folder.to_str().unwrap()]);
+    let document = format!("'{}/my simulations.md'", folder.display());
+    for command in [format!("meniscus check {document} "), format!("meniscus build '{}' --", folder.display())] {
+        assert!(made.stderr.contains(&command), "{}", made.stderr);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_folder_is_no_document_and_its_documents_are_named() {
+    let directory = tempfile::tempdir().unwrap();
+    let folder = directory.path().join("my folder");
+    let path = folder.to_str().unwrap();
+    fs::create_dir(&folder).unwrap();
+    let empty = meniscus(&["check", path]);
+    assert_eq!(empty.code, 2);
+    assert!(empty.stderr.contains(&format!("`meniscus new '{path}'` begins one")), "{}", empty.stderr);
+    for name in ["b.md", "a.es.md", "a.txt"] {
+        fs::write(folder.join(name), "").unwrap();
+    }
+    for (language, message, hint) in [
+        ("en", "is a folder, not a document", format!("such as '{path}/b.md'; `meniscus check '{path}'/*.md`")),
+        ("es", "es una carpeta, no un documento", format!("por ejemplo '{path}/b.md'; `meniscus check '{path}'/*.md`")),
+    ] {
+        let refused = meniscus(&["check", path, "--language", language]);
+        assert_eq!(refused.code, 2);
+        assert!(
+            refused.stderr.contains(&format!("{path} {message}")) && refused.stderr.contains(&hint),
+            "{}",
+            refused.stderr
+        );
+    }
+}
+
 #[test]
 fn a_new_document_overwrites_nothing() {
     let directory = tempfile::tempdir().unwrap();

@@ -149,13 +149,87 @@ visit("nothing moves for those who want less motion", { ...STILL }, async (lab) 
   assert.equal(await moves(lab, "Normal modes of a chain"), false);
 });
 
+const WORDS = {
+  "en-GB": { write: "Write", begin: "New", mine: "My documents", remove: "Remove", removed: "Removed", undo: "Undo", changed: /^Last changed: / },
+  "es-ES": { write: "Escribir", begin: "Nuevo", mine: "Mis documentos", remove: "Quitar", removed: "Se ha quitado", undo: "Deshacer", changed: /^Último cambio: / },
+};
+
+/** Writes documents with these titles, one after the other. */
+async function write(lab, words, ...documents) {
+  const editor = lab.page.locator(".cm-content");
+  await lab.tab(words.write);
+  for (const title of documents) {
+    await editor.waitFor();
+    await lab.press(words.begin);
+    await lab.page.locator("#templates .chip").first().click();
+    await eventually(async () => assert.match(await editor.innerText(), /```model/));
+    await editor.evaluate((content, title) => {
+      const { view } = content.cmTile;
+      const place = /title: .*/.exec(view.state.doc.toString());
+      view.dispatch({ changes: { from: place.index, to: place.index + place[0].length, insert: `title: ${title}` } });
+    }, title);
+    await eventually(async () => assert.equal(await heading(lab), title));
+  }
+}
+
+const stored = (lab) => lab.page.evaluate(() => Object.entries(localStorage).filter(([key]) => /^meniscus:(written|changed|version):/.test(key)).sort());
+const mine = (lab, words) => library(lab).locator("section:visible").filter({ has: lab.page.getByRole("heading", { name: words.mine }) });
+
+for (const [language, words] of Object.entries(WORDS)) {
+  visit(`documents that were written are listed, opened, removed and put back by keyboard: ${language}`, { language }, async (lab) => {
+    await openLibrary(lab);
+    assert.equal(await mine(lab, words).count(), 0);
+    await lab.keys("Escape");
+    await write(lab, words, "Alpha", "Beta");
+    await openLibrary(lab);
+    const entries = () => mine(lab, words).locator(".entry").allInnerTexts();
+    // What was changed last stands first.
+    assert.deepEqual(await entries(), ["Beta", "Alpha"]);
+    assert.match(await mine(lab, words).locator(".library-own span").first().innerText(), words.changed);
+    await lab.page.keyboard.type("alph");
+    await eventually(async () => assert.equal(await mine(lab, words).locator(".cards > li:visible").count(), 1));
+    await lab.keys("ArrowDown", "Enter");
+    await eventually(async () => assert.equal(await heading(lab), "Alpha"));
+    // A change puts it before the other one.
+    await lab.page.locator(".cm-content").click();
+    await lab.page.keyboard.type("x");
+    await eventually(async () => assert.ok((await stored(lab)).some(([key, text]) => key.includes(":written:") && text.includes("Alpha") && /x/.test(text))));
+    await openLibrary(lab);
+    await eventually(async () => assert.deepEqual(await entries(), ["Alpha", "Beta"]));
+    const before = await stored(lab);
+    const remove = mine(lab, words).getByRole("button", { name: `${words.remove}: Beta` });
+    await remove.focus();
+    await lab.keys("Enter");
+    await eventually(async () => assert.equal((await lab.focused()).name, words.undo));
+    await library(lab).getByText(`${words.removed}: Beta`).waitFor();
+    assert.equal((await stored(lab)).filter(([, text]) => text.includes("Beta")).length, 0);
+    // Arrows still go over all of them.
+    await lab.keys("ArrowLeft");
+    assert.equal((await lab.focused()).name, "Alpha");
+    await lab.keys("ArrowRight", "Enter");
+    await eventually(async () => assert.equal((await lab.focused()).name, "Beta"));
+    assert.deepEqual(await stored(lab), before);
+    await remove.click();
+    await library(lab).getByText(`${words.removed}: Beta`).waitFor();
+    await lab.keys("Escape");
+    await openLibrary(lab);
+    await eventually(async () => assert.deepEqual(await entries(), ["Alpha"]));
+    // They are there at the next visit.
+    await lab.page.reload();
+    await openLibrary(lab);
+    await eventually(async () => assert.deepEqual(await entries(), ["Alpha"]));
+  });
+}
+
 for (const language of ["en-GB", "es-ES"]) {
   for (const theme of ["light", "dark"]) {
     for (const [device, size] of [["desk", {}], ["phone", PHONE]]) {
       visit(`axe finds nothing in the library: ${language}, ${theme}, ${device}`, { ...STILL, language, theme, ...size }, async (lab) => {
+        await write(lab, WORDS[language], "Alpha", "Beta");
         await openLibrary(lab);
         await library(lab).locator(".drawing").first().waitFor();
-        await library(lab).locator(".chip").first().click();
+        await mine(lab, WORDS[language]).getByRole("button", { name: `${WORDS[language].remove}: Alpha` }).click();
+        await library(lab).getByText(`${WORDS[language].removed}: Alpha`).waitFor();
         await lab.page.evaluate(axe);
         const { violations } = await lab.page.evaluate(() => window.axe.run("#library-list"));
         assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 160))}`), []);

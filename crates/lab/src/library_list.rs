@@ -3,8 +3,9 @@
 use crate::app::App;
 use crate::library::{Entry, THEORIES, entries, find};
 use crate::library_search::{Found, Search};
-use crate::opening;
 use crate::pictures::Pictures;
+use crate::write::kept;
+use crate::{library_own, opening};
 use document::Card;
 use play::{Link, Subject};
 use view::views::*;
@@ -46,13 +47,17 @@ struct Item {
     number: usize,
     entry: Entry,
     card: Card,
+    /// What was written in this browser, where it is no document of the page.
+    own: Option<kept::Document>,
 }
 
 fn contents(app: App) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let card = |(number, entry): (usize, Entry)| Item { number, card: entry.card(language), entry };
-    let items: Vec<Item> = entries().into_iter().enumerate().map(card).collect();
+    let own = kept::documents().into_iter().map(|own| (Entry { files: own.kept.files() }, Some(own)));
+    let all = own.chain(entries().into_iter().map(|entry| (entry, None)));
+    let item = |(number, (entry, own)): (usize, (Entry, _))| Item { number, card: entry.card(language), entry, own };
+    let items: Vec<Item> = all.enumerate().map(item).collect();
     let search = Search::over(items.iter().map(|item| &item.card));
     let pictures = Pictures::new(language);
     let (typing, scrolling) = (pictures.clone(), pictures.clone());
@@ -67,12 +72,14 @@ fn contents(app: App) -> View {
             format!("{}: {shown} / {count}", words.library_found)
         })))
         .child(chips(app, &search));
+    let (own, carried): (Vec<Item>, Vec<Item>) = items.into_iter().partition(|item| item.own.is_some());
     let (theories, simulations): (Vec<Item>, Vec<Item>) =
-        items.into_iter().partition(|item| item.entry.file().starts_with(THEORIES));
+        carried.into_iter().partition(|item| item.entry.file().starts_with(THEORIES));
     let groups = div()
         .class("library-groups")
         .when(events::keydown, move |event| among_cards(&event, found))
         .when(events::scroll, move |_| scrolling.wait())
+        .child(group(app, words.library_own, own, found, &pictures))
         .child(group(app, words.library_simulations, simulations, found, &pictures))
         .child(group(app, words.library_theories, theories, found, &pictures))
         .child(note(words.library_intro));
@@ -127,47 +134,72 @@ fn is_found(found: &Found, number: usize) -> bool {
 }
 
 fn card(app: App, item: Item, found: ReadSignal<Found>, pictures: &Pictures) -> HtmlLi {
-    let Item { number, entry, card } = item;
-    let file = entry.file().to_owned();
-    let mut place = div().class("library-picture").attr("aria-hidden", "true");
-    pictures.add(number, entry.files, &place.node::<Element>());
+    let Item { number, entry, card, own } = item;
     let (into, out) = ((pictures.clone(), pictures.clone()), (pictures.clone(), pictures.clone()));
-    let address = browser::address(&Link { subject: Subject::Library(file.clone()), state: String::new() }.write());
-    let follow = move |event: MouseEvent| {
-        // Another tab or window is the browser's.
-        if !(event.ctrl_key() || event.meta_key() || event.shift_key() || event.alt_key()) {
-            event.prevent_default();
-            leave_for(app, file.clone());
-        }
+    let lang = (card.language != app.language.get_untracked().tag()).then(|| card.language.clone());
+    let (title, file, pictures) = (card.title.clone(), entry.file().to_owned(), pictures.clone());
+    let face = move |lead: View, below: View| face(&pictures, number, (&entry, &card), lead, below);
+    let content = match own {
+        Some(own) => library_own::card(app, own, link_id(number), face, move |own| {
+            leave_for(app, || opening::open_kept(app, own.kept.clone()));
+        }),
+        None => face(link(app, number, title, file).into(), View::new()),
     };
-    let summary = format!("about-{number}");
-    let link = a()
-        .id(link_id(number))
-        .class("entry")
-        .href(address)
-        .attr("aria-describedby", summary.clone())
-        .when(events::click, follow)
-        .child(card.title);
-    let lang = (card.language != app.language.get_untracked().tag()).then_some(card.language);
     li().hidden(move || found.with(|found| !is_found(found, number)))
         .attr("lang", lang)
         .when(events::mouseenter, move |_| into.0.attend(number))
         .when(events::mouseleave, move |_| out.0.leave(number))
         .when(events::focusin, move |_| into.1.attend(number))
         .when(events::focusout, move |_| out.1.leave(number))
-        .child(place)
-        .child(h4().child(link))
-        .child(p().id(summary).inner_html(card.summary))
-        .maybe((!card.topics.is_empty()).then(|| p().class("library-topics").child(card.topics.join(" · "))))
+        .child(content)
 }
 
-fn leave_for(app: App, file: String) {
+/// A picture, what leads to the document, what it is about, and what stands below that.
+fn face(pictures: &Pictures, number: usize, (entry, card): (&Entry, &Card), lead: View, below: View) -> View {
+    let mut place = div().class("library-picture").attr("aria-hidden", "true");
+    pictures.add(number, entry.files.clone(), &place.node::<Element>());
+    let topics = (!card.topics.is_empty()).then(|| p().class("library-topics").child(card.topics.join(" · ")));
+    View::from((
+        place,
+        h4().child(lead),
+        p().id(summary_id(number)).inner_html(card.summary.clone()),
+        topics.map_or_else(View::new, View::from),
+        below,
+    ))
+}
+
+/// The link to a document of the page.
+fn link(app: App, number: usize, title: String, file: String) -> HtmlA {
+    let address = browser::address(&Link { subject: Subject::Library(file.clone()), state: String::new() }.write());
+    let follow = move |event: MouseEvent| {
+        // Another tab or window is the browser's.
+        if !(event.ctrl_key() || event.meta_key() || event.shift_key() || event.alt_key()) {
+            event.prevent_default();
+            leave_for(app, || {
+                open(app, &file);
+            });
+        }
+    };
+    a().id(link_id(number))
+        .class("entry")
+        .href(address)
+        .attr("aria-describedby", summary_id(number))
+        .when(events::click, follow)
+        .child(title)
+}
+
+/// Closes the library, and opens a document.
+fn leave_for(app: App, open: impl FnOnce()) {
     if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
         dialog.close();
     }
     app.library_asked_for.set(false);
-    open(app, &file);
+    open();
     browser::focus_later("browse".to_owned());
+}
+
+fn summary_id(number: usize) -> String {
+    format!("about-{number}")
 }
 
 fn link_id(number: usize) -> String {

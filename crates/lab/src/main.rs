@@ -16,6 +16,7 @@ mod idle;
 mod intake;
 mod library;
 mod library_list;
+mod library_own;
 mod library_search;
 mod links;
 mod measurements;

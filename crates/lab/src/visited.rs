@@ -15,11 +15,23 @@ use web_sys::History;
 const OURS: &str = "meniscus ";
 
 /// A document as a step remembers it.
+#[derive(Clone)]
 pub struct Visited {
     /// The files that run.
     pub sources: Vec<Source>,
     /// The texts in the editor, where they are not those that run.
     pub draft: Option<Vec<String>>,
+}
+
+impl Visited {
+    /// Its files as they stood in the editor.
+    pub fn files(&self) -> Vec<Source> {
+        let mut files = self.sources.clone();
+        for (file, text) in files.iter_mut().zip(self.draft.iter().flatten()) {
+            file.text.clone_from(text);
+        }
+        files
+    }
 }
 
 /// The document of the present step; `None` where the page has not been here yet.

@@ -88,6 +88,10 @@ table_of_words! {
     library_topics: "Topics", "Temas";
     library_found: "Documents found", "Documentos encontrados";
     library_intro: "Records and fits stay when another document is opened.", "Los registros y los ajustes se conservan al abrir otro documento.";
+    library_own: "My documents", "Mis documentos";
+    own_changed: "Last changed", "Último cambio";
+    own_remove: "Remove", "Quitar";
+    own_removed: "Removed", "Se ha quitado";
     library_simulations: "Simulations", "Simulaciones";
     library_theories: "Theories of a liquid column that comes to rest", "Teorías de una columna de líquido que se detiene";
 

@@ -3,13 +3,32 @@
 
 use super::versions;
 use crate::app::App;
+use crate::library;
 use crate::stored::Kept;
 use crate::visited::{self, Visited};
+use play::Subject;
 use view::browser;
 
 const PREFIX: &str = "written:";
-/// More of them are not kept; the oldest go.
+/// What stands before the name of a document where the time of its last change is kept, in milliseconds.
+const CHANGED: &str = "changed:";
+/// More of them are not kept; those go that were not changed for the longest time.
 const MOST: usize = 50;
+
+/// A document that was written.
+pub struct Document {
+    /// Its name in the storage.
+    pub name: String,
+    /// When it was changed last, in milliseconds.
+    pub changed: u64,
+    /// What it is called.
+    pub title: String,
+    /// Its texts.
+    pub kept: Visited,
+}
+
+/// What was removed from the storage, to be put back.
+pub struct Removed(Vec<(String, String)>);
 
 /// Finds the name for what is about to be written: that of the document as it is, if it was written before.
 pub fn begin(app: App) {
@@ -47,28 +66,53 @@ fn keep(app: App, text: String) {
     // At each change of a text: the texts of the others are not read.
     let mut others = browser::remembered_keys(PREFIX);
     others.retain(|other| *other != name);
-    others.sort_unstable();
     let excess = (others.len() + 1).saturating_sub(MOST);
-    for other in others.drain(..excess) {
-        browser::forget(&other);
-        versions::forget(&other);
+    if excess > 0 {
+        others.sort_by_cached_key(|other| changed(other));
+        others.drain(..excess).for_each(|other| drop(remove(&other)));
     }
     if !browser::remember(&name, &text)
         && app.with(|lab| std::mem::replace(&mut lab.saved.refused, true)) == Some(false)
     {
         app.complain(app.words().not_saved.to_owned());
     }
+    browser::remember(&changed_key(&name), &(js_sys::Date::now() as u64).to_string());
     app.with(|lab| lab.written_as = Some(Kept { name, text }));
 }
 
-/// What was written, the latest first, with its title.
-pub fn documents() -> Vec<(String, Visited)> {
-    let mut kept = browser::all_remembered(PREFIX);
-    kept.sort_unstable_by(|one, other| other.0.cmp(&one.0));
-    let titled = |(_, text): (String, String)| {
-        let kept = visited::read(&text)?;
-        let title = document::card(&kept.sources.first()?.text).title;
-        Some((title, kept))
+fn changed_key(name: &str) -> String {
+    format!("{CHANGED}{name}")
+}
+
+/// When a document was changed last; of one that an earlier version of the page has kept, when it was begun.
+fn changed(name: &str) -> u64 {
+    let known = browser::remembered(&changed_key(name)).and_then(|time| time.parse().ok());
+    known.or_else(|| name.strip_prefix(PREFIX)?.parse().ok()).unwrap_or(0)
+}
+
+/// What was written, what was changed last first. A text that was changed back into that of the library is not among it.
+pub fn documents() -> Vec<Document> {
+    let read = |(name, text): (String, String)| {
+        let kept = visited::read(&text)
+            .filter(|kept| kept.draft.is_some() || matches!(library::subject(&kept.sources), Subject::File(_)))?;
+        let title = document::card(&kept.files().first()?.text).title;
+        Some(Document { changed: changed(&name), name, title, kept })
     };
-    kept.into_iter().filter_map(titled).collect()
+    let mut documents: Vec<Document> = browser::all_remembered(PREFIX).into_iter().filter_map(read).collect();
+    documents.sort_by_key(|document| std::cmp::Reverse(document.changed));
+    documents
+}
+
+/// Removes a document from the storage, with its versions.
+pub fn remove(name: &str) -> Removed {
+    let own = [name.to_owned(), changed_key(name)].into_iter();
+    let own = own.filter_map(|key| browser::remembered(&key).map(|text| (key, text)));
+    let removed: Vec<(String, String)> = own.chain(versions::kept(name)).collect();
+    removed.iter().for_each(|(key, _)| browser::forget(key));
+    Removed(removed)
+}
+
+/// Puts back what was removed. Whether the browser has taken it.
+pub fn put_back(removed: &Removed) -> bool {
+    removed.0.iter().all(|(key, text)| browser::remember(key, text))
 }

@@ -4,7 +4,6 @@ use super::draft::flush;
 use super::unfolded::Unfolded;
 use super::{kept, version_list};
 use crate::app::App;
-use crate::visited::Visited;
 use crate::{opening, visited};
 use document::page::Source;
 use document::{TEMPLATES, Template};
@@ -35,12 +34,12 @@ pub fn view(app: App) -> HtmlDiv {
     let new = Unfolded::New.button(unfolded, "templates", words.new_document);
     let kept = move || {
         let documents = if choosing() { kept::documents() } else { Vec::new() };
-        let document = |(title, kept): (String, Visited)| {
-            let mut kept = Some(kept);
+        let document = |document: kept::Document| {
+            let mut kept = Some(document.kept);
             let open = move |_| kept.take().into_iter().for_each(|kept| opening::open_kept(app, kept));
-            button().class("chip").when(events::click, open).child(title)
+            button().class("chip").when(events::click, open).child(document.title)
         };
-        let chips = |documents: Vec<(String, Visited)>| {
+        let chips = |documents: Vec<kept::Document>| {
             div().class("chips").role("group").attr("aria-label", words.kept_documents).each(documents, document)
         };
         if documents.is_empty() { View::new() } else { View::from((note(words.kept_documents), chips(documents))) }

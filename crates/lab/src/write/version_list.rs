@@ -1,13 +1,12 @@
 //! The list of versions of what is written, and how to go back to one.
 
+use super::times::time_text;
 use super::unfolded::Unfolded;
 use super::versions::{self, Version};
 use super::{changes, draft};
 use crate::app::App;
 use desk::{LineChanges, line_changes};
-use js_sys::{Date, Object, Reflect};
 use view::views::*;
-use wasm_bindgen::JsValue;
 
 /// The button that shows the list, and the list below the tools.
 pub fn view(app: App, unfolded: Signal<Option<Unfolded>>) -> [View; 2] {
@@ -56,15 +55,4 @@ fn row(app: App, version: Version, changes: Option<LineChanges>) -> HtmlLi {
     };
     let time = span().class("version-time").child(time_text(app, version.time));
     li().child(button().class("quiet").when(events::click, open).child(time).child(span().class("note").child(changed)))
-}
-
-/// Day and time, as they are written in the language of the page.
-fn time_text(app: App, time: u64) -> String {
-    let options = Object::new();
-    for (name, value) in [("dateStyle", "medium"), ("timeStyle", "medium")] {
-        let _ = Reflect::set(&options, &name.into(), &value.into());
-    }
-    let locale = app.language.get_untracked().pick("en-GB", "es-ES");
-    let text = Date::new(&JsValue::from(time as f64)).to_locale_string(locale, &options);
-    text.as_string().unwrap_or_default()
 }

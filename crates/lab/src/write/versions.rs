@@ -80,11 +80,9 @@ fn make_room() {
     }
 }
 
-/// Forgets the versions of a draft that is not kept any longer.
-pub fn forget(draft: &str) {
-    for (key, _) in browser::all_remembered(&key_of(draft)) {
-        browser::forget(&key);
-    }
+/// The versions of a draft, as they are in the storage.
+pub fn kept(draft: &str) -> Vec<(String, String)> {
+    browser::all_remembered(&key_of(draft))
 }
 
 /// What the keys of the versions of a draft begin with.

@@ -1,0 +1,16 @@
+//! Times of changes.
+
+use crate::app::App;
+use js_sys::{Date, Object, Reflect};
+use wasm_bindgen::JsValue;
+
+/// Day and time, as they are written in the language of the page. `time` is in milliseconds.
+pub fn time_text(app: App, time: u64) -> String {
+    let options = Object::new();
+    for (name, value) in [("dateStyle", "medium"), ("timeStyle", "medium")] {
+        let _ = Reflect::set(&options, &name.into(), &value.into());
+    }
+    let locale = app.language.get_untracked().pick("en-GB", "es-ES");
+    let text = Date::new(&JsValue::from(time as f64)).to_locale_string(locale, &options);
+    text.as_string().unwrap_or_default()
+}

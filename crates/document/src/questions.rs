@@ -83,6 +83,14 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
     question
 }
 
+/// The first key at the beginning of a line of a text.
+pub fn key_in(text: &str) -> Option<&'static str> {
+    text.lines().find_map(|line| {
+        let (word, _) = line.split_once(':')?;
+        KEYS.into_iter().find(|key| *key == word)
+    })
+}
+
 /// Where the text of a part of a question stands, without blanks around it: behind its word, or that before the first word.
 pub fn part(source: &str, range: Range<usize>, word: Option<&str>) -> Option<Range<usize>> {
     let raw = split(source, range, &mut Vec::new());

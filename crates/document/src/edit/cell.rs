@@ -2,6 +2,7 @@
 
 use super::columns::keeping_columns;
 use super::layout::{Layout, result, with_line_ends_of};
+use super::obstacle::Obstacle;
 use super::rename::rename_with;
 use super::{Edit, EditError};
 use crate::form::{CellKind, Part, structure};
@@ -21,6 +22,7 @@ pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) ->
     let parts = structure(outline);
     let cell = parts.get(number).and_then(|part| part.cell(kind)).ok_or(EditError::UnknownCell)?;
     let text = with_line_ends_of(outline.source(), text.trim());
+    let text = if kind == CellKind::Unit { without_brackets(text) } else { text };
     if text == cell.text {
         return Ok(Vec::new());
     }
@@ -42,7 +44,10 @@ pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) ->
     let others = others.filter(|other| other.end != cell.outer.end);
     let keeps = kind != CellKind::Text && (kind == CellKind::Value || !text.is_empty());
     let edit = if keeps { keeping_columns(outline.source(), edit, others) } else { edit };
-    let refusal = if kind == CellKind::Text { EditError::NotOneStatement } else { EditError::NotOneCell };
+    let refusal = match kind {
+        CellKind::Text => EditError::NotOneStatement,
+        _ => EditError::NotOneCell(Obstacle::of(&text, obstacles(kind))),
+    };
     let mut expected: Vec<Vec<(CellKind, String)>> = parts.iter().map(texts).collect();
     match expected.get_mut(number) {
         Some(cells) if kind == CellKind::Text => *cells = vec![(kind, text)],
@@ -51,6 +56,24 @@ pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) ->
     }
     expect(outline, std::slice::from_ref(&edit), (parts[number].block, &expected), refusal)?;
     Ok(vec![edit])
+}
+
+/// The unit of `[kg]`, as one writes it in the text.
+fn without_brackets(unit: String) -> String {
+    let inner = unit.strip_prefix('[').and_then(|unit| unit.strip_suffix(']'));
+    match inner.filter(|inner| !inner.contains(['[', ']'])) {
+        Some(inner) => inner.trim().to_owned(),
+        None => unit,
+    }
+}
+
+/// What cannot stand in a cell of this kind.
+fn obstacles(kind: CellKind) -> &'static [&'static str] {
+    match kind {
+        CellKind::Label => &["\n", "\"", "“", "”", "«", "»", "#"],
+        CellKind::Unit => &["\n", "]", "[", "\"", "#"],
+        _ => &["\n", "\"", "[", "]", "#", "=", "in", "step"],
+    }
 }
 
 /// The name of a parameter or state is changed everywhere in the document and in its translations: the edits of each.

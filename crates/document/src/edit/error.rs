@@ -1,5 +1,6 @@
 //! Why an edit is refused.
 
+use super::obstacle::Obstacle;
 use model::Span;
 use std::fmt;
 use units::{Words, words};
@@ -30,7 +31,7 @@ pub enum EditError {
     /// The form has no such statement or cell.
     UnknownCell,
     /// The text would not stand in its cell alone.
-    NotOneCell,
+    NotOneCell(Obstacle),
     /// The text is not one whole statement.
     NotOneStatement,
     /// The document has no drawing.
@@ -38,7 +39,7 @@ pub enum EditError {
     /// The drawing has no such element.
     UnknownElement(usize),
     /// The text would not stay inside its element.
-    NotOneElement,
+    NotOneElement(Obstacle),
     /// A place is written in a way that the hand cannot change.
     NotAPoint,
     /// A translation has its questions in the order of the document; so many stand before this one.
@@ -92,20 +93,13 @@ impl EditError {
                 "este texto cambiaría cómo se leen los bloques que lo rodean",
             ),
             Self::UnknownCell => words("the form has no such cell", "el formulario no tiene esa celda"),
-            Self::NotOneCell => words(
-                "this does not fit into its cell; write it in the text",
-                "esto no cabe en su celda; escríbelo en el texto",
-            ),
+            Self::NotOneCell(obstacle) | Self::NotOneElement(obstacle) => obstacle.words(),
             Self::NotOneStatement => words(
                 "this is not one whole statement: it is empty, has several, or a brace or parenthesis is open",
                 "esto no es una sentencia completa: está vacía, hay varias, o queda abierta una llave o un paréntesis",
             ),
             Self::NoDrawing => words("the document has no drawing", "el documento no tiene dibujo"),
             Self::UnknownElement(_) => words("the drawing has no such element", "el dibujo no tiene ese elemento"),
-            Self::NotOneElement => words(
-                "this does not fit into its element; write it in the text",
-                "esto no cabe en su elemento; escríbelo en el texto",
-            ),
             Self::NotAPoint => words(
                 "this place is computed in a way that the hand cannot change; write it in the text",
                 "este lugar se calcula de una forma que la mano no puede cambiar; escríbelo en el texto",

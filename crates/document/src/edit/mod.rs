@@ -10,6 +10,7 @@ mod drawing;
 mod error;
 mod layout;
 mod lines;
+mod obstacle;
 mod parameter;
 mod plots;
 mod question;
@@ -29,6 +30,7 @@ pub use drawing::{
 pub use error::EditError;
 pub(crate) use layout::line_end;
 pub use model::Edit;
+pub use obstacle::Obstacle;
 pub use parameter::set_parameter;
 pub use plots::{NewPlot, add_plot, exchange_plots, remove_plot, set_plot};
 pub use question::{NewQuestion, add_question, remove_question, set_question};

@@ -4,6 +4,7 @@ use super::blocks::{insert_block, remove_block};
 use super::columns::keeping_columns;
 use super::layout::{Layout, begin_line, line_end, result, with_line_ends_of};
 use super::lines::{exchanged, lines_around};
+use super::obstacle::Obstacle;
 use super::{Edit, EditError};
 use crate::form::{PlotCell, PlotPart, plots};
 use crate::outline::{Outline, read};
@@ -70,10 +71,11 @@ pub fn set_plot(outline: &Outline, number: usize, kind: PlotCell, text: &str) ->
             PlotCell::Kind => cells.retain(|(one, _)| *one == PlotCell::Title),
             _ => cells.retain(|(one, _)| *one != kind && *one != PlotCell::Text),
         }
-        cells.push((kind, text));
+        cells.push((kind, text.clone()));
     }
     let edits = vec![edit];
-    expect(outline, &edits, &expected, EditError::NotOneCell)?;
+    let refusal = EditError::NotOneCell(Obstacle::of(&text, obstacles(kind)));
+    expect(outline, &edits, &expected, refusal)?;
     Ok(edits)
 }
 
@@ -86,8 +88,13 @@ pub fn add_plot(outline: &Outline, plot: &NewPlot) -> Result<Edit, EditError> {
     let source = outline.source();
     let [title, curves, across] = [&plot.title, &plot.curves, &plot.across].map(|text| text.trim());
     if [title, curves, across].contains(&"") {
-        return Err(EditError::NotOneCell);
+        return Err(EditError::NotOneCell(Obstacle::Empty));
     }
+    let refusal = || {
+        let cells = [(PlotCell::Title, title), (PlotCell::Curves, curves), (PlotCell::Across, across)];
+        let obstacle = |(kind, text)| Some(Obstacle::of(text, obstacles(kind))).filter(|one| *one != Obstacle::Other);
+        EditError::NotOneCell(cells.into_iter().find_map(obstacle).unwrap_or(Obstacle::Other))
+    };
     let line = format!("\"{title}\": {curves} against {across}");
     let blocks = outline.blocks();
     let edit = match blocks.iter().rfind(|block| block.kind == BlockKind::Plots) {
@@ -108,9 +115,9 @@ pub fn add_plot(outline: &Outline, plot: &NewPlot) -> Result<Edit, EditError> {
     let cells = [(PlotCell::Title, title), (PlotCell::Curves, curves), (PlotCell::Across, across)];
     expected.push(cells.map(|(kind, text)| (kind, text.to_owned())).to_vec());
     if outline.blocks_of(BlockKind::Plots).next().is_some() {
-        expect(outline, std::slice::from_ref(&edit), &expected, EditError::NotOneCell)?;
+        expect(outline, std::slice::from_ref(&edit), &expected, refusal())?;
     } else if !are(&plots(&read(&result(outline, std::slice::from_ref(&edit))?)), &expected) {
-        return Err(EditError::NotOneCell);
+        return Err(refusal());
     }
     Ok(edit)
 }
@@ -151,6 +158,16 @@ pub fn exchange_plots(outline: &Outline, one: usize, other: usize) -> Result<Vec
     expected.swap(one, other);
     expect(outline, &edits, &expected, EditError::ChangesOthers)?;
     Ok(edits)
+}
+
+/// What cannot stand in a cell of this kind.
+fn obstacles(kind: PlotCell) -> &'static [&'static str] {
+    match kind {
+        PlotCell::Title => &["\n", "\""],
+        PlotCell::Curves => &["\n", "#", "\"", "against"],
+        PlotCell::Across => &["\n", "#", "\"", "equal axes"],
+        PlotCell::Kind | PlotCell::Equal | PlotCell::Text => &[],
+    }
 }
 
 /// The title with its colon, so that what follows stays in its column.

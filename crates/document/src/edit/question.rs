@@ -2,6 +2,7 @@
 
 use super::blocks::{insert_block, remove_block};
 use super::layout::{begin_line, line_end, result, with_line_ends_of};
+use super::obstacle::Obstacle;
 use super::{Edit, EditError};
 use crate::outline::{Outline, read};
 use crate::translating::question_at;
@@ -51,7 +52,12 @@ pub fn add_question(outline: &Outline, question: &NewQuestion) -> Result<Edit, E
     let after = asked(&read(&text));
     let is_new =
         |one: &Asked| one.prompt == prompt && one.hint == hint && one.answer == format!("{answer} within {percent} %");
-    if after.len() == count + 1 && after.last().is_some_and(is_new) { Ok(edit) } else { Err(EditError::NotOneCell) }
+    if after.len() == count + 1 && after.last().is_some_and(is_new) {
+        return Ok(edit);
+    }
+    let in_line = [answer, percent].map(|text| Obstacle::of(text, &["\n"]));
+    let obstacles = in_line.into_iter().chain([prompt, hint].map(Obstacle::in_question));
+    Err(EditError::NotOneCell(obstacles.into_iter().find(|one| *one != Obstacle::Other).unwrap_or(Obstacle::Other)))
 }
 
 /// Writes a part of the question of this number; an empty text removes it.
@@ -77,7 +83,11 @@ pub fn set_question(outline: &Outline, number: usize, part: QuestionPart, text: 
         texts.collect()
     };
     let stands = after.get(number).is_some_and(|own| own.text(part) == text);
-    if stands && others(&before) == others(&after) { Ok(vec![edit]) } else { Err(EditError::NotOneCell) }
+    if stands && others(&before) == others(&after) {
+        Ok(vec![edit])
+    } else {
+        Err(EditError::NotOneCell(Obstacle::in_question(&text)))
+    }
 }
 
 /// A part of the question whose block has this content, behind its word or, without one, before all of them.

@@ -3,6 +3,7 @@
 use super::cell::expect_in;
 use super::layout::{line_end, with_line_ends_of};
 use super::lines::{exchanged, lines_around};
+use super::obstacle::Obstacle;
 use super::{Edit, EditError};
 use crate::form::{CellKind, Part, Place, shown, structure};
 use crate::outline::Outline;
@@ -69,7 +70,7 @@ pub fn set_label(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edi
         return Ok(Vec::new());
     }
     if text.contains(['"', '\n', '\r']) || one.is_group && text.is_empty() {
-        return Err(EditError::NotOneCell);
+        return Err(EditError::NotOneCell(Obstacle::of(text, &["\n", "\""])));
     }
     let has_none = one.label_at.start == one.label_at.end;
     let edit = match (has_none, text.is_empty()) {
@@ -93,7 +94,7 @@ pub fn add_group(outline: &Outline, name: &str) -> Result<Vec<Edit>, EditError> 
     let source = outline.source();
     let name = name.trim();
     if name.is_empty() || name.contains(['"', '\n', '\r']) {
-        return Err(EditError::NotOneCell);
+        return Err(EditError::NotOneCell(Obstacle::of(name, &["\n", "\""])));
     }
     let all = shown(outline);
     let mut controls = all.iter().filter(|one| one.place == Place::Parameter && !one.is_group);
@@ -122,7 +123,7 @@ fn changed(outline: &Outline, parts: &[Part], number: usize, edit: Edit) -> Resu
         *cells = vec![(CellKind::Text, text)];
     }
     let edits = vec![edit];
-    expect_in(outline, &edits, &[part.block], &expected, EditError::NotOneCell)?;
+    expect_in(outline, &edits, &[part.block], &expected, EditError::NotOneCell(Obstacle::Other))?;
     Ok(edits)
 }
 

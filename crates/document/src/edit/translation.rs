@@ -2,6 +2,7 @@
 
 use super::blocks::{insert_block, replace_block};
 use super::layout::{begin_line, line_end, result, with_line_ends_of};
+use super::obstacle::Obstacle;
 use super::question::write_part;
 use super::settings::set_front_matter;
 use super::{Edit, EditError};
@@ -40,14 +41,21 @@ pub fn set_translation(outline: &Outline, key: &TextKey, text: &str) -> Result<V
         texts.iter().filter(|(other, _)| other != key && !shifts(other)).cloned().collect()
     };
     let stands = text.is_empty() || after.iter().any(|(other, written)| other == key && *written == text);
-    if stands && others(&before) == others(&after) { Ok(edits) } else { Err(EditError::NotOneCell) }
+    if stands && others(&before) == others(&after) {
+        return Ok(edits);
+    }
+    Err(EditError::NotOneCell(match key {
+        TextKey::Front(_) | TextKey::Short(_) => Obstacle::of(&text, &["\n"]),
+        TextKey::Prose(..) => Obstacle::in_prose(&text),
+        TextKey::Prompt(_) | TextKey::Hint(_) | TextKey::Explanation(_) => Obstacle::in_question(&text),
+    }))
 }
 
 /// `"original" = "text"`
 fn short(outline: &Outline, original: &str, text: &str) -> Result<Edit, EditError> {
     let source = outline.source();
     if text.contains(['"', '\n', '\r']) {
-        return Err(EditError::NotOneCell);
+        return Err(EditError::NotOneCell(Obstacle::of(text, &["\n", "\""])));
     }
     if let Some((place, line)) = entry_in(outline, original) {
         let whole = line.start..source[line.end..].find('\n').map_or(source.len(), |at| line.end + at + 1);

@@ -4,8 +4,8 @@ use super::edit::documents;
 use super::form::inverse;
 use document::drawing::{Axis, Grip, drawable, follows, read};
 use document::edit::{
-    Measure, Order, add_element, add_scene, apply, duplicate_element, follow, remove_elements, reorder_element,
-    set_attribute, set_text, shift,
+    EditError, Measure, Obstacle, Order, add_element, add_scene, apply, duplicate_element, follow, remove_elements,
+    reorder_element, set_attribute, set_text, shift,
 };
 use model::Edit;
 use proptest::prelude::*;
@@ -205,6 +205,15 @@ fn everything_in_the_palette_can_be_put_on_a_drawing() {
         }
         opens(&text);
     }
+}
+
+#[test]
+fn a_text_that_would_end_its_element_is_refused_with_the_reason() {
+    let text = framed("<bob at=\"(0, 0)\"/><label at=\"(0, y)\">y</label>");
+    let outline = document::read(&text);
+    let refused = |mark: &str| Err(EditError::NotOneElement(Obstacle::Mark(mark.to_owned())));
+    assert_eq!(set_attribute(&outline, 1, "at", "(0, 0)\" r=\"9"), refused("\""));
+    assert_eq!(set_text(&outline, 2, "a < b"), refused("<"));
 }
 
 /// What lies exactly on another element hides it.

@@ -1,7 +1,7 @@
 //! Text and form are the same document: what is set in a cell is read there afterwards, and all other bytes are as before.
 
 use crate::edit::documents;
-use document::edit::{Edit, EditError, add_statement, apply, remove_statement, set_cell};
+use document::edit::{Edit, EditError, Obstacle, add_statement, apply, remove_statement, set_cell};
 use document::form::{CellKind, Form, Section, proposal, read as form};
 use document::{open, read};
 use model::Span;
@@ -95,15 +95,20 @@ fn a_cell_gets_another_text_and_its_line_keeps_its_comment_and_columns() {
     }
     let aligned = "```model\nparameter k   = 20  [N/m]  in 1..100   \"Stiffness\"\nparameter b   = 0.1 [kg/s] in 0..5     \"Damping\"\n```\n";
     assert_eq!(set(aligned, 0, Unit, "N").unwrap(), aligned.replace("[N/m]  in", "[N]    in"));
+    assert_eq!(set(aligned, 0, Unit, "[ N ]").unwrap(), set(aligned, 0, Unit, "N").unwrap());
+    assert_eq!(set(aligned, 0, Unit, "[N/m]").unwrap(), aligned);
     assert_eq!(set(aligned, 1, Unit, "N").unwrap(), aligned.replace("[kg/s] in", "[N]    in"));
     assert_eq!(set(aligned, 1, Range, "0..25").unwrap(), aligned.replace("0..5     ", "0..25    "));
     let renamed = set(SPRING, 1, Name, "k").unwrap();
     assert_eq!(renamed, SPRING.replace("k_1", "k"));
     assert_eq!(set(SPRING, 6, Name, "x'(0)").unwrap().matches("x'").count(), 3);
+    let mark = |mark: &str| EditError::NotOneCell(Obstacle::Mark(mark.to_owned()));
     for (number, kind, value, error) in [
-        (0, Label, "a\" in 3", EditError::NotOneCell),
-        (0, Unit, "m] in [s", EditError::NotOneCell),
-        (0, Value, "5\n6", EditError::NotOneCell),
+        (0, Label, "a\" in 3", mark("\"")),
+        (0, Unit, "m] in [s", mark("]")),
+        (0, Unit, "[m] [s]", mark("]")),
+        (0, Value, "5 \"Mass\"", mark("\"")),
+        (0, Value, "5\n6", EditError::NotOneCell(Obstacle::LineEnd)),
         (4, Text, "", EditError::NotOneStatement),
         (4, Text, "a = 1\nb = 2", EditError::NotOneStatement),
         (9, Text, "when y < 0 [m] {\n n = 1", EditError::NotOneStatement),

@@ -3,7 +3,7 @@
 use crate::edit::documents;
 use crate::form::inverse;
 use document::edit::{
-    Edit, EditError, NewPlot, add_group, add_plot, apply, exchange_plots, exchange_statements, remove_plot,
+    Edit, EditError, NewPlot, Obstacle, add_group, add_plot, apply, exchange_plots, exchange_statements, remove_plot,
     remove_statement, set_hidden, set_label, set_plot,
 };
 use document::form::{Place, PlotCell, PlotPart, plots, shown};
@@ -75,17 +75,18 @@ fn a_cell_of_a_plot_changes_its_place_alone() {
     assert_eq!(set(&empty, 0, Across, "t").unwrap(), SPRING);
     let empty = set(SPRING, 1, Curves, "").unwrap();
     assert_eq!(set(&empty, 1, Curves, "x'").unwrap(), SPRING);
-    for (number, kind, value) in [
-        (0, Title, "a\": b"),
-        (0, Curves, "x against t, x"),
-        (0, Curves, "x\n\"B\": x"),
-        (0, Across, "t, equal axes"),
-        (0, Across, "t # so"),
-        (0, Kind, "lines"),
-        (0, Equal, "x against t"),
-        (0, Text, ""),
+    let mark = |mark: &str| Obstacle::Mark(mark.to_owned());
+    for (number, kind, value, obstacle) in [
+        (0, Title, "a\": b", mark("\"")),
+        (0, Curves, "x against t, x", mark("against")),
+        (0, Curves, "x\n\"B\": x", Obstacle::LineEnd),
+        (0, Across, "t, equal axes", mark("equal axes")),
+        (0, Across, "t # so", mark("#")),
+        (0, Kind, "lines", Obstacle::Other),
+        (0, Equal, "x against t", Obstacle::Other),
+        (0, Text, "", Obstacle::Empty),
     ] {
-        assert_eq!(set(SPRING, number, kind, value), Err(EditError::NotOneCell), "{kind:?} {value}");
+        assert_eq!(set(SPRING, number, kind, value), Err(EditError::NotOneCell(obstacle)), "{kind:?} {value}");
     }
     assert_eq!(set(SPRING, 0, Text, "```\n```plots"), Err(EditError::ChangesOthers));
     assert_eq!(set(SPRING, 3, Across, "t"), Err(EditError::UnknownCell));
@@ -107,10 +108,15 @@ fn plots_are_added_moved_and_removed() {
         "# first\n\"Two\":    x against t,\n          F against t\n\"Phases\": x' against x, equal axes\n\"Values\""
     ));
     assert_eq!(apply(&moved, &exchange_plots(&read(&moved), 1, 2).unwrap()).unwrap(), SPRING);
-    for refused in
-        [new("a\"b", "E", "t"), new("", "E", "t"), new("A", "", "t"), new("A", "E", ""), new("A", "E", "t, equal axes")]
-    {
-        assert_eq!(add_plot(&read(SPRING), &refused), Err(EditError::NotOneCell), "{refused:?}");
+    let mark = |mark: &str| Obstacle::Mark(mark.to_owned());
+    for (refused, obstacle) in [
+        (new("a\"b", "E", "t"), mark("\"")),
+        (new("", "E", "t"), Obstacle::Empty),
+        (new("A", "", "t"), Obstacle::Empty),
+        (new("A", "E", ""), Obstacle::Empty),
+        (new("A", "E", "t, equal axes"), mark("equal axes")),
+    ] {
+        assert_eq!(add_plot(&read(SPRING), &refused), Err(EditError::NotOneCell(obstacle)), "{refused:?}");
     }
     let plain = "---\ntitle: A\n---\nWords.\n\n```model\ny' = 1 [m/s]\ny(0) = 0\n```\n";
     let first = apply(plain, &[add_plot(&read(plain), &new("Way", "y", "t")).unwrap()]).unwrap();
@@ -155,7 +161,7 @@ fn controls_and_values_have_an_order_a_label_and_can_be_hidden() {
     assert_eq!(label("k", "Stiffness").unwrap(), SPRING.replace("[N/m] #", "[N/m] \"Stiffness\" #"));
     assert_eq!(label("E", "").unwrap(), SPRING.replace("[J] \"Energy\"", "[J]"));
     assert_eq!(label("m", "Weight").unwrap(), SPRING.replace("Mass", "Weight"));
-    assert_eq!(label("F", "a\"b"), Err(EditError::NotOneCell));
+    assert_eq!(label("F", "a\"b"), Err(EditError::NotOneCell(Obstacle::Mark("\"".to_owned()))));
     assert_eq!(set_hidden(&outline, number("k"), true), Err(EditError::UnknownCell));
 }
 
@@ -179,10 +185,10 @@ fn groups_of_controls_are_begun_named_moved_and_removed() {
     assert_eq!(names(&moved), ["[Spring]", "k", "[Air]", "m", "on_air"]);
     let named = apply(&second, &set_label(&read(&second), air, "Atmosphere").unwrap()).unwrap();
     assert_eq!(named, second.replace("\"Air\"\nswitch", "\"Atmosphere\"\nswitch"));
-    assert_eq!(set_label(&read(&second), air, " "), Err(EditError::NotOneCell));
+    assert_eq!(set_label(&read(&second), air, " "), Err(EditError::NotOneCell(Obstacle::Empty)));
     let removed = apply(&second, &[remove_statement(&read(&second), spring).unwrap()]).unwrap();
     assert_eq!(names(&removed), ["k", "m", "[Air]", "on_air"]);
-    assert_eq!(begin(SPRING, "a\"b"), Err(EditError::NotOneCell));
+    assert_eq!(begin(SPRING, "a\"b"), Err(EditError::NotOneCell(Obstacle::Mark("\"".to_owned()))));
     assert_eq!(begin("```model\nx' = 1 [1/s]\nx(0) = 0\n```\n", "A"), Err(EditError::UnknownCell));
 }
 

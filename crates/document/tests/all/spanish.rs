@@ -3,7 +3,7 @@
 //! `UPDATE_EXPECTED=1 cargo test -p document --test all spanish` writes that file, to be read before it is committed.
 
 use crate::catalogue::Catalogue;
-use document::edit::EditError;
+use document::edit::{EditError, Obstacle};
 use model::{Diagnostic, Span};
 use std::path::Path;
 
@@ -30,6 +30,10 @@ fn every_finding_is_said_in_spanish() {
         EditError::Value(String::new()),
         EditError::UnknownBlock(4),
         EditError::ChangesOthers,
+        EditError::NotOneCell(Obstacle::Empty),
+        EditError::NotOneCell(Obstacle::LineEnd),
+        EditError::NotOneCell(Obstacle::Mark("]".to_owned())),
+        EditError::NotOneElement(Obstacle::Other),
     ];
     catalogue.add(&refusals.map(|refusal| Diagnostic::error("edit", refusal.words(), Span::default())));
     catalogue.compare(&tests.join("spanish.txt"));

@@ -1,6 +1,6 @@
 //! The texts of a document beside those of its translation.
 
-use document::edit::{EditError, apply, set_translation};
+use document::edit::{EditError, Obstacle, apply, set_translation};
 use document::translating::{TextKey, beginning, likely_language, pairs, short_texts};
 use document::{open, read};
 use proptest::prelude::*;
@@ -73,9 +73,10 @@ fn a_translation_is_written_text_by_text_until_nothing_is_missing() {
     ] {
         assert_eq!(set(key.clone(), written).unwrap(), text.replace(before, after), "{key:?} {written}");
     }
-    assert_eq!(set(TextKey::Short("Place".to_owned()), "a\" = \"b"), Err(EditError::NotOneCell));
+    let refused = |mark: &str| Err(EditError::NotOneCell(Obstacle::Mark(mark.to_owned())));
+    assert_eq!(set(TextKey::Short("Place".to_owned()), "a\" = \"b"), refused("\""));
     // What follows a word of the language is another part of the question.
-    assert_eq!(set(TextKey::Hint(0), "a\nexplanation: b"), Err(EditError::NotOneCell));
+    assert_eq!(set(TextKey::Hint(0), "a\nexplanation: b"), refused("explanation:"));
     assert_eq!(set(TextKey::Prompt(4), "a"), Err(EditError::EarlierQuestion(4)));
 }
 

@@ -4,7 +4,7 @@ use super::distance::Measure;
 use super::expect::{Shape, drawing, expect, item, shapes};
 use super::shift::shift;
 use crate::drawing::{Drawing, Grip, Item};
-use crate::edit::{Edit, EditError, apply, line_end};
+use crate::edit::{Edit, EditError, Obstacle, apply, line_end};
 use crate::outline::Outline;
 use model::Span;
 
@@ -130,7 +130,7 @@ pub(super) fn expect_beside(
     let text = apply(outline.source(), std::slice::from_ref(edit))?;
     let after = crate::outline::read(&text);
     let added = crate::drawing::read(&after).map(|after| shapes(&text, &after)).unwrap_or_default();
-    let added = added.get(place..place + count).ok_or(EditError::NotOneElement)?;
+    let added = added.get(place..place + count).ok_or(EditError::NotOneElement(Obstacle::Other))?;
     let mut expected = shapes(outline.source(), drawing);
     expected.splice(place..place, added.iter().cloned());
     expect(outline, drawing, std::slice::from_ref(edit), &expected)

@@ -2,7 +2,7 @@
 
 use super::expect::{drawing, expect, item, shapes};
 use crate::drawing::{Drawing, Item, shows_text};
-use crate::edit::{Edit, EditError};
+use crate::edit::{Edit, EditError, Obstacle};
 use crate::outline::Outline;
 use model::Span;
 
@@ -21,7 +21,7 @@ pub fn set_attribute(outline: &Outline, number: usize, name: &str, text: &str) -
         None if text.is_empty() => return Ok(Vec::new()),
         _ => attribute_edit(outline.source(), item, name, text),
     };
-    expect_attributes(outline, &drawing, vec![edit], number, &[(name, text)])
+    expect_attributes(outline, &drawing, vec![edit], number, &[(name, text)]).map_err(|error| refused(error, text))
 }
 
 /// Changes the text that an element shows, or its title, by which it is called. An empty text removes the title.
@@ -35,7 +35,7 @@ pub fn set_text(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edit
     let text = text.trim();
     let source = outline.source();
     if text.contains('<') {
-        return Err(EditError::NotOneElement);
+        return Err(EditError::NotOneElement(Obstacle::Mark("<".to_owned())));
     }
     let is_shown = shows_text(item.kind);
     let edit = match item.says {
@@ -53,8 +53,17 @@ pub fn set_text(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edit
             inside(source, item, &inner)
         }
     };
-    expect(outline, &drawing, std::slice::from_ref(&edit), &shapes(source, &drawing))?;
+    let expected = shapes(source, &drawing);
+    expect(outline, &drawing, std::slice::from_ref(&edit), &expected).map_err(|error| refused(error, text))?;
     Ok(vec![edit])
+}
+
+/// What keeps a typed text out of its element.
+fn refused(error: EditError, text: &str) -> EditError {
+    match error {
+        EditError::NotOneElement(_) => EditError::NotOneElement(Obstacle::of(text, &["\"", "'", "<", ">", "{", "}"])),
+        other => other,
+    }
 }
 
 /// Puts a text directly behind the opening tag.

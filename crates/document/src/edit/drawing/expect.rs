@@ -2,7 +2,7 @@
 
 use crate::drawing::{Drawing, Item, read};
 use crate::edit::layout::{Layout, result};
-use crate::edit::{Edit, EditError};
+use crate::edit::{Edit, EditError, Obstacle};
 use crate::outline::{self, Outline};
 
 /// An element without its places: its name, how many frames and groups are around it, its attributes.
@@ -44,5 +44,5 @@ pub(super) fn expect(
     }
     let after = outline::read(&text);
     let is_same = read(&after).is_some_and(|drawing| shapes(&text, &drawing) == expected);
-    if is_same { Ok(()) } else { Err(EditError::NotOneElement) }
+    if is_same { Ok(()) } else { Err(EditError::NotOneElement(Obstacle::Other)) }
 }

@@ -1,0 +1,69 @@
+//! What keeps a text out of a cell or an element.
+
+use crate::questions::key_in;
+use crate::scan::find_word;
+use units::{Words, words};
+
+/// What keeps a text out of a cell or an element: it would be read as a part of what stands around it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Obstacle {
+    /// There is no text.
+    Empty,
+    /// A line end.
+    LineEnd,
+    /// A character or word.
+    Mark(String),
+    /// Something else.
+    Other,
+}
+
+impl Obstacle {
+    /// The first of these marks that a text has; `\n` is a line end, and letters count as whole words.
+    pub(super) fn of(text: &str, marks: &[&str]) -> Self {
+        let is_in = |mark: &&&str| match mark.chars().all(char::is_alphabetic) {
+            true => find_word(text, 0..text.len(), mark).is_some(),
+            false => text.contains(**mark),
+        };
+        if text.is_empty() {
+            return Self::Empty;
+        }
+        match marks.iter().find(is_in) {
+            Some(&"\n") => Self::LineEnd,
+            Some(mark) => Self::Mark((*mark).to_owned()),
+            None => Self::Other,
+        }
+    }
+
+    /// That of a part of a question, which may have several lines.
+    pub(super) fn in_question(text: &str) -> Self {
+        match key_in(text) {
+            Some(key) => Self::Mark(format!("{key}:")),
+            None => Self::in_prose(text),
+        }
+    }
+
+    /// That of prose: a fence ends the block around it or begins another one.
+    pub(super) fn in_prose(text: &str) -> Self {
+        let fence = ["```", "~~~"].into_iter().find(|fence| text.contains(fence));
+        fence.map_or(Self::Other, |fence| Self::Mark(fence.to_owned()))
+    }
+
+    /// In one sentence without a full stop.
+    pub(super) fn words(&self) -> Words {
+        match self {
+            Self::Empty => words("this cannot be empty", "esto no puede quedar vacío"),
+            Self::LineEnd => words(
+                "this cannot contain a line break: it must stay on one line",
+                "esto no puede contener un salto de línea: tiene que quedar en una línea",
+            ),
+            Self::Mark(mark) => words!(
+                "this cannot contain `{mark}`, which would be read as part of the text around it",
+                "esto no puede contener `{mark}`: se leería como parte del texto que lo rodea"
+            ),
+            Self::Other => words(
+                "this would be read as more than this one entry; write it in the text",
+                "esto se leería como algo más que esta entrada; escríbelo en el texto",
+            ),
+        }
+    }
+}

@@ -79,7 +79,7 @@ visit("a fault stands beside its cell with a remedy, and the last good version r
   // What would not stay in its cell is not written.
   const kept = await text(lab);
   await field(lab, "k: Label").fill('a" in 3');
-  await lab.page.locator(".forms .refusal", { hasText: "does not fit into its cell" }).waitFor();
+  await lab.page.locator(".forms .refusal", { hasText: 'cannot contain `"`' }).waitFor();
   assert.equal(await text(lab), kept);
 });
 
@@ -150,7 +150,7 @@ visit("a translation is begun, written beside the texts of the document, and its
   await side("A mass hangs on a spring. Drag it and let go.").fill("Una masa cuelga de un resorte.");
   await eventually(async () => assert.equal(Number.parseInt(await count.innerText(), 10), before - 2));
   await side("Mass").fill('a" = "b');
-  await lab.page.locator(".side .refusal", { hasText: "does not fit" }).waitFor();
+  await lab.page.locator(".side .refusal", { hasText: 'cannot contain `"`' }).waitFor();
   await side("Mass").fill("Masa");
   await lab.page.locator("#only-missing").check();
   await eventually(async () => assert.equal(await lab.page.locator(".side").count(), before - 3));

@@ -65,7 +65,7 @@ visit("a fault of a plot stands beside it, and what would be read otherwise is r
   await eventually(async () => assert.equal(await card.locator(".brief").count(), 0));
   const before = await text(lab);
   await field(lab, "Plot 1: Title").fill('a" b');
-  await card.locator(".refusal", { hasText: "does not fit" }).waitFor();
+  await card.locator(".refusal", { hasText: 'cannot contain `"`' }).waitFor();
   assert.equal(await text(lab), before);
   await field(lab, "Plot 1: Title").fill("Height");
   await now(lab, /"Height":/);

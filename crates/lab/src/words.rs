@@ -172,6 +172,8 @@ table_of_words! {
     one_warning: "remark", "observación";
     many_warnings: "remarks", "observaciones";
 
+    writing_tools: "Document", "Documento";
+    writing_way_back: "Back to the tabs", "Volver a las pestañas";
     writing_panels: "The document as", "El documento como";
     panel_text: "Text", "Texto";
     panel_model: "Model", "Modelo";

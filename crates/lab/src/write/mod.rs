@@ -14,6 +14,7 @@ mod panel;
 mod panels;
 mod questions;
 mod times;
+mod toolbar;
 mod tools;
 mod translation;
 mod typing;
@@ -55,7 +56,8 @@ pub fn view(app: App) -> View {
         .child(place.child(changing(wait)));
     let built = move |panel: Panel, content: fn(App) -> View| {
         let shown = memo(move || !waiting.get() && app.writing_panel.get() == panel);
-        panels::body(app, panel).child(changing(move || if shown.get() { content(app) } else { View::new() }))
+        let content = move || View::from((content(app), panels::way_back(app, panel)));
+        panels::body(app, panel).child(changing(move || if shown.get() { content() } else { View::new() }))
     };
     div()
         .class("writing")

@@ -38,6 +38,12 @@ pub fn body(app: App, panel: Panel) -> HtmlDiv {
         .hidden(move || app.writing_panel.get() != panel)
 }
 
+/// Behind a long form: the way back to its tab.
+pub fn way_back(app: App, panel: Panel) -> HtmlButton {
+    let back = move |_| browser::focus(&format!("writing-tab-{}", panel.id()));
+    button().class("quiet way-back").when(events::click, back).child(app.words().writing_way_back)
+}
+
 /// Shows the document in another form; what was typed last is checked before.
 pub fn show(app: App, panel: Panel) {
     super::flush(app);

@@ -2,7 +2,7 @@
 
 use super::draft::flush;
 use super::unfolded::Unfolded;
-use super::{kept, version_list};
+use super::{kept, toolbar, version_list};
 use crate::app::App;
 use crate::{opening, visited};
 use document::page::Source;
@@ -44,7 +44,7 @@ pub fn view(app: App) -> HtmlDiv {
         };
         if documents.is_empty() { View::new() } else { View::from((note(words.kept_documents), chips(documents))) }
     };
-    let [versions, version_list] = version_list::view(app, unfolded);
+    let (versions, version_list) = version_list::view(app, unfolded);
     let templates = div().class("templates").id("templates").hidden(move || !choosing());
     // Escape folds up what is unfolded; the focus goes back to where it was opened.
     let fold = move |event: KeyboardEvent| {
@@ -58,9 +58,10 @@ pub fn view(app: App) -> HtmlDiv {
         .class("writing-tools")
         .when(events::keydown, fold)
         .when(events::mousedown, |event| keep_focus(&event))
-        .child(new)
-        .child(save)
-        .child(versions)
+        .child(toolbar::view(
+            words.writing_tools,
+            [(Unfolded::New.id(), new), ("save-writing", save), (Unfolded::Versions.id(), versions)],
+        ))
         .maybe(file_choice(app))
         .child(templates.child(note(words.new_document_from)).child(chips).child(changing(kept)))
         .child(version_list)

@@ -9,7 +9,7 @@ use desk::{LineChanges, line_changes};
 use view::views::*;
 
 /// The button that shows the list, and the list below the tools.
-pub fn view(app: App, unfolded: Signal<Option<Unfolded>>) -> [View; 2] {
+pub fn view(app: App, unfolded: Signal<Option<Unfolded>>) -> (HtmlButton, HtmlDiv) {
     let open = move || unfolded.get() == Some(Unfolded::Versions);
     let list = changing(move || {
         app.written.track();
@@ -19,7 +19,7 @@ pub fn view(app: App, unfolded: Signal<Option<Unfolded>>) -> [View; 2] {
         .button(unfolded, "version-list", app.words().versions)
         .when(events::click, move |_| draft::flush(app));
     let place = div().class("templates").id("version-list").hidden(move || !open()).child(list);
-    [button.into(), place.into()]
+    (button, place)
 }
 
 /// The versions, the latest first, each with what has changed since the one before it.

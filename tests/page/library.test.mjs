@@ -221,6 +221,16 @@ for (const [language, words] of Object.entries(WORDS)) {
   });
 }
 
+visit("a copy of a document with a translation has its title in the language of the page", { language: "es-ES" }, async (lab) => {
+  await lab.tab("Escribir");
+  await lab.page.locator(".cm-content").click();
+  await lab.page.keyboard.press("Control+End");
+  await lab.page.keyboard.type("x");
+  await eventually(async () => assert.ok((await stored(lab)).some(([key]) => key.includes(":written:"))));
+  await openLibrary(lab);
+  assert.deepEqual(await mine(lab, WORDS["es-ES"]).locator(".entry").allInnerTexts(), ["Oscilaciones de un líquido en un tubo en U"]);
+});
+
 for (const language of ["en-GB", "es-ES"]) {
   for (const theme of ["light", "dark"]) {
     for (const [device, size] of [["desk", {}], ["phone", PHONE]]) {

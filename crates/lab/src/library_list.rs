@@ -54,7 +54,7 @@ struct Item {
 fn contents(app: App) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let own = kept::documents().into_iter().map(|own| (Entry { files: own.kept.files() }, Some(own)));
+    let own = kept::documents(language).into_iter().map(|own| (Entry { files: own.kept.files() }, Some(own)));
     let all = own.chain(entries().into_iter().map(|entry| (entry, None)));
     let item = |(number, (entry, own)): (usize, (Entry, _))| Item { number, card: entry.card(language), entry, own };
     let items: Vec<Item> = all.enumerate().map(item).collect();

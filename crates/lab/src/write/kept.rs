@@ -90,12 +90,14 @@ fn changed(name: &str) -> u64 {
     known.or_else(|| name.strip_prefix(PREFIX)?.parse().ok()).unwrap_or(0)
 }
 
-/// What was written, what was changed last first. A text that was changed back into that of the library is not among it.
-pub fn documents() -> Vec<Document> {
+/// What was written, with titles in a language, what was changed last first. A text that was changed back into that of the library is not among it.
+pub fn documents(language: &str) -> Vec<Document> {
     let read = |(name, text): (String, String)| {
         let kept = visited::read(&text)
             .filter(|kept| kept.draft.is_some() || matches!(library::subject(&kept.sources), Subject::File(_)))?;
-        let title = document::card(&kept.files().first()?.text).title;
+        let entry = library::Entry { files: kept.files() };
+        entry.files.first()?;
+        let title = entry.title(language);
         Some(Document { changed: changed(&name), name, title, kept })
     };
     let mut documents: Vec<Document> = browser::all_remembered(PREFIX).into_iter().filter_map(read).collect();

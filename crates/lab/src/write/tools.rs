@@ -33,7 +33,7 @@ pub fn view(app: App) -> HtmlDiv {
     let choosing = move || unfolded.get() == Some(Unfolded::New);
     let new = Unfolded::New.button(unfolded, "templates", words.new_document);
     let kept = move || {
-        let documents = if choosing() { kept::documents() } else { Vec::new() };
+        let documents = if choosing() { kept::documents(app.language.get_untracked().tag()) } else { Vec::new() };
         let document = |document: kept::Document| {
             let mut kept = Some(document.kept);
             let open = move |_| kept.take().into_iter().for_each(|kept| opening::open_kept(app, kept));

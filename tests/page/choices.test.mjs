@@ -32,8 +32,7 @@ visit("a link carries what is chosen, in words", async (lab) => {
   await ball(lab);
   await lab.page.getByLabel("Liquid").selectOption("Glycerine");
   await lab.page.getByLabel("With drag").uncheck();
-  await lab.copyLink();
-  await eventually(async () => assert.match(await lab.told(), /[Ll]ink/));
+  assert.match(await lab.copyLink(), /[Ll]ink/);
   const address = decodeURIComponent(lab.page.url());
   assert.match(address, /drag:off/);
   assert.match(address, /liquid:Glycerine/);

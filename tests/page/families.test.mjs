@@ -61,8 +61,7 @@ visit("the number of masses is changed in the page, and the link restores it", a
   await size.press("Enter");
   await eventually(async () => assert.match(await lab.page.locator("#size-N-error").innerText(), /range 2\.\.40/));
   assert.equal(await picker(lab, "Displacement: index").getAttribute("max"), "10");
-  await lab.copyLink();
-  await eventually(async () => assert.match(await lab.told(), /[Ll]ink/));
+  assert.match(await lab.copyLink(), /[Ll]ink/);
   const address = lab.page.url();
   assert.match(address, /n=N:9/);
   await lab.page.goto("about:blank");

@@ -2,7 +2,7 @@
 //! range in which it was searched, and a curve that oscillates faster than its record was sampled.
 
 use crate::outliers::outliers;
-use crate::written::quantity;
+use crate::written::{of_record, quantity};
 use analysis::fit::{Estimate, Outcome, Task};
 use units::{Language, Unit};
 
@@ -13,12 +13,6 @@ pub fn doubts(outcome: &Outcome, task: &Task, independent: (&str, &Unit), langua
     let at_ends = outcome.stopped().map(|one| at_end(one, task, language));
     let undersampled = outcome.undersampled.iter().map(|&record| undersampled(record, task, language));
     misled.into_iter().chain(at_ends).chain(undersampled).collect()
-}
-
-/// `run 2: `, where there are several.
-fn of_record(record: Option<usize>, task: &Task) -> String {
-    let record = record.and_then(|record| task.records.get(record)).filter(|_| task.records.len() > 1);
-    record.map_or_else(String::new, |record| [&record.name, ": "].concat())
 }
 
 fn undersampled(record: usize, task: &Task, language: Language) -> String {

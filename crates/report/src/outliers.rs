@@ -1,6 +1,6 @@
 //! The values of a record that are off the others, in words.
 
-use crate::written::quantity;
+use crate::written::{of_record, quantity};
 use analysis::fit::{Outcome, Outlier, Task};
 use units::number::{Style, fixed, plain};
 use units::{Language, Unit};
@@ -18,8 +18,7 @@ pub fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), lang
         let fit = outcome.outlying(one)?;
         let value = named_quantity(&fit.name, *fit.measured.get(one.row)?, &fit.unit);
         let time = named_quantity(independent.0, *fit.times.get(one.row)?, independent.1);
-        let record = task.records.get(one.record).filter(|_| task.records.len() > 1);
-        let record = record.map_or_else(String::new, |record| [&record.name, ": "].concat());
+        let record = of_record(Some(one.record), task);
         let distance = if outcome.misled { String::new() } else { [" (", &sigmas(one.sigmas, style), " σ)"].concat() };
         Some([&record, &value, language.pick::<&str>(" at ", " en "), &time, &distance].concat())
     };

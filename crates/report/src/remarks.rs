@@ -3,6 +3,7 @@
 
 use crate::doubt;
 use crate::outliers::{outliers, sigmas};
+use crate::written::of_record;
 use analysis::fit::{Estimate, FilmScale, Loss, Outcome, Task};
 use units::number::{Group, fixed, plain};
 use units::{Language, Unit};
@@ -28,8 +29,7 @@ fn scales(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
     let sentence = |scale: &FilmScale| {
         let error = scale.stderr.unwrap_or(scale.prior);
         let group = Group::of_errors(&Unit::dimensionless(), &[(scale.value, error)], language.style());
-        let record = task.records.get(scale.record).filter(|_| task.records.len() > 1);
-        let record = record.map_or_else(String::new, |record| [&record.name, ": "].concat());
+        let record = of_record(Some(scale.record), task);
         let away = (scale.value - 1.0) / scale.prior;
         let contradiction = [
             language.pick::<&str>(" It is ", " Está a "),

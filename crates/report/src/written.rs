@@ -1,8 +1,14 @@
 //! Numbers with units as a sentence or a table has them.
 
-use analysis::fit::Outcome;
+use analysis::fit::{Outcome, Task};
 use units::Unit;
 use units::number::{Group, Style, plain, with_unit};
+
+/// `run 2: `, where there are several records.
+pub fn of_record(record: Option<usize>, task: &Task) -> String {
+    let record = record.and_then(|record| task.records.get(record)).filter(|_| task.records.len() > 1);
+    record.map_or_else(String::new, |record| [&record.name, ": "].concat())
+}
 
 /// An SI value with five digits and a unit in which it needs no power of ten.
 pub fn quantity(si: f64, unit: &Unit, style: Style) -> String {

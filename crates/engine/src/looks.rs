@@ -193,18 +193,26 @@ impl Looks {
             let slopes = [low, high].map(|point| size * point.values[count + number]);
             Cubic::new([low.values[number], high.values[number]], slopes)
         };
-        let mut wrong = vec![0.0_f64; count];
+        // Where only one of two values is a number, it begins or ceases to be one between them. Comparing NaN would hide that.
+        let ceases = |a: f64, b: f64| a.is_finite() != b.is_finite();
+        let mut wrong: Vec<f64> = (low.values.iter().zip(&high.values).take(count))
+            .map(|(&low, &high)| if ceases(low, high) { f64::INFINITY } else { 0.0 })
+            .collect();
         for part in Self::CHECKS {
             let time = low.time + part * size;
             self.interpolate(dense, time);
             self.values.evaluate(time, &self.probe, &mut self.found);
             for (number, (wrong, found)) in wrong.iter_mut().zip(&self.found).enumerate() {
-                let distance = (found - cubic(number).at(part)).abs();
-                *wrong = wrong.max(distance);
+                let expected = cubic(number).at(part);
+                *wrong = if ceases(*found, expected) { f64::INFINITY } else { wrong.max((found - expected).abs()) };
             }
         }
         let is_right = |number: usize, wrong: f64| {
             let (least, greatest) = cubic(number).range();
+            if !(least.is_finite() && greatest.is_finite()) {
+                // No number at either end, nor in between.
+                return wrong.is_finite();
+            }
             let nearest = if least > 0.0 { least } else { -greatest };
             wrong <= Self::EXACTNESS * greatest.abs().max(least.abs()) || 4.0 * wrong < nearest
         };
@@ -231,11 +239,15 @@ impl Looks {
                 }
                 return;
             }
-            if self.doubt.is_none() {
+            // Where a value ceases to be a number, the place is known well enough, unless the divisions are used up.
+            if self.doubt.is_none() && (wrong[doubtful].is_finite() || self.divisions >= Self::DIVISIONS) {
                 self.doubt = Some(Doubt { time: low.time, event: self.events.get(doubtful).copied().flatten() });
             }
         }
-        for number in 0..count {
+        for (number, wrong) in wrong.iter().enumerate() {
+            if wrong.is_infinite() {
+                self.zeros.extend([low.time, high.time]);
+            }
             cubic(number).zeros(|zero| self.zeros.push(low.time + zero * size));
         }
     }

@@ -114,3 +114,22 @@ fn the_event_in_doubt_is_named() {
     let run = counting(named, Method::RungeKutta4, 0.05, 1);
     assert!(run.notices()[0].message(&model(named)).english.starts_with("the event `drive` may be"));
 }
+
+/// A root that is no number in the middle of a step, where the cubic is checked, is near 0 for short times on both sides of that.
+#[test]
+fn a_value_that_ceases_to_be_a_number_hides_no_event() {
+    for (centre, half) in [(0.455, 0.2), (0.45, 0.25), (0.47, 0.3), (0.4, 0.35)] {
+        let text = format!(
+            "independent t\nx' = 1\nx(0) = 0\ndiscrete n = 0\nwhen sqrt((x - {centre})^2 - {half}^2) < 0.05 {{ n = n + 1 }}"
+        );
+        for method in [Method::EulerRichardson, Method::RungeKutta4, Method::DormandPrince, Method::Rosenbrock] {
+            let run = counting(&text, method, 1.0, 1);
+            assert_eq!(run.state()[1], 2.0, "{method}, {centre}, {half}: {:?}", jumps(&run));
+            let expected = centre - (half * half + 0.0025_f64).sqrt();
+            assert!((jumps(&run)[0] - expected).abs() < 1e-9, "{method}: {:?} for {expected}", jumps(&run));
+        }
+    }
+    let quiet = "independent t\nx' = 1\nx(0) = 0\ndiscrete n = 0\nwhen sqrt(x - 0.5) > 10 { n = n + 1 }";
+    let run = counting(quiet, Method::RungeKutta4, 0.3, 7);
+    assert_eq!((run.state()[1], run.notices()), (0.0, Vec::new()));
+}

@@ -54,7 +54,7 @@ pub use records::{
     Sample,
 };
 pub use refusal::Refusal;
-pub use saved::{Change, Item, Left, Shelf};
+pub use saved::{Change, Item, Left, Shelf, own_document_key};
 pub use writing::{
     DrawingPlaces, Insight, LineChanges, Mark, Proposals, TextChange, Writing, insight, line_changes,
     superfluous_versions, text_changes,

@@ -16,7 +16,7 @@ use film::tracking::column::Click;
 use play::name_of;
 
 /// No more works are kept.
-const MOST_WORKS: usize = 32;
+pub(super) const MOST_WORKS: usize = 32;
 /// The tracks of all of them may have so many points; a point takes about a hundred bytes. A film with more is tracked again.
 const MOST_POINTS: usize = 10_000;
 

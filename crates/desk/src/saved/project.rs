@@ -1,7 +1,12 @@
 //! What a project holds of a desk besides its document.
 
 use super::Item;
-use crate::Desk;
+use super::films::MOST_WORKS;
+use crate::{Desk, MOST_FITS, MOST_RECORDS};
+use std::collections::HashSet;
+
+/// A desk holds no more records, works on films and fits. So many are tried: a file from a stranger may have thousands.
+const MOST_TRIED: usize = MOST_RECORDS + MOST_WORKS + MOST_FITS;
 
 impl Desk {
     /// Records, works on films, fits and answers with their names, as texts; `now` in milliseconds.
@@ -13,23 +18,33 @@ impl Desk {
     /// Takes what a project holds, in the order in which it was written: fits come after their records. What is here already stays
     /// as it is. How many items could not be taken.
     pub fn take_project_items(&mut self, items: &[(String, String)]) -> usize {
-        let mut refused = 0;
+        let records = self.record_names().into_iter().map(|(_, name)| name);
+        let others = [self.saved_fits(), self.saved_films()].into_iter().flatten().map(|(name, _)| name);
+        let mut here: HashSet<String> = records.chain(others).collect();
+        let (mut refused, mut tried) = (0, 0);
         for (name, text) in items {
             let Some((_, items)) = Item::read(text) else {
                 refused += 1;
                 continue;
             };
-            let is_here = self.record_names().iter().any(|(_, own)| own == name)
-                || self.saved_fits().iter().any(|(own, _)| own == name)
-                || self.saved_films().iter().any(|(own, _)| own == name);
-            for item in items.iter().filter(|_| !is_here) {
-                let taken = self.restore_record(item).is_some()
-                    || self.restore_film(item).is_some()
-                    || self.restore_fit(item).is_some()
-                    || self.restore_answer(name, item);
-                refused += usize::from(!taken);
+            if here.contains(name) {
+                continue;
+            }
+            for item in &items {
+                if self.restore_answer(name, item) {
+                    continue;
+                }
+                tried += 1;
+                let taken = if tried > MOST_TRIED { None } else { self.restore_measured(item) };
+                refused += usize::from(taken.is_none());
+                here.extend(taken);
             }
         }
         refused
+    }
+
+    /// Brings back a record, the work on a film, or a fit, with its name.
+    fn restore_measured(&mut self, item: &Item) -> Option<String> {
+        self.restore_record(item).or_else(|| self.restore_film(item)).or_else(|| self.restore_fit(item))
     }
 }

@@ -31,6 +31,30 @@ fn records_and_answers_come_back_and_are_not_taken_twice() {
     assert_eq!(third.records().len(), 1);
 }
 
+/// A file from a stranger may hold thousands of items; the desk tries no more of them than it has room for.
+#[test]
+fn a_project_with_thousands_of_items_is_taken_in_part() {
+    let film = |number: usize| {
+        let text = format!(
+            r#"{{"meniscus":3,"since":1,"item":{{"film":{{"name":"a","size":{number},"hash":"{number:016x}","frames":3}}}}}}"#
+        );
+        (format!("film {number}"), text)
+    };
+    let many: Vec<(String, String)> = (0..5000).map(film).collect();
+    let mut desk = utube();
+    let refused = desk.take_project_items(&many);
+    assert!((4900..=5000).contains(&refused), "{refused}");
+    // A record that comes twice is taken once, also where it is one of many.
+    let mut owner = utube();
+    owner.begin_record("film.csv", RECORD.to_vec()).unwrap();
+    while owner.record_progress().is_some() {
+        owner.advance_record(1 << 20).unwrap();
+    }
+    let items = vec![owner.project_items(5).remove(0); 1000];
+    let mut desk = utube();
+    assert_eq!((desk.take_project_items(&items), desk.records().len()), (0, 1));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
 

@@ -4,7 +4,7 @@ use crate::findings;
 use crate::markup::{self, Page, cell, escaped};
 use crate::{Report, drawing, page, results};
 use analysis::csv::{self, Dialect};
-use analysis::fit::{ObservationFit, Outcome, Ranked, Verdict, rank, worth};
+use analysis::fit::{ObservationFit, Outcome, Ranked, Verdict, rank, ties, worth};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 use units::Language;
 use units::number::{Group, fixed, plain};
@@ -18,7 +18,7 @@ pub struct Ranking<'a> {
     pub command: &'a str,
 }
 
-/// A difference of AICc, in values that count, within which theories are equally good, and one beyond which a theory is
+/// A difference of AICc within which theories are equally good, and one beyond which a theory is
 /// ruled out (Burnham & Anderson, Model Selection, 2002, section 2.6).
 const ALIKE: f64 = 2.0;
 const RULED_OUT: f64 = 10.0;
@@ -56,6 +56,14 @@ impl<'a> Ranking<'a> {
         rank(&outcomes).into_iter().filter_map(row).collect()
     }
 
+    /// For each place that theories share, a sentence.
+    fn ties(&self) -> Vec<(usize, String)> {
+        let tag = self.language().tag();
+        let outcomes: Vec<&Outcome> = self.theories.iter().map(|report| report.outcome).collect();
+        let title = |index: usize| self.theories[index].document.program.edition(tag).title.clone();
+        ties(&rank(&outcomes), &outcomes, self.language(), title)
+    }
+
     /// For how much of a value each one counts, by the residuals of the best theory.
     fn worth(rows: &[Row<'_>]) -> f64 {
         rows.first().map_or(1.0, |row| worth(row.report.outcome))
@@ -82,6 +90,7 @@ pub fn ranking_html(ranking: &Ranking<'_>) -> String {
     page.element("p class=\"meta\"", &meta);
     page.raw("</header>\n");
     judgement(&mut page, language, &rows);
+    ranking.ties().iter().for_each(|(_, sentence)| page.element("p", sentence));
     table(&mut page, language, &rows);
     caution(&mut page, language, &rows);
     residuals(&mut page, language, &rows);
@@ -104,14 +113,11 @@ fn judgement(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     let Some(best) = rows.first().filter(|row| row.ranked.difference == 0.0) else {
         return;
     };
-    let worth = Ranking::worth(rows);
     let quoted = |row: &Row<'_>| {
         let [open, close] = language.pick(["“", "”"], ["«", "»"]);
         [open, row.title, close].concat()
     };
-    let apart = |from: f64, to: f64| {
-        rows.iter().skip(1).filter(move |row| (from..to).contains(&(row.ranked.difference * worth)))
-    };
+    let apart = |from: f64, to: f64| rows.iter().skip(1).filter(move |row| (from..to).contains(&row.ranked.difference));
     let favoured = match best.predicted {
         Some(_) => language.pick("By AICc the data favour ", "Según el AICc, los datos prefieren "),
         None => language.pick("The data favour ", "Los datos prefieren "),
@@ -243,8 +249,8 @@ fn caution(page: &mut Page, language: Language, rows: &[Row<'_>]) {
             language.pick(" values are worth about ", " valores equivalen a unos "),
             &count,
             language.pick(
-                " independent ones. The evidence and the sentence at the top count the differences in that proportion.",
-                " independientes. La evidencia y la frase del principio cuentan las diferencias en esa proporción.",
+                " independent ones. The differences and the evidence count them in that proportion.",
+                " independientes. Las diferencias y la evidencia los cuentan en esa proporción.",
             ),
         ]);
     }
@@ -308,6 +314,7 @@ fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
         "BIC".to_owned(),
         "R²".to_owned(),
         "Durbin-Watson".to_owned(),
+        language.pick("Place", "Puesto").to_owned(),
     ];
     let own = |row: &Row<'_>| {
         let outcome = row.report.outcome;
@@ -324,6 +331,7 @@ fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
             Cell::Number(outcome.bic),
             if outcome.reweighted.is_none() { Cell::Number(outcome.r2) } else { Cell::Empty },
             Cell::Number(outcome.durbin_watson),
+            Cell::Number(row.ranked.place as f64),
         ]
     };
     let mut table = vec![headings.into_iter().map(Cell::from).collect()];

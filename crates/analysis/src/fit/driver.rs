@@ -1,7 +1,7 @@
 //! A fit: a loop over what is asked, the [`Problem`], and the [`Search`] for the least sum of squares that goes on.
 
 use super::covariance::Covariance;
-use super::elsewhere::Elsewhere;
+use super::elsewhere::{Beginning, Elsewhere};
 use super::loss::Loss;
 use super::outcome::{self, Course, Outcome};
 use super::problem::Problem;
@@ -100,6 +100,10 @@ impl Fit {
             return false;
         }
         match current.windows.pop() {
+            _ if std::mem::take(&mut current.held) => {
+                let search = self.elsewhere.release(&mut self.problem, &current.search);
+                self.current = Some(Current::whole(&self.problem, search, false));
+            }
             Some(window) => {
                 let (from, later) = (&current.search.x, current.windows);
                 self.current = Some(self.stages.window(&mut self.problem, from, window, later));
@@ -172,8 +176,11 @@ impl Fit {
 
     /// Begins the next stage; after the last one, or where no other start is needed, the next search around the best answer.
     fn begin(&mut self) {
-        if self.stages.is_empty() || self.is_enough() {
-            self.stages.clear();
+        if self.is_enough() {
+            // Where there are events, the beginning of a record has fewer kinks than the whole.
+            self.stages.skip(self.elsewhere.has_events());
+        }
+        if self.stages.is_empty() {
             self.try_elsewhere();
         } else {
             self.current = self.stages.next(&mut self.problem);
@@ -190,9 +197,9 @@ impl Fit {
     /// Begins the next search from elsewhere; after the last one the best answer is gone on with.
     fn try_elsewhere(&mut self) {
         let best = self.best.as_ref();
-        if let Some(search) = best.and_then(|best| self.elsewhere.next(&mut self.problem, best)) {
+        if let Some(Beginning { search, held }) = best.and_then(|best| self.elsewhere.next(&mut self.problem, best)) {
             self.course.starts += 1;
-            self.current = Some(Current::whole(&self.problem, search));
+            self.current = Some(Current::whole(&self.problem, search, held));
         } else {
             // A robust loss weighs sums of squares in another way.
             let plain = best.filter(|_| self.problem.task.loss == Loss::Squares);
@@ -204,7 +211,7 @@ impl Fit {
     /// Begins a search of the whole fitted part.
     fn search_from(&mut self, start: &[f64]) {
         let search = window::search(&mut self.problem, start, TRIALS);
-        self.current = Some(Current::whole(&self.problem, search));
+        self.current = Some(Current::whole(&self.problem, search, false));
     }
 
     /// Takes in a search over the whole that has ended.

@@ -8,7 +8,7 @@ use super::problem::Problem;
 use super::search::Search;
 use super::start;
 use super::task::Target;
-use super::window::{self, TRIALS};
+use super::window::{self, TRIALS, Window};
 use program::{Binary, Node, NodeId, Unary};
 
 /// How the sum of squares depends on the numbers of the search.
@@ -22,15 +22,39 @@ enum Texture {
     Events,
 }
 
+/// A walk away from an answer, along one number that has a part in the events.
+#[derive(Clone, Debug)]
+struct Walk {
+    /// Which number of the search.
+    column: usize,
+    /// Its values still to be visited, the last one first: to one side, and to the other.
+    values: [Vec<f64>; 2],
+    /// By side: the numbers where it has come to.
+    at: [Vec<f64>; 2],
+    /// The side to which it goes at present.
+    side: usize,
+}
+
 /// Starts around an answer.
 #[derive(Clone, Debug)]
 struct Around {
+    /// Walked first.
+    walk: Option<Walk>,
     /// Still to be tried, the last one first.
     starts: Vec<Vec<f64>>,
     /// The sum of squares of the answer around which they lie.
     centre: f64,
     /// How many searches have come back to the best answer.
     returned: usize,
+}
+
+/// A search from elsewhere.
+#[derive(Clone, Debug)]
+pub(super) struct Beginning {
+    /// The search.
+    pub search: Search,
+    /// Whether one number is held; where the search has ended, [`Elsewhere::release`] goes on from there.
+    pub held: bool,
 }
 
 /// What was tried elsewhere, and is to be tried.
@@ -56,8 +80,13 @@ pub struct Rival {
 }
 
 impl Elsewhere {
-    /// Searches from elsewhere, at most.
-    const MOST: usize = 30;
+    /// Searches from elsewhere, at most: without events, and with them.
+    const MOST: [usize; 2] = [30, 60];
+    /// How far a number is walked to either side, in standard errors. Where the number of swings is another one, the derivatives
+    /// tell little of the way there.
+    const STEPS: [f64; 5] = [3.0, 6.0, 12.0, 24.0, 48.0];
+    /// Trials with that number held.
+    const TRIALS_HELD: usize = 10;
     /// Starts spread over a box around an answer.
     const BOX: usize = 16;
     /// Half the side of the box, in standard errors of each number.
@@ -88,36 +117,49 @@ impl Elsewhere {
         Self { texture: texture(problem), around: None, tried: 0, ends: Vec::new() }
     }
 
-    /// The next search from elsewhere, if one is to be tried.
-    pub fn next(&mut self, problem: &mut Problem, best: &Search) -> Option<Search> {
-        let start = self.next_start(problem, best)?;
-        let limit = if problem.curve.has_states() { Self::TRIALS_OF_MOTION } else { TRIALS };
-        Some(window::search(problem, &start, limit))
+    /// Whether the model has events.
+    pub fn has_events(&self) -> bool {
+        self.texture == Texture::Events
     }
 
-    fn next_start(&mut self, problem: &Problem, best: &Search) -> Option<Vec<f64>> {
+    /// The next search from elsewhere, if one is to be tried.
+    pub fn next(&mut self, problem: &mut Problem, best: &Search) -> Option<Beginning> {
         let most = Self::VALUES / best.residuals.len().max(1);
         let nothing = best.sum <= Self::NOTHING * problem.total;
-        if nothing || self.texture == Texture::Smooth || self.tried >= most.clamp(Self::RETURNED[0], Self::MOST) {
+        let most = most.clamp(Self::RETURNED[0], Self::MOST[usize::from(self.has_events())]);
+        if nothing || self.texture == Texture::Smooth || self.tried >= most {
             return None;
         }
         let current = |known: &Around| best.sum >= known.centre * (1.0 - Self::MOVED);
         let mut known = match self.around.take().filter(current) {
             Some(known) => known,
-            None => Around { starts: Self::starts_around(problem, best), centre: best.sum, returned: 0 },
+            None => Self::around(problem, best),
         };
-        let enough = known.returned >= Self::RETURNED[usize::from(self.texture == Texture::Events)];
-        let start = if enough { None } else { known.starts.pop() };
+        let beginning = known.walk.as_mut().and_then(|walk| walk.step(problem)).or_else(|| {
+            known.walk = None;
+            let enough = known.returned >= Self::RETURNED[usize::from(self.has_events())];
+            let start = if enough { None } else { known.starts.pop() };
+            start.map(|start| Beginning { search: free(problem, &start), held: false })
+        });
         self.around = Some(known);
-        self.tried += usize::from(start.is_some());
-        start
+        self.tried += usize::from(beginning.is_some());
+        beginning
+    }
+
+    /// Goes on from where a search with a held number has ended, without holding it.
+    pub fn release(&mut self, problem: &mut Problem, ended: &Search) -> Search {
+        if let Some(walk) = self.around.as_mut().and_then(|known| known.walk.as_mut()).filter(|_| ended.sum.is_finite())
+        {
+            walk.at[walk.side].clone_from(&ended.x);
+        }
+        free(problem, &ended.x)
     }
 
     /// Remembers where a search of the whole has ended, before its answer is taken as the best or not.
     pub fn remember_end(&mut self, search: &Search, best: Option<&Search>) {
         if let (Some(best), Some(known)) = (best, &mut self.around) {
             let same = (search.sum - best.sum).abs() <= Self::EQUAL * best.sum;
-            known.returned += usize::from(same);
+            known.returned += usize::from(same && known.walk.is_none());
         }
         if search.sum.is_finite() {
             self.ends.push((search.x.clone(), search.sum));
@@ -139,10 +181,10 @@ impl Elsewhere {
         self.ends.iter().filter_map(rival).min_by(|one, other| one.growth.total_cmp(&other.growth))
     }
 
-    /// Starts around an answer, the last one first: along the direction that the data determine worst, then spread over a
-    /// box of some standard errors of each number. Beside a kink the derivatives do not tell where the valleys lead, so that
-    /// the box finds what no direction does.
-    fn starts_around(problem: &Problem, best: &Search) -> Vec<Vec<f64>> {
+    /// What is to be tried around an answer: a walk along the worst determined of the numbers that have a part in the events, then
+    /// starts along the direction that the data determine worst, then starts spread over a box of some standard errors of each
+    /// number. Beside a kink the derivatives do not tell where the valleys lead, so that the box finds what no direction does.
+    fn around(problem: &Problem, best: &Search) -> Around {
         let scale: Vec<f64> = (0..best.x.len()).map(|column| norm(best.jacobian.column(column))).collect();
         let free = |column: &usize| scale[*column] > 0.0 && problem.bounds[*column].0 < problem.bounds[*column].1;
         let columns: Vec<usize> = (0..scale.len()).filter(free).collect();
@@ -172,8 +214,55 @@ impl Elsewhere {
                 moved(&|place| Self::BOX_SIZE * (2.0 * start::halton(index, place) - 1.0) * error(place))
             }));
         starts.reverse();
-        starts
+        let kinks = kinks(problem);
+        let inflated = |place: &usize| error(*place) * scale[columns[*place]];
+        let walked = (0..columns.len())
+            .filter(|&place| kinks[columns[place]])
+            .max_by(|one, other| inflated(one).total_cmp(&inflated(other)));
+        let walk = walked.map(|place| {
+            let (column, error) = (columns[place], error(place));
+            let values = [-error, error].map(|error| {
+                let values = Self::STEPS.iter().rev().map(|step| best.x[column] + step * error);
+                let (low, high) = problem.bounds[column];
+                values.filter(|value| (low..=high).contains(value)).collect()
+            });
+            Walk { column, values, at: [best.x.clone(), best.x.clone()], side: 0 }
+        });
+        Around { walk, starts, centre: best.sum, returned: 0 }
     }
+}
+
+impl Walk {
+    /// The next value, all other numbers following from where they have come to on this side; `None` at the end.
+    fn step(&mut self, problem: &mut Problem) -> Option<Beginning> {
+        self.side = usize::from(self.values[0].len() < self.values[1].len());
+        let value = self.values[self.side].pop()?;
+        let mut start = self.at[self.side].clone();
+        start[self.column] = value;
+        let mut bounds = problem.bounds.clone();
+        bounds[self.column] = (value, value);
+        let plans = problem.plans.clone();
+        let search = Window { problem, plans: &plans }.search_within(&start, bounds, Elsewhere::TRIALS_HELD);
+        Some(Beginning { search, held: true })
+    }
+}
+
+/// A search without anything held.
+fn free(problem: &mut Problem, start: &[f64]) -> Search {
+    let limit = if problem.curve.has_states() { Elsewhere::TRIALS_OF_MOTION } else { TRIALS };
+    window::search(problem, start, limit)
+}
+
+/// By number of the search: whether the conditions of events, or what they set, depend on it.
+fn kinks(problem: &Problem) -> Vec<bool> {
+    let model = &problem.model;
+    let nodes = model.events.iter().flat_map(|event| {
+        let set = event.actions.iter().map(|(_, value)| *value);
+        set.chain([event.condition])
+    });
+    let parameters: Vec<u32> = nodes.flat_map(|node| model.depends(node).parameters).collect();
+    let has_part = |target| matches!(target, Some(Target::Parameter(index)) if parameters.contains(&(index as u32)));
+    problem.columns.iter().map(|column| has_part(column.target())).collect()
 }
 
 /// The variance of a residual: as given, or as the residuals show it where that is larger.

@@ -53,7 +53,7 @@ pub use loss::Loss;
 pub use observed::{ObservationFit, Outside};
 pub use outcome::Outcome;
 pub use profile::{Interval, profile, profiles};
-pub use rank::{Ranked, rank, worth};
+pub use rank::{Ranked, rank, ties, worth};
 pub use robust::Reweighted;
 pub use statistics::RunsTest;
 pub use task::{FitError, Observation, Record, Target, Task, Varied};

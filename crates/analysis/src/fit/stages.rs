@@ -43,12 +43,14 @@ pub(super) struct Current {
     plans: Arc<Vec<Plan>>,
     /// Windows still to come, the last one first; the search is of the whole where there are none.
     pub windows: Vec<Span>,
+    /// Whether a number is held that is let free when the search has ended.
+    pub held: bool,
 }
 
 impl Current {
-    /// A search of all that is fitted.
-    pub fn whole(problem: &Problem, search: Search) -> Self {
-        Self { search, plans: problem.plans.clone(), windows: Vec::new() }
+    /// A search of all that is fitted; whether a number is `held` in it.
+    pub fn whole(problem: &Problem, search: Search, held: bool) -> Self {
+        Self { search, plans: problem.plans.clone(), windows: Vec::new(), held }
     }
 
     /// Makes one trial.
@@ -104,9 +106,9 @@ impl Stages {
         self.pending.is_empty()
     }
 
-    /// Tries nothing more.
-    pub fn clear(&mut self) {
-        self.pending.clear();
+    /// Tries nothing more, except the windows where they are `wanted`.
+    pub fn skip(&mut self, wanted: bool) {
+        self.pending.retain(|stage| wanted && matches!(stage, Stage::Windows));
     }
 
     /// Whether a search stands in a place as definite as the own values. Where terms have become one, or a number has run away
@@ -118,7 +120,7 @@ impl Stages {
     /// The search of the next stage, if it has one.
     pub fn next(&mut self, problem: &mut Problem) -> Option<Current> {
         let (start, limit) = match self.pending.pop()? {
-            Stage::Own(search) => return Some(Current::whole(problem, *search)),
+            Stage::Own(search) => return Some(Current::whole(problem, *search, false)),
             Stage::From(start) if problem.curve.has_states() => (start, Self::SPREAD_TRIALS),
             Stage::From(start) => (start, TRIALS),
             Stage::Spread => {
@@ -134,7 +136,7 @@ impl Stages {
             }
         };
         let search = window::search(problem, &start, limit);
-        Some(Current::whole(problem, search))
+        Some(Current::whole(problem, search, false))
     }
 
     /// A search of a part of the records.
@@ -148,7 +150,7 @@ impl Stages {
             }
         }
         let search = Window { problem, plans: &plans }.search_within(start, bounds, limit);
-        Current { search, plans, windows }
+        Current { search, plans, windows, held: false }
     }
 
     /// The windows of the records, the last one first. In the first ones the motion is held: as long as it is not known where

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::settings::Reader;
 use crate::terminal::Terminal;
-use analysis::fit::{Outcome, Outside, Ranked, rank as order, worth};
+use analysis::fit::{Outcome, Outside, Ranked, rank as order, ties, worth};
 use report::{Ranking, Report};
 use serde_json::json;
 use std::fmt::Write;
@@ -137,10 +137,10 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
     }
     columns.push(head);
     let residuals = residuals(contenders);
-    for (place, ranked) in ranked.iter().enumerate() {
+    for ranked in ranked {
         let one = &contenders[ranked.index];
         let mut row = vec![
-            format!("{}.", place + 1),
+            format!("{}.", ranked.place),
             one.fitted.theory.document.program.title.clone(),
             numbers(&one.fitted).to_string(),
             if ranked.difference.is_finite() { format!("{:.1}", ranked.difference) } else { "–".to_owned() },
@@ -153,6 +153,9 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
         columns.push(row);
     }
     let mut text = columns.text(&[false, false, true, true, true, true, true, true, true]);
+    for (_, sentence) in tied(contenders, ranked) {
+        let _ = writeln!(text, "\n{sentence}");
+    }
     if let Some(first) = ranked.first().map(|ranked| &contenders[ranked.index].fitted) {
         let best = &first.outcome;
         let _ = writeln!(text, "\nOf the best: {}", best.verdict_text(Language::English));
@@ -160,8 +163,8 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
         if worth < 0.8 {
             let _ = writeln!(
                 text,
-                "The residuals are autocorrelated: {} values are worth about {:.0} independent ones. Each difference of AICc \
-                 counts {} times in the weights, and the prediction is the better judge.",
+                "The residuals are autocorrelated: {} values are worth about {:.0} independent ones. ΔAICc and the weights \
+                 count each value {} times, and the prediction is the better judge.",
                 best.n,
                 best.independent,
                 plain(worth, 2, Style::POINT)
@@ -200,15 +203,25 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
     text
 }
 
+/// For each shared place a sentence.
+fn tied(contenders: &[Contender], ranked: &[Ranked]) -> Vec<(usize, String)> {
+    let outcomes: Vec<&Outcome> = contenders.iter().map(|one| &one.fitted.outcome).collect();
+    let title = |index: usize| contenders[index].fitted.theory.document.program.title.clone();
+    ties(ranked, &outcomes, Language::English, title)
+}
+
 fn as_json(contenders: &[Contender], ranked: &[Ranked], data: &[Measured]) -> String {
     let best = ranked.first().map(|ranked| &contenders[ranked.index].fitted.outcome);
     let worth = best.map(worth);
+    let tied = tied(contenders, ranked);
     let rows: Vec<serde_json::Value> = ranked
         .iter()
         .map(|ranked| {
             let one = &contenders[ranked.index];
             let mut row = super::json::fit(&one.fitted, data);
             let unit = &one.fitted.outcome.rmse_unit;
+            row["place"] = json!(ranked.place);
+            row["tie"] = json!(tied.iter().find(|(place, _)| *place == ranked.place).map(|(_, sentence)| sentence));
             row["delta_aicc"] = json!(ranked.difference);
             row["weight"] = json!(ranked.weight);
             row["worth"] = json!(worth);

@@ -29,6 +29,8 @@ pub struct FitView {
     pub difference: String,
     /// The weight of evidence among those, in per cent.
     pub weight: String,
+    /// That other theories share its place, in a sentence; empty where none does.
+    pub tied: String,
     /// Whether its parameters are those of the document that is open.
     pub applicable: bool,
 }
@@ -139,6 +141,8 @@ impl Desk {
             if value.is_finite() { number::fixed(value, digits, self.play.style()) } else { number::DASH.to_owned() }
         };
         let residuals = residuals(group, self.play.style());
+        let ranked = analysis::fit::rank(&outcomes);
+        let ties = analysis::fit::ties(&ranked, &outcomes, self.play.language(), |index| self.title_of(group[index]));
         let view = |place: analysis::fit::Ranked| {
             let fit = group.get(place.index)?;
             let outcome = &fit.outcome;
@@ -152,10 +156,11 @@ impl Desk {
                 predicted: outcome.predicted().map(size).unwrap_or_default(),
                 difference: known(place.difference, 1),
                 weight: if group.len() > 1 { format!("{} %", known(100.0 * place.weight, 1)) } else { String::new() },
+                tied: ties.iter().find(|(at, _)| *at == place.place).map(|(_, tie)| tie.clone()).unwrap_or_default(),
                 applicable: self.is_applicable(fit),
             })
         };
-        analysis::fit::rank(&outcomes).into_iter().filter_map(view).collect()
+        ranked.into_iter().filter_map(view).collect()
     }
 
     fn title_of(&self, fit: &Fitted) -> String {

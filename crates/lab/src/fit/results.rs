@@ -57,6 +57,9 @@ fn row(app: App, fit: FitView, (shown, several): (Option<u32>, bool), chosen: Si
     if !fit.predicted.is_empty() {
         remarks.push(format!("{}: {}", words.fit_predicted, fit.predicted));
     }
+    if !fit.tied.is_empty() {
+        remarks.push(fit.tied);
+    }
     let cells = [fit.rmse, fit.difference, fit.weight];
     // A theory that is not open can be opened and shown with what was found.
     let apply = if fit.applicable { words.fit_apply } else { words.fit_open };

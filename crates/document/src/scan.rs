@@ -44,8 +44,37 @@ pub fn split(source: &str, range: Range<usize>, separator: char) -> Vec<Range<us
     parts
 }
 
-/// The place of the last `word` at the top level.
+/// Words that connect two expressions, as far as a line may have several.
+const CONNECTING: [&str; 14] =
+    ["against", "for", "in", "at", "every", "from", "within", "of", "by", "step", "and", "or", "then", "else"];
+
+/// The place of the last `word` at the top level that stands behind a value. At the beginning or behind an operator or another such
+/// word it is the name of a quantity: the first of `at + 1 at end`.
 pub fn find_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
+    let (mut found, mut follows_value, mut read) = (None, false, range.start);
+    for (at, letter) in top_level(source, range.clone()) {
+        if at < read || letter.is_whitespace() {
+            continue;
+        }
+        let length = source[at..range.end].find(|c: char| !c.is_alphanumeric() && c != '_');
+        let end = length.map_or(range.end, |length| at + length);
+        let text = &source[at..end];
+        read = end;
+        follows_value = match text {
+            "" => matches!(letter, '(' | '[' | '{' | '"' | '\'' | '′' | '%' | '°'),
+            "if" | "not" => false,
+            _ if follows_value && text == word => {
+                found = Some(at..end);
+                false
+            }
+            _ => !(follows_value && CONNECTING.contains(&text)),
+        };
+    }
+    found
+}
+
+/// The place of the last `word` at the top level, whatever stands before it.
+pub fn find_any_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
     let is_boundary = |letter: Option<char>| letter.is_none_or(|c| !c.is_alphanumeric() && c != '_');
     let first = word.chars().next();
     top_level(source, range.clone())
@@ -113,6 +142,29 @@ mod tests {
         assert_eq!(find_word(source, 0..source.len(), "against"), Some(21..28));
         assert_eq!(find_word("x againsty", 0..10, "against"), None);
         assert_eq!(find_word("é within é", 0..12, "within"), Some(3..9));
+        assert_eq!(find_any_word("within é", 0..9, "within"), Some(0..6));
+    }
+
+    /// Each word that connects expressions may be the name of a quantity, too.
+    #[test]
+    fn names_are_no_connecting_words() {
+        for word in CONNECTING {
+            for (before, after) in [
+                ("x", "1"),
+                (word, word),
+                ("f(x)", "-1"),
+                ("2 [m]", "y'"),
+                (&format!("1 + {word}"), word),
+                (&format!("{word}^2"), &format!("{word}*2")),
+                (&format!("{word}(3)"), "(1 + 2)"),
+                (&format!("not {word}"), "2.5 %"),
+            ] {
+                let line = format!("{before} {word} {after}");
+                let expected = before.len() + 1..before.len() + 1 + word.len();
+                assert_eq!(find_word(&line, 0..line.len(), word), Some(expected), "{line}");
+                assert_eq!(find_word(before, 0..before.len(), word), None, "{before}");
+            }
+        }
     }
 
     #[test]

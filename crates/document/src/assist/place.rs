@@ -136,13 +136,21 @@ fn in_expression<'a>(source: &str, line: Range<usize>, is_model: bool) -> (Place
     (if begins { Place::Statement } else { Place::Expression }, word)
 }
 
-/// In a text in which expressions stand in braces.
+/// In a text in which expressions stand in braces, outside formulas.
 fn in_braces<'a>(source: &str, line: Range<usize>) -> (Place<'a>, Span) {
     let text = &source[line.clone()];
+    let paragraph = source[..line.start].rfind("\n\n").map_or(0, |end| end + 2);
     match text.rfind('{').filter(|&open| !text[open..].contains('}')) {
-        Some(open) => in_expression(source, line.start + open + 1..line.end, false),
-        None => (Place::Nothing, Span::new(line.end, line.end)),
+        Some(open) if !is_in_formula(&source[paragraph..line.start + open]) => {
+            in_expression(source, line.start + open + 1..line.end, false)
+        }
+        _ => (Place::Nothing, Span::new(line.end, line.end)),
     }
+}
+
+/// Whether a formula, between `$` or `$$`, is open at the end of a text.
+fn is_in_formula(text: &str) -> bool {
+    text.replace("\\$", "").replace("$$", "$").matches('$').count() % 2 == 1
 }
 
 /// In a drawing: between tags, in one, or in the value of an attribute.

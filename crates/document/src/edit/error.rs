@@ -50,6 +50,15 @@ pub enum EditError {
     NewName(String),
     /// Not every place where this name stands could be found.
     Incomplete(String),
+    /// Where `old` stands, `new` means an argument, an index or another local name.
+    Captured {
+        /// The name that was to be changed.
+        old: String,
+        /// The name that it was to get.
+        new: String,
+    },
+    /// With this name the document would compute something else.
+    ComputesOthers(String),
 }
 
 impl EditError {
@@ -116,6 +125,14 @@ impl EditError {
             Self::Incomplete(name) => words!(
                 "`{name}` could not be renamed everywhere; rename it in the text",
                 "`{name}` no se pudo cambiar en todas partes; cámbialo en el texto"
+            ),
+            Self::Captured { old, new } => words!(
+                "`{old}` cannot become `{new}`: an argument, an index or a `let` is called `{new}` already; rename that first",
+                "`{old}` no puede pasar a `{new}`: un argumento, un índice o un `let` ya se llama `{new}`; cámbialo antes"
+            ),
+            Self::ComputesOthers(name) => words!(
+                "with the name `{name}` the document would compute something else: `{name}` has a meaning of its own in it, or the name decides what is drawn at random; rename in the text",
+                "con el nombre `{name}` el documento calcularía otra cosa: `{name}` tiene un significado propio en él, o el nombre decide lo que se sortea; cámbialo en el texto"
             ),
         }
     }

@@ -1,7 +1,7 @@
 //! What keeps a text out of a cell or an element.
 
 use crate::questions::key_in;
-use crate::scan::find_word;
+use crate::scan::find_any_word;
 use units::{Words, words};
 
 /// What keeps a text out of a cell or an element: it would be read as a part of what stands around it.
@@ -21,7 +21,7 @@ impl Obstacle {
     /// The first of these marks that a text has; `\n` is a line end, and letters count as whole words.
     pub(super) fn of(text: &str, marks: &[&str]) -> Self {
         let is_in = |mark: &&&str| match mark.chars().all(char::is_alphabetic) {
-            true => find_word(text, 0..text.len(), mark).is_some(),
+            true => find_any_word(text, 0..text.len(), mark).is_some(),
             false => text.contains(**mark),
         };
         if text.is_empty() {

@@ -1,9 +1,11 @@
 //! Other names for quantities.
 
 use super::{Edit, EditError, layout};
+use crate::Opened;
 use crate::assist::{NameAt, name_at, names_in, word_at};
 use crate::outline::{Outline, read};
 use model::{ExpressionKind, Severity, Span};
+use program::Program;
 use program::functions::Function;
 
 /// Attributes whose values are texts and no expressions, outside braces.
@@ -24,11 +26,14 @@ const TEXTS: [&str; 12] = [
 
 /// Gives the name that stands at `offset` (bytes) another one, everywhere in the document: in the model, in the drawing, in
 /// plots, presets, questions and claims, and in the braces of the prose. Comments, labels and formulas stay as they are.
+/// The renamed document computes the same bits.
 ///
 /// # Errors
 ///
 /// [`EditError::NoName`] if no name of the model stands there, [`EditError::NewName`] if the new one cannot be a name or has a
-/// meaning already, [`EditError::Incomplete`] if the document has more errors afterwards, and [`EditError::TooLong`].
+/// meaning already, [`EditError::Captured`] if an argument, an index or another local name would take its place,
+/// [`EditError::Incomplete`] if the document has more errors afterwards, [`EditError::ComputesOthers`] if it would compute
+/// something else for another reason, and [`EditError::TooLong`].
 pub fn rename(outline: &Outline, offset: usize, new: &str) -> Result<Vec<Edit>, EditError> {
     rename_with(outline, offset, new, &[]).map(|mut edits| edits.pop().unwrap_or_default())
 }
@@ -62,14 +67,45 @@ pub fn rename_with(
     let renamed = renamed.collect::<Result<Vec<String>, _>>()?;
     let (text, texts) = renamed.split_first().ok_or(EditError::NoName)?;
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-    let errors = |text: &str, translations: &[&str]| {
-        let opened = crate::open(text, translations);
-        opened.diagnostics.iter().filter(|(_, found)| found.severity == Severity::Error).count()
+    let (before, after) = (crate::open(source, translations), crate::open(text, &texts));
+    let is_incomplete = errors(&after) > errors(&before);
+    let is_used = || files().any(|file| !in_file(file, new, new).is_empty());
+    let is_captured = match (&before.document, &after.document) {
+        // With other sizes of families, the equations may differ.
+        (Some(before), Some(after)) if before.program.model.sizes.is_empty() => {
+            computed(&before.program) != computed(&after.program)
+        }
+        _ => is_used(),
     };
-    if errors(text, &texts) > errors(source, translations) {
-        return Err(EditError::Incomplete(old.to_owned()));
+    match (is_captured, is_incomplete) {
+        (false, false) => Ok(edits),
+        _ if is_used() => Err(EditError::Captured { old: old.to_owned(), new: new.to_owned() }),
+        (_, true) => Err(EditError::Incomplete(old.to_owned())),
+        (true, false) => Err(EditError::ComputesOthers(new.to_owned())),
     }
-    Ok(edits)
+}
+
+/// Number of errors.
+fn errors(opened: &Opened) -> usize {
+    opened.diagnostics.iter().filter(|(_, found)| found.severity == Severity::Error).count()
+}
+
+/// Everything that a program computes: its debug format without the texts, and so without names.
+fn computed(program: &Program) -> String {
+    let whole = format!("{program:?}");
+    let mut rest = whole.as_str();
+    let mut kept = String::new();
+    while let Some((before, text)) = rest.split_once('"') {
+        kept.push_str(before);
+        let mut is_escaped = false;
+        let end = text.find(|letter| {
+            let ends = letter == '"' && !is_escaped;
+            is_escaped = letter == '\\' && !is_escaped;
+            ends
+        });
+        rest = end.and_then(|end| text.get(end + 1..)).unwrap_or_default();
+    }
+    kept + rest
 }
 
 /// The new name in the place of the old one, where it means the quantity.

@@ -1,6 +1,6 @@
 //! The cells of a statement that is a row: found in its text, so that a cell can hold something wrong while it is edited.
 
-use crate::scan::{find_word, top_level};
+use crate::scan::{find_any_word, top_level};
 use crate::source::trim;
 use model::{ExpressionKind, Span, Statement, StatementKind};
 use std::ops::Range;
@@ -129,7 +129,7 @@ struct Parts {
 
 /// Value, unit, range and step of a parameter.
 fn of_parameter(source: &str, body: &Range<usize>, has: Parts) -> Vec<Cell> {
-    let words = |word, wanted: bool| find_word(source, body.clone(), word).filter(|_| wanted);
+    let words = |word, wanted: bool| find_any_word(source, body.clone(), word).filter(|_| wanted);
     let (range, step) = (words("in", has.range), words("step", has.step));
     let first = |after: usize| {
         let starts = [&range, &step].into_iter().flatten().map(|word| word.start).filter(|start| *start >= after);
@@ -166,7 +166,7 @@ fn of_parameter(source: &str, body: &Range<usize>, has: Parts) -> Vec<Cell> {
 
 /// Value and unit of what has a value at the start.
 fn of_start(source: &str, body: &Range<usize>) -> Vec<Cell> {
-    let stated = find_word(source, body.clone(), "in");
+    let stated = find_any_word(source, body.clone(), "in");
     let value = trimmed(source, body.start..stated.as_ref().map_or(body.end, |word| word.start));
     let bracket = stated.as_ref().and_then(|word| source[word.end..body.end].find('[').map(|at| word.end + at));
     let end = value.end;

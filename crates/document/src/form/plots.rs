@@ -4,7 +4,7 @@ use crate::BlockKind;
 use crate::outline::Outline;
 use crate::plots::{POINTS, begins_with, is_equal_axes};
 use crate::profiles::HISTOGRAM;
-use crate::scan::{find_word, leading_text, split, statements};
+use crate::scan::{find_any_word, leading_text, split, statements};
 use crate::source::trim;
 use model::Span;
 use std::ops::Range;
@@ -83,8 +83,8 @@ fn cells(source: &str, statement: Range<usize>) -> Option<Vec<(PlotCell, String,
         None => drawn.end,
     };
     let drawn = drawn.start..end.max(drawn.start);
-    let against = find_word(source, drawn.clone(), "against").filter(|_| word != Some(HISTOGRAM));
-    let earlier = against.as_ref().and_then(|against| find_word(source, drawn.start..against.start, "against"));
+    let against = find_any_word(source, drawn.clone(), "against").filter(|_| word != Some(HISTOGRAM));
+    let earlier = against.as_ref().and_then(|against| find_any_word(source, drawn.start..against.start, "against"));
     let mut cells = Vec::new();
     let mut add = |kind, range: Range<usize>| {
         cells.push((kind, source[range.clone()].to_owned(), Span::new(range.start, range.end)));

@@ -4,8 +4,8 @@ use super::Section;
 use crate::Outline;
 use crate::assist::{self, names_in};
 
-/// A short statement of a section with names that are free, to be changed. That of a quantity with a value at the start brings its
-/// equation.
+/// A short statement of a section with names that are free, to be changed. A quantity with a value at the start needs an equation, which
+/// the author has to write: an invented one would run and mean nothing.
 pub fn proposal(outline: &Outline, section: Section) -> String {
     let taken = names_in(outline);
     let free = |letters: &str| {
@@ -15,17 +15,10 @@ pub fn proposal(outline: &Outline, section: Section) -> String {
     };
     let (independent, unit) = assist::independent(outline);
     let unit = Some(unit).filter(|unit| !unit.is_empty());
-    let (per, of) = match &unit {
-        Some(unit) => (format!(" [1/({unit})]"), format!(" [{unit}]")),
-        None => (String::new(), String::new()),
-    };
-    let per = if unit.as_deref() == Some("s") { " [1/s]".to_owned() } else { per };
+    let of = unit.map_or_else(String::new, |unit| format!(" [{unit}]"));
     match section {
         Section::Parameters => format!("parameter {} = 1 in 0..2", free("abcpk")),
-        Section::InitialValues => {
-            let name = free("uvwxyz");
-            format!("{name}' = 0{per}\n{name}(0) = 0")
-        }
+        Section::InitialValues => format!("{}(0) = 0", free("uvwxyz")),
         Section::Equations => format!("{} = 0", free("qrsfhj")),
         Section::Events => format!("when {independent} > 1{of} {{\n    stop\n}}"),
         Section::Choices => {

@@ -22,6 +22,7 @@ mod outline;
 mod parts;
 mod plot_forms;
 mod reference;
+mod rename;
 mod repeats;
 mod scene;
 mod simulations;

@@ -173,3 +173,21 @@ fn the_size_of_a_drawing_is_bounded() {
     assert_eq!(found, ["there are too many parts in this scene"]);
     assert!(program.scene("en").is_some());
 }
+
+/// The words between the parts of a plot and of a claim may be names of quantities.
+#[test]
+fn connecting_words_are_names_too() {
+    for name in ["at", "from", "every", "by", "of", "within"] {
+        let source = format!(
+            "```model\nindependent t\nparameter k = 1 in 0..2\n{name}' = -k*{name}\n{name}(0) = 1\n```\n\n```plots\n\"A\": {name}, 2*{name} against t\n\"B\": t against {name}\n\
+             \"C\": {name} at end against k in 1..2\n\"D\": maximum({name}) from 1 against k in 1..2\n\"E\": points {name} against {name} every 1 from 2\n```\n\n\
+             ```check\n\"F\": {name} < 2 always\n\"G\": {name} within 1 % of {name} at end\n\"H\": 1 + {name} > {name} at 1\n```\n"
+        );
+        let opened = document::open(&source, &[]);
+        let errors = opened.diagnostics.iter().filter(|(_, found)| found.severity == model::Severity::Error);
+        let errors: Vec<&str> = errors.map(|(_, found)| &*found.message.english).collect();
+        assert_eq!(errors, [""; 0], "{name}");
+        let program = opened.document.unwrap().program;
+        assert_eq!((program.plots.len(), program.checks.iter().map(|check| check.claims.len()).sum::<usize>()), (5, 3));
+    }
+}

@@ -179,7 +179,7 @@ fn the_size_of_a_drawing_is_bounded() {
 fn connecting_words_are_names_too() {
     for name in ["at", "from", "every", "by", "of", "within"] {
         let source = format!(
-            "```model\nindependent t\nparameter k = 1 in 0..2\n{name}' = -k*{name}\n{name}(0) = 1\n```\n\n```plots\n\"A\": {name}, 2*{name} against t\n\"B\": t against {name}\n\
+            "---\nuntil: 5\nstep: 0.1\n---\n\n```model\nindependent t\nparameter k = 1 in 0..2\n{name}' = -k*{name}\n{name}(0) = 1\n```\n\n```plots\n\"A\": {name}, 2*{name} against t\n\"B\": t against {name}\n\
              \"C\": {name} at end against k in 1..2\n\"D\": maximum({name}) from 1 against k in 1..2\n\"E\": points {name} against {name} every 1 from 2\n```\n\n\
              ```check\n\"F\": {name} < 2 always\n\"G\": {name} within 1 % of {name} at end\n\"H\": 1 + {name} > {name} at 1\n```\n"
         );

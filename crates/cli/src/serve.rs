@@ -41,7 +41,10 @@ const DOCUMENT: &str = "/document";
 /// What a request needs.
 #[derive(Clone, Debug)]
 struct Laboratory {
-    document: Option<PathBuf>,
+    /// The document whose files the page follows, if there is one.
+    followed: Option<PathBuf>,
+    /// The page as it was at the beginning.
+    page: Arc<str>,
     terminal: Terminal,
     port: u16,
 }
@@ -50,7 +53,8 @@ struct Laboratory {
 pub fn serve(arguments: &Serve, terminal: Terminal) -> Result<(), Failure> {
     page::own()?;
     // Read once before anything is opened, so that a wrong name is an error here and not a broken page.
-    laboratory_page(arguments.document.as_deref(), terminal)?;
+    let document = arguments.document.as_deref();
+    let page: Arc<str> = laboratory_page(document, terminal)?.into();
     let listener = listen(arguments.port)?;
     let port = listener.local_addr().map_err(|error| network(&error))?.port();
     let address = format!("http://127.0.0.1:{port}/");
@@ -58,7 +62,7 @@ pub fn serve(arguments: &Serve, terminal: Terminal) -> Result<(), Failure> {
     if !arguments.no_open && webbrowser::open(&address).is_err() {
         terminal.print("No browser could be opened; open the address yourself\n");
     }
-    let laboratory = Laboratory { document: arguments.document.clone(), terminal, port };
+    let laboratory = Laboratory { followed: followed(document).map(Path::to_owned), page, terminal, port };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     runtime.and_then(|runtime| runtime.block_on(answer(listener, laboratory))).map_err(|error| network(&error))
 }
@@ -134,7 +138,7 @@ fn is_local(headers: &HeaderMap, port: u16) -> bool {
 /// The page, with the document as it is now.
 async fn index(State(laboratory): State<Laboratory>) -> Response {
     // Only as a header can a policy forbid that other sites put the page into a frame.
-    let policy = format!("{}; frame-ancestors 'self'", policy(laboratory.document.as_deref()));
+    let policy = format!("{}; frame-ancestors 'self'", policy(laboratory.followed.as_deref()));
     let headers = [
         (header::CONTENT_SECURITY_POLICY, policy.as_str()),
         (header::CONTENT_TYPE, "text/html; charset=utf-8"),
@@ -142,7 +146,12 @@ async fn index(State(laboratory): State<Laboratory>) -> Response {
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
         (header::REFERRER_POLICY, "no-referrer"),
     ];
-    match laboratory_page(laboratory.document.as_deref(), laboratory.terminal) {
+    let page = match laboratory.followed.as_deref() {
+        Some(path) => laboratory_page(Some(path), laboratory.terminal),
+        // The standard input has been read already.
+        None => Ok(laboratory.page.to_string()),
+    };
+    match page {
         Ok(page) => (headers, page).into_response(),
         Err(Failure::Request { message, .. }) => {
             (StatusCode::INTERNAL_SERVER_ERROR, format!("{}\n", message.text(laboratory.terminal.language)))
@@ -159,7 +168,7 @@ async fn document(State(laboratory): State<Laboratory>) -> Response {
         (header::CACHE_CONTROL, "no-store"),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     ];
-    let sources = followed(laboratory.document.as_deref()).map(load::sources);
+    let sources = laboratory.followed.as_deref().map(load::sources);
     match sources {
         Some(Ok(sources)) => (headers, write_list(&sources.embedded())).into_response(),
         // An editor may have the file away for a moment while it saves.
@@ -167,7 +176,7 @@ async fn document(State(laboratory): State<Laboratory>) -> Response {
     }
 }
 
-/// The document whose files the page follows. What comes from the standard input can be read once.
+/// The document whose files the page follows. The standard input can be read once only.
 fn followed(document: Option<&Path>) -> Option<&Path> {
     document.filter(|path| *path != Path::new("-"))
 }

@@ -4,39 +4,36 @@
 mod answers;
 mod open_files;
 mod positions;
+mod transport;
 
 use crate::failure::Failure;
-use lsp_server::{Connection, ErrorCode, Message, Notification, Request, Response};
+use lsp_server::{ErrorCode, Message, Notification, Request, Response};
 use lsp_types::notification::{
-    DidChangeTextDocument, DidCloseTextDocument, DidOpenTextDocument, Notification as _, PublishDiagnostics,
+    DidChangeTextDocument, DidCloseTextDocument, DidOpenTextDocument, Exit, Notification as _, PublishDiagnostics,
 };
-use lsp_types::request::{CodeActionRequest, Completion, Formatting, HoverRequest, Rename, Request as _};
+use lsp_types::request::{
+    CodeActionRequest, Completion, Formatting, HoverRequest, Initialize, Rename, Request as _, Shutdown,
+};
 use lsp_types::{
     CodeActionProviderCapability, CompletionOptions, HoverProviderCapability, OneOf, PublishDiagnosticsParams,
     ServerCapabilities, TextDocumentSyncCapability, TextDocumentSyncKind, Uri,
 };
 use open_files::OpenFiles;
 use serde::Serialize;
-use std::error::Error;
+use std::io::{self, BufRead, Write};
 use units::Language;
 
 /// Answers an editor until it says that it is done.
 ///
 /// # Errors
-/// The editor says something that is not the protocol, or hangs up.
+/// The streams to the editor cannot be read or written.
 pub fn serve(language: Language) -> Result<(), Failure> {
-    let (connection, threads) = Connection::stdio();
-    let served = answer(&connection, language);
-    // The thread that writes ends when the last sender is gone.
-    drop(connection);
-    let ended = threads.join().map_err(|error| error.to_string());
-    let problem = |error: String| {
+    answer(&mut io::stdin().lock(), &mut io::stdout().lock(), language).map_err(|error| {
         Failure::request(match language {
-            Language::English => format!("the editor and the language server do not understand one another: {error}"),
-            Language::Spanish => format!("el editor y el servidor de lenguaje no se entienden: {error}"),
+            Language::English => format!("the connection to the editor is broken: {error}"),
+            Language::Spanish => format!("se ha roto la conexión con el editor: {error}"),
         })
-    };
-    served.map_err(|error| problem(error.to_string())).and(ended.map_err(problem))
+    })
 }
 
 fn capabilities() -> ServerCapabilities {
@@ -54,51 +51,59 @@ fn capabilities() -> ServerCapabilities {
     }
 }
 
-fn answer(connection: &Connection, language: Language) -> Result<(), Box<dyn Error + Send + Sync>> {
-    connection.initialize(serde_json::to_value(capabilities())?)?;
+fn answer(input: &mut impl BufRead, output: &mut impl Write, language: Language) -> io::Result<()> {
     let mut files = OpenFiles::new(language);
-    for message in &connection.receiver {
+    let mut state = State::New;
+    while let Some(message) = transport::read(input)? {
         match message {
-            Message::Request(request) => {
-                if connection.handle_shutdown(&request)? {
-                    return Ok(());
-                }
-                connection.sender.send(Message::Response(respond(&files, request)))?;
-            }
-            Message::Notification(notification) => {
-                if let Some(published) = note(&mut files, notification) {
+            Ok(Message::Request(request)) => Message::Response(respond(&files, &mut state, request)).write(output)?,
+            Ok(Message::Notification(notification)) if notification.method == Exit::METHOD => return Ok(()),
+            Ok(Message::Notification(notification)) if state == State::Ready => {
+                for published in note(&mut files, notification) {
                     let method = PublishDiagnostics::METHOD.to_owned();
-                    connection.sender.send(Message::Notification(Notification::new(method, published)))?;
+                    Message::Notification(Notification::new(method, published)).write(output)?;
                 }
             }
-            Message::Response(_) => {}
+            Ok(_) => {}
+            Err(malformed) => transport::refuse(output, &malformed)?,
         }
     }
     Ok(())
 }
 
-/// Notes what the editor has opened, changed or closed, and what is wrong with it now.
-fn note(files: &mut OpenFiles, notification: Notification) -> Option<PublishDiagnosticsParams> {
-    let uri = match notification.method.as_str() {
+/// How far an editor has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    /// It has not said `initialize`.
+    New,
+    /// It asks and notifies.
+    Ready,
+    /// It has said `shutdown`.
+    Done,
+}
+
+/// Notes what the editor has opened, changed or closed, and what is wrong now with that file and with those that depend on it.
+fn note(files: &mut OpenFiles, notification: Notification) -> Vec<PublishDiagnosticsParams> {
+    noted(files, notification).into_iter().flatten().map(|uri| published(files, uri)).collect()
+}
+
+/// The files in which other things may be wrong now.
+fn noted(files: &mut OpenFiles, notification: Notification) -> Option<Vec<Uri>> {
+    Some(match notification.method.as_str() {
         DidOpenTextDocument::METHOD => {
             let opened = parameters::<DidOpenTextDocument>(notification.params)?.text_document;
-            files.set(opened.uri.clone(), opened.text);
-            opened.uri
+            files.set(opened.uri, opened.text)
         }
         DidChangeTextDocument::METHOD => {
             let mut changed = parameters::<DidChangeTextDocument>(notification.params)?;
             // The whole text comes each time.
-            files.set(changed.text_document.uri.clone(), changed.content_changes.pop()?.text);
-            changed.text_document.uri
+            files.set(changed.text_document.uri, changed.content_changes.pop()?.text)
         }
         DidCloseTextDocument::METHOD => {
-            let uri = parameters::<DidCloseTextDocument>(notification.params)?.text_document.uri;
-            files.close(&uri);
-            uri
+            files.close(parameters::<DidCloseTextDocument>(notification.params)?.text_document.uri)
         }
         _ => return None,
-    };
-    Some(published(files, uri))
+    })
 }
 
 fn published(files: &OpenFiles, uri: Uri) -> PublishDiagnosticsParams {
@@ -111,9 +116,27 @@ fn parameters<N: lsp_types::notification::Notification>(value: serde_json::Value
     serde_json::from_value(value).ok()
 }
 
-fn respond(files: &OpenFiles, request: Request) -> Response {
+fn respond(files: &OpenFiles, state: &mut State, request: Request) -> Response {
     let Request { id, method, params } = request;
     let answered = match method.as_str() {
+        Initialize::METHOD if *state == State::New => {
+            *state = State::Ready;
+            Ok(serde_json::json!({ "capabilities": capabilities() }))
+        }
+        _ if *state == State::New => {
+            return Response::new_err(
+                id,
+                ErrorCode::ServerNotInitialized as i32,
+                format!("{method} before initialize"),
+            );
+        }
+        Shutdown::METHOD => {
+            *state = State::Done;
+            Ok(serde_json::Value::Null)
+        }
+        _ if *state == State::Done => {
+            return Response::new_err(id, ErrorCode::InvalidRequest as i32, format!("{method} after shutdown"));
+        }
         Completion::METHOD => answered::<Completion>(params, |asked| answers::completion(files, &asked)),
         HoverRequest::METHOD => answered::<HoverRequest>(params, |asked| answers::hover(files, &asked)),
         CodeActionRequest::METHOD => answered::<CodeActionRequest>(params, |asked| answers::remedies(files, &asked)),

@@ -4,7 +4,8 @@ use document::Opened;
 use lsp_types::Uri;
 use program::Program;
 use std::collections::HashMap;
-use units::Language;
+use std::path::PathBuf;
+use units::{Language, words};
 
 /// A file that is open.
 #[derive(Debug)]
@@ -41,31 +42,93 @@ impl OpenFiles {
         self.files.get(uri.as_str())
     }
 
-    /// Opens a file, or gives it another text. Translations are checked with their document and not alone, and Markdown
-    /// that is no document of Meniscus has no errors.
-    pub fn set(&mut self, uri: Uri, text: String) {
+    /// Opens a file, or gives it another text. Returns the files in which other things may be wrong now: itself and, where it is a
+    /// document, its open translations.
+    pub fn set(&mut self, uri: Uri, text: String) -> Vec<Uri> {
+        let before = self.files.remove(uri.as_str()).and_then(|file| file.program);
+        let file = self.open(&uri, text, before);
+        self.files.insert(uri.as_str().to_owned(), file);
+        self.check_translations(uri)
+    }
+
+    /// Forgets a file. Returns the files in which other things may be wrong now.
+    pub fn close(&mut self, uri: Uri) -> Vec<Uri> {
+        self.files.remove(uri.as_str());
+        self.check_translations(uri)
+    }
+
+    /// Checks the open translations of a document with its text as it is now. Returns their addresses after that of the document.
+    fn check_translations(&mut self, uri: Uri) -> Vec<Uri> {
+        let Some((folder, name)) = parts(&uri) else { return vec![uri] };
+        let open = self.files.iter().filter(|(other, file)| {
+            other.rsplit_once('/').is_some_and(|(other, _)| other == folder)
+                && document::translates(&file.text).is_some_and(|base| base == name)
+        });
+        let translations: Vec<Uri> = open.filter_map(|(address, _)| address.parse().ok()).collect();
+        for translation in &translations {
+            if let Some(OpenFile { text, program, .. }) = self.files.remove(translation.as_str()) {
+                let file = self.open(translation, text, program);
+                self.files.insert(translation.as_str().to_owned(), file);
+            }
+        }
+        std::iter::once(uri).chain(translations).collect()
+    }
+
+    /// A text with what is wrong with it: a translation is checked with its document. Markdown that is no document of Meniscus has no
+    /// errors. `before` is the last program of the file.
+    fn open(&self, uri: &Uri, text: String, before: Option<Program>) -> OpenFile {
         let outline = document::read(&text);
         let is_other = outline.blocks_of(document::BlockKind::Model).next().is_none();
-        let opened = if is_other || document::translates(&text).is_some() {
-            Opened { document: None, diagnostics: Vec::new() }
-        } else {
-            document::open(&text, &[])
+        let opened = match document::translates(&text) {
+            Some(base) => self.translation(uri, &base, &text),
+            None if is_other => Opened { document: None, diagnostics: Vec::new() },
+            None => document::open(&text, &[]),
         };
-        let before = self.files.remove(uri.as_str()).and_then(|file| file.program);
         let program = opened.document.as_ref().map(|document| document.program.clone()).or(before);
-        self.files.insert(uri.as_str().to_owned(), OpenFile { text, opened, program });
+        OpenFile { text, opened, program }
+    }
+
+    /// A translation with its document, which is open or stands in a file beside it. Diagnostics are those of the translation.
+    fn translation(&self, uri: &Uri, base: &str, text: &str) -> Opened {
+        let Some(source) = parts(uri).and_then(|(folder, _)| self.text_beside(folder, base)) else {
+            let message = words!(
+                "the document `{base}` of this translation is not beside it",
+                "el documento `{base}` de esta traducción no está junto a ella"
+            );
+            let place = document::read(text).front_matter().get("translates").map(|value| value.span);
+            let missing = model::Diagnostic::warning("unknown-base", message, place.unwrap_or_default());
+            return Opened { document: None, diagnostics: vec![(0, missing)] };
+        };
+        let mut opened = document::open(&source, &[text]);
+        opened.diagnostics.retain(|(number, _)| *number == 1);
+        opened.diagnostics.iter_mut().for_each(|(number, _)| *number = 0);
+        opened
+    }
+
+    /// The text of a file in a folder, as it is in the editor or else on the disk.
+    fn text_beside(&self, folder: &str, name: &str) -> Option<String> {
+        let is_meant = |address: &str| {
+            let parts = address.rsplit_once('/');
+            parts.is_some_and(|(other, own)| other == folder && decoded(own).as_deref() == Some(name))
+        };
+        if let Some((_, file)) = self.files.iter().find(|(address, _)| is_meant(address)) {
+            return Some(file.text.clone());
+        }
+        // A name alone: no text of the editor leads out of the folder.
+        let is_name = !name.contains(['/', '\\']);
+        let path = is_name.then(|| path_of(folder)).flatten()?.join(name);
+        std::fs::read_to_string(path).ok()
     }
 
     /// The translations of a document with their addresses: those that are open, and those in files beside it.
     pub fn translations(&self, uri: &Uri) -> Vec<(Uri, String)> {
-        let Some((folder, name)) = uri.as_str().rsplit_once('/') else { return Vec::new() };
-        let Some(name) = decoded(name) else { return Vec::new() };
+        let Some((folder, name)) = parts(uri) else { return Vec::new() };
         let is_of = |text: &str| document::translates(text).is_some_and(|base| base == name);
         let open = self.files.iter().filter(|(other, file)| {
             other.rsplit_once('/').is_some_and(|(other, _)| other == folder) && is_of(&file.text)
         });
         let mut found: Vec<(String, String)> = open.map(|(other, file)| (other.clone(), file.text.clone())).collect();
-        let path = folder.strip_prefix("file://").and_then(decoded);
+        let path = path_of(folder);
         let stem = name.strip_suffix("md").unwrap_or(&name);
         for entry in path.into_iter().filter_map(|path| std::fs::read_dir(path).ok()).flatten().flatten() {
             let Ok(own) = entry.file_name().into_string() else { continue };
@@ -78,11 +141,17 @@ impl OpenFiles {
         found.sort();
         found.into_iter().filter_map(|(address, text)| Some((address.parse().ok()?, text))).collect()
     }
+}
 
-    /// Forgets a file.
-    pub fn close(&mut self, uri: &Uri) {
-        self.files.remove(uri.as_str());
-    }
+/// The address of the folder of a file, and the name of the file.
+fn parts(uri: &Uri) -> Option<(&str, String)> {
+    let (folder, name) = uri.as_str().rsplit_once('/')?;
+    Some((folder, decoded(name)?))
+}
+
+/// The path of a folder on this computer.
+fn path_of(folder: &str) -> Option<PathBuf> {
+    folder.strip_prefix("file://").and_then(decoded).map(PathBuf::from)
 }
 
 /// A part of an address without its percent signs.

@@ -34,6 +34,10 @@ impl Editor {
         write!(self.input.as_mut().unwrap(), "Content-Length: {}\r\n\r\n{text}", text.len()).unwrap();
     }
 
+    fn write_bytes(&mut self, bytes: &[u8]) {
+        self.input.as_mut().unwrap().write_all(bytes).unwrap();
+    }
+
     fn tell(&mut self, method: &str, parameters: Value) {
         self.send(json!({ "method": method, "params": parameters }));
     }
@@ -155,6 +159,113 @@ fn a_name_changes_in_translations_that_are_open_and_beside_the_file() {
     assert_eq!(counts, [Some(3), Some(1), Some(1), None], "{edits}");
     editor.close();
     std::fs::remove_dir_all(&folder).unwrap();
+}
+
+/// A translation is checked with its document, as the editor has it or as it stands beside it.
+#[test]
+fn a_translation_is_checked_with_its_document() {
+    let folder = std::env::temp_dir().join(format!("meniscus translation {}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let address = |name: &str| format!("file://{}/{name}", folder.display().to_string().replace(' ', "%20"));
+    let document = DOCUMENT.replace("-stif*", "-stiff*");
+    std::fs::write(folder.join("spring.md"), &document).unwrap();
+    let translation = |label: &str| {
+        format!("---\nlanguage: es\ntranslates: spring.md\n---\n\n```translations\n\"{label}\" = \"Rigidez\"\n```\n")
+    };
+    let mut editor = Editor::open("en");
+    let open = |editor: &mut Editor, name: &str, text: &str| {
+        let file = json!({ "uri": address(name), "languageId": "markdown", "version": 1, "text": text });
+        editor.tell("textDocument/didOpen", json!({ "textDocument": file }));
+    };
+    let hear = |editor: &mut Editor, name: &str| {
+        let heard = editor.hear();
+        assert_eq!(heard["params"]["uri"], address(name));
+        heard["params"]["diagnostics"].clone()
+    };
+    let unknown = |label: &str| format!("the document has no text \"{label}\"");
+    let says = |found: &Value, wanted: &str| {
+        let mut messages = found.as_array().unwrap().iter().map(|one| one["message"].as_str().unwrap());
+        messages.any(|message| message.contains(wanted))
+    };
+    open(&mut editor, "spring.es.md", &translation("Stifness"));
+    let found = hear(&mut editor, "spring.es.md");
+    assert!(says(&found, &unknown("Stifness")) && says(&found, "did you mean \"Stiffness\"?"), "{found}");
+    open(&mut editor, "spring.es.md", &translation("Stiffness"));
+    assert_eq!(hear(&mut editor, "spring.es.md"), json!([]));
+    // What changes in the document in the editor is seen in its translation.
+    open(&mut editor, "spring.md", &document.replace("Stiffness", "Spring constant"));
+    assert_eq!(hear(&mut editor, "spring.md"), json!([]));
+    let found = hear(&mut editor, "spring.es.md");
+    assert!(says(&found, &unknown("Stiffness")), "{found}");
+    editor.tell("textDocument/didClose", json!({ "textDocument": { "uri": address("spring.md") } }));
+    assert_eq!(hear(&mut editor, "spring.md"), json!([]));
+    assert_eq!(hear(&mut editor, "spring.es.md"), json!([]), "the file is as it was");
+    for base in ["none.md", "../spring.md", "/etc/passwd", ""] {
+        open(&mut editor, "other.es.md", &translation("Stiffness").replace("spring.md", base));
+        let found = hear(&mut editor, "other.es.md");
+        assert!(
+            base.is_empty() || found[0]["message"].as_str().unwrap().contains("is not beside it"),
+            "{base}: {found}"
+        );
+    }
+    editor.close();
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+/// Nothing that an editor says ends the server.
+#[test]
+fn malformed_messages_are_answered_and_skipped() {
+    let mut editor = Editor::open("en");
+    let framed = |text: &[u8]| [format!("Content-Length: {}\r\n\r\n", text.len()).as_bytes(), text].concat();
+    let nested = "[".repeat(100_000);
+    for text in ["", "{", "nonsense", "{\"id\": }", "\u{0}", nested.as_str(), "[1, 2", "\"", "{\"a\":1}}"] {
+        editor.write_bytes(&framed(text.as_bytes()));
+        assert_eq!(editor.hear()["error"]["code"], -32700, "{text:.20}");
+    }
+    editor.write_bytes(&framed(b"{\"id\": \xff}"));
+    assert_eq!(editor.hear()["error"]["code"], -32700);
+    for text in
+        ["1", "null", "[]", "{}", "[{\"method\": \"exit\"}]", "{\"id\": 7, \"method\": 3}", "{\"method\": null}"]
+    {
+        editor.write_bytes(&framed(text.as_bytes()));
+        let answer = editor.hear();
+        assert_eq!(answer["error"]["code"], -32600, "{text}");
+        assert_eq!(answer["id"], if text.contains('7') { json!(7) } else { Value::Null });
+    }
+    for header in [
+        "Content-Length: many\r\n\r\n",
+        "Content-Type: x\r\n\r\n",
+        "no header\r\n\r\n",
+        "\r\n",
+        "\n",
+        "Content-Length: -1\n\n",
+    ] {
+        editor.write_bytes(header.as_bytes());
+        assert_eq!(editor.hear()["error"]["code"], -32700, "{header:?}");
+    }
+    // A length that is wrong costs the message and no more.
+    editor.write_bytes(b"Content-Type: x\r\n\r\n{\"method\": \"lost\"}");
+    assert_eq!(editor.hear()["error"]["code"], -32700);
+    let methods = [
+        "textDocument/completion",
+        "textDocument/hover",
+        "textDocument/codeAction",
+        "textDocument/formatting",
+        "textDocument/rename",
+    ];
+    for method in methods {
+        for parameters in [Value::Null, json!([]), json!({}), json!("x"), json!({ "textDocument": { "uri": 3 } })] {
+            assert_eq!(editor.answer(method, parameters)["error"]["code"], -32602, "{method}");
+        }
+    }
+    for method in ["textDocument/didOpen", "textDocument/didChange", "textDocument/didClose", "no/such"] {
+        for parameters in [Value::Null, json!([]), json!({ "textDocument": 3 }), json!({ "contentChanges": [] })] {
+            editor.tell(method, parameters);
+        }
+    }
+    assert_eq!(editor.write(&DOCUMENT.replace("-stif*", "-stiff*")), json!([]));
+    assert_eq!(editor.answer("initialize", json!({ "capabilities": {} }))["error"]["code"], -32601);
+    editor.close();
 }
 
 #[test]

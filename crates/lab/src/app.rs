@@ -12,10 +12,11 @@ use model::Diagnostic;
 use std::cell::{Cell, OnceCell, RefCell, RefMut};
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::Deref;
+use std::panic::Location;
 use std::rc::Rc;
 use units::Language;
 use view::views::*;
-use web_sys::File;
+use web_sys::{File, console};
 
 /// What was found in the files, each with the number of its file.
 pub type Findings = Vec<(usize, Diagnostic)>;
@@ -143,10 +144,23 @@ struct Store {
 }
 
 impl Store {
+    /// The laboratory's state; none where it is in use already. That is a fault of the page, and the console says where.
+    #[inline(never)]
+    #[track_caller]
+    fn lab(&self) -> Option<RefMut<'_, Lab>> {
+        let lab = self.lab.try_borrow_mut().ok();
+        if lab.is_none() {
+            let place = Location::caller();
+            console::error_1(&format!("the laboratory's state is used inside another use of it: {place}").into());
+        }
+        lab
+    }
+
     /// The desk, if a document is open.
     #[inline(never)]
+    #[track_caller]
     fn desk(&self) -> Option<RefMut<'_, Desk>> {
-        RefMut::filter_map(self.lab.try_borrow_mut().ok()?, |lab| lab.desk.as_mut()).ok()
+        RefMut::filter_map(self.lab()?, |lab| lab.desk.as_mut()).ok()
     }
 }
 
@@ -187,12 +201,14 @@ impl App {
         words_in(self.language.get_untracked())
     }
 
-    /// Works on everything the page holds. Must not be nested.
+    /// Works on everything the page holds. Must not be nested: the inner use does nothing and is reported in the console.
+    #[track_caller]
     pub fn with<T>(self, work: impl FnOnce(&mut Lab) -> T) -> Option<T> {
-        self.store.lab.try_borrow_mut().ok().map(|mut lab| work(&mut lab))
+        self.store.lab().map(|mut lab| work(&mut lab))
     }
 
-    /// Reads something from the desk; its default where no document is open.
+    /// Reads something from the desk; its default where no document is open. Must not be nested.
+    #[track_caller]
     pub fn read_desk<T: Default>(self, read: impl FnOnce(&mut Desk) -> T) -> T {
         match self.store.desk() {
             Some(mut desk) => read(&mut desk),
@@ -201,11 +217,13 @@ impl App {
     }
 
     /// Reads something of the texts in the editor.
+    #[track_caller]
     pub fn read_writing<T: Default>(self, read: impl FnOnce(&Writing) -> T) -> T {
         self.with(|lab| read(lab.writing())).unwrap_or_default()
     }
 
     /// Does something at the desk, tells the views and draws.
+    #[track_caller]
     pub fn act_on_desk<T: Default>(self, act: impl FnOnce(&mut Desk) -> T) -> T {
         let result = self.read_desk(act);
         self.acted(false);
@@ -213,6 +231,7 @@ impl App {
     }
 
     /// As [`App::act_on_desk`], for what may be refused: the refusal in words.
+    #[track_caller]
     pub fn attempt_on_desk(self, act: impl FnOnce(&mut Desk) -> Result<(), Refusal>) -> Option<String> {
         self.act_on_desk(|desk| act(desk).err().map(|refusal| desk.refusal_text(&refusal)))
     }

@@ -2,6 +2,7 @@
 
 use crate::app::App;
 use crate::{film, intake, opening, project};
+use document::BlockKind;
 use document::page::{self, Source};
 use js_sys::Uint8Array;
 use view::browser;
@@ -14,6 +15,11 @@ async fn text_of(app: App, file: &File) -> Result<String, String> {
     let text = String::from_utf8(Uint8Array::new(&bytes).to_vec());
     let text = text.map_err(|_| format!("{name} {}", words.file_not_text))?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
+}
+
+/// Whether a text is a simulation, right or wrong: only that takes the place of the open one.
+fn has_model(text: &str) -> bool {
+    document::read(text).blocks_of(BlockKind::Model).next().is_some()
 }
 
 /// Opens files that the user picked: a document with its translations, one exported page, a project, or records.
@@ -56,6 +62,9 @@ pub fn open(app: App, files: &FileList) {
         sources.sort_by_key(|source| source.name.matches('.').count());
         if sources.is_empty() {
             return app.complain(app.words().unreadable.to_owned());
+        }
+        if let Some(base) = sources.first().filter(|base| !has_model(&base.text)) {
+            return app.complain(format!("{} {}", base.name, app.words().no_simulation));
         }
         // A link may have been waiting for this file.
         let name = sources.first().map(|source| source.name.clone());

@@ -36,6 +36,13 @@ pub fn arrive(app: App, arrival: Arrival) {
 
 /// Opens a document from its files. `state` is a shared state; without one the state of the last visit is taken.
 pub fn open(app: App, sources: Vec<Source>, state: &str) {
+    let present = visited::present().filter(|visited| visited.sources == sources);
+    open_visited(app, present.unwrap_or(Visited { sources, draft: None }), state);
+}
+
+/// Opens a document as a step remembers it, with its draft.
+fn open_visited(app: App, visited: Visited, state: &str) {
+    let (sources, written_as) = (visited.sources.clone(), write::kept::find(&visited));
     let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
     let (desk, findings) = match texts.split_first() {
         Some((source, translations)) => {
@@ -57,7 +64,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         }
         lab.sources = sources;
         lab.findings = findings;
-        lab.written_as = None;
+        lab.written_as = written_as;
         lab.version_times = VersionTimes::default();
         lab.editor_is_current = false;
         place(lab, desk)
@@ -65,7 +72,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
     let left = saved::state(app);
     let state = if state.is_empty() { left.as_str() } else { state };
     let refusal = app.read_desk(|desk| if state.is_empty() { None } else { restored(desk, state).1 });
-    write::resume(app, visited::present());
+    write::resume(app, Some(visited));
     messages::leave_document(app.page);
     app.rebuild();
     if let Some(refusal) = refusal {
@@ -86,7 +93,7 @@ fn place(lab: &mut Lab, mut desk: Option<Desk>) -> usize {
     }
     lab.faulty = match &mut desk {
         Some(desk) => {
-            saved::restore_answers(&mut lab.saved, &lab.sources, desk);
+            saved::restore_answers(&mut lab.saved, &lab.sources, lab.written_as.as_ref(), desk);
             Writing::default()
         }
         None => {
@@ -144,8 +151,12 @@ pub fn open_sources(app: App, sources: Vec<Source>) {
 
 /// Opens a document as the next step of the visit. `state` may be empty.
 pub fn go_to(app: App, sources: Vec<Source>, state: &str) {
+    go_to_visited(app, Visited { sources, draft: None }, state);
+}
+
+fn go_to_visited(app: App, visited: Visited, state: &str) {
     leave(app);
-    open(app, sources, state);
+    open_visited(app, visited, state);
     visited::step(app);
     // What is wrong with it stands at the top, too.
     browser::scroll_to(0.0);
@@ -153,8 +164,7 @@ pub fn go_to(app: App, sources: Vec<Source>, state: &str) {
 
 /// Opens what was written earlier.
 pub fn open_kept(app: App, kept: Visited) {
-    go_to(app, kept.sources.clone(), "");
-    write::resume(app, Some(kept));
+    go_to_visited(app, kept, "");
     visited::note(app, None);
 }
 

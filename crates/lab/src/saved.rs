@@ -3,7 +3,7 @@
 
 use crate::app::{App, Lab};
 use crate::library;
-use crate::stored::Saved;
+use crate::stored::{Kept, Saved};
 use desk::{Change, Desk, Item, Shelf};
 use document::page::Source;
 use play::Subject;
@@ -18,23 +18,30 @@ const FILMS: &str = "film:";
 
 /// What the state of a document is stored under begins with.
 const STATE: &str = "state:";
-/// What the names of own documents begin with.
+/// What the names of documents that are written here begin with.
 const OWN: &str = "own:";
 
 /// Changes are saved so many milliseconds later, all of them at once.
 const DELAY: i32 = 300;
 
-/// A document's name in the storage: by its file and title. Own documents keep apart from those of the page, which a link
-/// from a stranger could otherwise give another state.
-fn document_key(sources: &[Source], desk: &Desk) -> String {
-    let own = if matches!(library::subject(sources), Subject::File(_)) { OWN } else { "" };
-    let name = sources.first().map_or("", |file| &file.name);
-    format!("{own}{name}:{}", desk.document().program.title)
+/// A document's name in the storage: by its file and title, one that is written here by the name under which it is kept. Own
+/// documents keep apart from those of the page, which a link from a stranger could otherwise give another state.
+fn document_key(sources: &[Source], written_as: Option<&Kept>, desk: &Desk) -> String {
+    let (name, title) = (sources.first().map_or("", |file| &file.name), &desk.document().program.title);
+    match written_as {
+        _ if !matches!(library::subject(sources), Subject::File(_)) => format!("{name}:{title}"),
+        Some(Kept { name, .. }) => own_key(name),
+        None => desk::own_document_key(name, title),
+    }
+}
+
+fn own_key(name: &str) -> String {
+    format!("{OWN}{name}")
 }
 
 /// The name of the open document in the storage.
 pub fn key(lab: &Lab) -> Option<String> {
-    lab.desk.as_ref().map(|desk| document_key(&lab.sources, desk))
+    lab.desk.as_ref().map(|desk| document_key(&lab.sources, lab.written_as.as_ref(), desk))
 }
 
 /// The state in which a document was left.
@@ -43,15 +50,24 @@ pub fn state(app: App) -> String {
     key.and_then(|key| browser::remembered(&format!("{STATE}{key}"))).unwrap_or_default()
 }
 
-/// The open document had the name `before` in the storage and may have another now: one that is written has another title after
-/// each letter. What was stored of an own document under its former name is forgotten.
-pub fn rename(lab: &mut Lab, before: Option<String>) {
-    let Some(before) = before.filter(|before| key(lab).as_ref() != Some(before)) else { return };
+/// The open document has another name in the storage from now on. What is stored under the former one stays there.
+pub fn begin_other(lab: &mut Lab) {
     lab.saved.answers = Shelf::default();
-    if before.starts_with(OWN) {
-        browser::forget(&format!("{STATE}{before}"));
-        browser::all_remembered(&answers_of(&before)).iter().for_each(|(key, _)| browser::forget(key));
+}
+
+/// The open document had the name `before` in the storage and may have another now: a text may become that of the library.
+pub fn rename(lab: &mut Lab, before: Option<String>) {
+    if before.is_some() && key(lab) != before {
+        begin_other(lab);
     }
+}
+
+/// What is stored of a document that is written here, by its name: its state and its answers.
+pub fn of_own(name: &str) -> Vec<(String, String)> {
+    let key = own_key(name);
+    let state = format!("{STATE}{key}");
+    let kept = browser::remembered(&state).map(|text| (state, text));
+    kept.into_iter().chain(browser::all_remembered(&answers_of(&key))).collect()
 }
 
 /// Brings back records and fits. How many records there was no room for.
@@ -78,8 +94,8 @@ fn stored(prefix: &str, key: &str) -> Vec<(String, String)> {
 }
 
 /// Brings back the answers to the questions of a document that has been opened.
-pub fn restore_answers(saved: &mut Saved, sources: &[Source], desk: &mut Desk) {
-    let prefix = answers_of(&document_key(sources, desk));
+pub fn restore_answers(saved: &mut Saved, sources: &[Source], written_as: Option<&Kept>, desk: &mut Desk) {
+    let prefix = answers_of(&document_key(sources, written_as, desk));
     saved.answers = Shelf::default();
     saved.answers.read(browser::all_remembered(&prefix), |key, item| {
         let question = key.strip_prefix(&prefix).unwrap_or_default();
@@ -108,9 +124,9 @@ pub fn now(app: App) {
 
 /// Whether it has to be said that something was refused.
 fn save(lab: &mut Lab) -> bool {
-    let Lab { desk: Some(desk), saved, sources, .. } = lab else { return false };
+    let Lab { desk: Some(desk), saved, sources, written_as, .. } = lab else { return false };
     saved.is_due = false;
-    let key = document_key(sources, desk);
+    let key = document_key(sources, written_as.as_ref(), desk);
     let mut stored = browser::remember(&format!("{STATE}{key}"), &desk.play().share());
     let now = js_sys::Date::now() as u64;
     for (shelf, prefix, items) in [

@@ -17,6 +17,8 @@ pub struct Saved {
     pub is_due: bool,
     /// Whether it has been said that the browser refuses to store anything.
     pub refused: bool,
+    /// Whether it has been said that there is no room for one more document.
+    pub is_full: bool,
 }
 
 /// A document in the storage, as this page has left it there.

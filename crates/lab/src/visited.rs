@@ -15,7 +15,7 @@ use web_sys::History;
 const OURS: &str = "meniscus ";
 
 /// A document as a step remembers it.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct Visited {
     /// The files that run.
     pub sources: Vec<Source>,

@@ -287,6 +287,8 @@ table_of_words! {
     nothing: "There is no document in this page", "No hay ningún documento en esta página";
     nothing_intro: "Open a simulation document: a Markdown file with a model in it, or a page that Meniscus exported.", "Abre un documento de simulación: un archivo Markdown con un modelo, o una página exportada por Meniscus.";
     file_not_text: "is not text in UTF-8 and was not opened. Save it as UTF-8 in the program that wrote it", "no es texto en UTF-8 y no se ha abierto. Guárdalo como UTF-8 en el programa que lo escribió";
+    no_simulation: "holds no simulation: it has no block that begins with ```model. A translation is opened together with its document.", "no contiene ninguna simulación: no tiene ningún bloque que empiece por ```model. Una traducción se abre junto con su documento.";
+    own_full: "This browser keeps # documents of yours, and has no room for this one: it is lost when the page is closed. Save it as a file, or remove another one in the list of documents.", "Este navegador guarda # documentos tuyos y no tiene lugar para este: se perderá al cerrar la página. Guárdalo como archivo, o quita otro en la lista de documentos.";
     unreadable: "This file is neither a simulation document nor an exported page", "Este archivo no es un documento de simulación ni una página exportada";
     project_items_refused: "Records, fits, films and answers that could not be taken:", "Registros, ajustes, vídeos y respuestas que no se han podido tomar:";
 }

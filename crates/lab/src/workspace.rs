@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{drop, film, header, idle, library_list, links, navigation, opening, panel, publish, served};
+use crate::{drop, film, header, idle, library_list, links, navigation, opening, panel, publish, served, tabs};
 use units::Language;
 use view::views::*;
 use view::{browser, shell, stage};
@@ -27,6 +27,7 @@ pub fn start() {
 
 fn prepare(app: App, arrival: Arrival) {
     shell::prepare(app.page);
+    tabs::keep(app);
     opening::arrive(app, arrival);
     opening::save_when_left(app);
     navigation::listen(app);

@@ -33,6 +33,17 @@ pub fn focus_later(id: String) {
     let _ = window().request_animation_frame(focus.unchecked_ref());
 }
 
+/// Moves the focus to an element in the next frame, if what had it is gone by then.
+pub fn keep_focus_later(id: String) {
+    let keep = Closure::once_into_js(move || {
+        let active = document().active_element();
+        if active.is_none_or(|active| active.tag_name() == "BODY") {
+            focus(&id);
+        }
+    });
+    let _ = window().request_animation_frame(keep.unchecked_ref());
+}
+
 /// Moves the focus to an element without scrolling to it: where what had the focus is gone.
 pub fn focus_in_place(id: &str) {
     let options = FocusOptions::new();
@@ -142,6 +153,18 @@ pub fn remember(key: &str, text: &str) -> bool {
     let Ok(Some(storage)) = window().local_storage() else { return text.is_empty() };
     let key = format!("meniscus:{key}");
     if text.is_empty() { storage.remove_item(&key) } else { storage.set_item(&key, text) }.is_ok()
+}
+
+/// A text that is remembered as long as this tab of the browser is open, also while the page is loaded again.
+pub fn remembered_in_tab(key: &str) -> Option<String> {
+    window().session_storage().ok().flatten()?.get_item(&format!("meniscus:{key}")).ok().flatten()
+}
+
+/// Remembers a text as long as this tab of the browser is open, if the browser lets the page do so.
+pub fn remember_in_tab(key: &str, text: &str) {
+    if let Ok(Some(storage)) = window().session_storage() {
+        let _ = storage.set_item(&format!("meniscus:{key}"), text);
+    }
 }
 
 /// Forgets a remembered text.

@@ -5,19 +5,41 @@ use crate::app::App;
 use crate::views::*;
 use crate::{browser, messages, views};
 use play::{Play, SPEEDS};
+use std::cell::Cell;
+use std::rc::Rc;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, HtmlDialogElement, KeyboardEvent};
+use web_sys::{Element, Event, HtmlDialogElement, HtmlElement, KeyboardEvent};
 
 /// Elements that have a use for keys themselves.
 const TAKES_TEXT: &str = "input:not([type=range]):not([type=checkbox]), textarea, select, [contenteditable]";
-const TAKES_SPACE: &str = "button, a, summary, input, select, [role=tab]";
+const TAKES_SPACE: &str = "button, a, summary, input:not([type=range]), [role=tab]";
+
+/// What has moved the focus last, and which key is held.
+#[derive(Default)]
+struct Hands {
+    /// A pointer has been pressed since the last Tab: what has the focus has it from a click, and Space is the transport's.
+    points: Cell<bool>,
+    /// Space was the transport's: the button that has the focus must not take it when it is released.
+    holds_space: Cell<bool>,
+}
 
 /// Listens as long as the page lives.
 pub fn listen(app: App) {
-    browser::listen("keydown", move |event| pressed(app, event));
+    let hands = Rc::new(Hands::default());
+    let (pointing, released) = (hands.clone(), hands.clone());
+    browser::listen("pointerdown", move |_: &Event| pointing.points.set(true));
+    browser::listen("keydown", move |event| pressed(app, &hands, event));
+    browser::listen("keyup", move |event: &KeyboardEvent| {
+        if event.key() == " " && released.holds_space.take() {
+            event.prevent_default();
+        }
+    });
 }
 
-fn pressed(app: App, event: &KeyboardEvent) {
+fn pressed(app: App, hands: &Hands, event: &KeyboardEvent) {
+    if event.key() == "Tab" {
+        hands.points.set(false);
+    }
     // Where text is being typed, the browser undoes the typing.
     let undoes = (event.ctrl_key() || event.meta_key()) && !event.shift_key() && !event.alt_key() && event.key() == "z";
     let typing = event
@@ -35,11 +57,19 @@ fn pressed(app: App, event: &KeyboardEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let within = |selector: &str| target.as_ref().and_then(|target| target.closest(selector).ok().flatten()).is_some();
     let nowhere = target.as_ref().is_none_or(|target| matches!(target.tag_name().as_str(), "BODY" | "HTML"));
-    if !(nowhere || within("#apparatus, #panel-play")) || within("dialog") || within(TAKES_TEXT) {
+    let is_space = event.key() == " ";
+    let clicked = is_space && hands.points.get() && within(TAKES_SPACE);
+    if !(nowhere || clicked || within("#apparatus, #panel-play")) || within("dialog") || within(TAKES_TEXT) {
         return;
     }
     match event.key().as_str() {
-        " " if !within(TAKES_SPACE) => app.act(Play::toggle),
+        " " if clicked || !within(TAKES_SPACE) => {
+            hands.holds_space.set(true);
+            // A key that is held repeats.
+            if !event.repeat() {
+                toggle(app, target.filter(|_| clicked));
+            }
+        }
         "k" | "K" => app.act(Play::toggle),
         "r" | "R" => app.act(Play::back_to_start),
         "," => app.act(Play::step_back),
@@ -55,6 +85,16 @@ fn pressed(app: App, event: &KeyboardEvent) {
         _ => return,
     }
     event.prevent_default();
+}
+
+/// Plays or pauses: what the clicked element belongs to, if that is a transport, or else the simulation.
+fn toggle(app: App, clicked: Option<Element>) {
+    let transport = clicked.and_then(|clicked| clicked.closest(".transport").ok().flatten());
+    let own = transport.and_then(|transport| transport.query_selector("button.play").ok().flatten());
+    match own.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
+        Some(button) => button.click(),
+        None => app.act(Play::toggle),
+    }
 }
 
 fn change_speed(play: &mut Play, faster: bool) {

@@ -36,7 +36,7 @@ mod sound;
 pub mod stage;
 mod steady;
 pub mod symbols;
-mod tabs;
+pub mod tabs;
 pub mod theme;
 mod transport;
 pub mod views;

@@ -3,12 +3,14 @@
 use super::{draft, typing};
 use crate::app::App;
 use crate::diagnostics::{self, CarryOut};
-use model::Diagnostic;
+use model::{Diagnostic, Fix};
 use std::rc::Rc;
+use view::browser;
 use view::views::*;
 
-/// Each finding with its remedies, which change the document.
-pub fn view(app: App, found: ReadSignal<Vec<Diagnostic>>) -> View {
+/// Each finding with its remedies, which change the document. `next` is the id of the element that takes the focus when the button of a
+/// remedy is gone.
+pub fn view(app: App, found: ReadSignal<Vec<Diagnostic>>, next: impl Fn(&Fix) -> String + 'static) -> View {
     let carry_out: CarryOut = Rc::new(move |_, fix| {
         let checked = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
         // A text that has changed since is checked first.
@@ -16,6 +18,7 @@ pub fn view(app: App, found: ReadSignal<Vec<Diagnostic>>) -> View {
             let _ = typing::act(app, 0, &checked, |_| Ok(fix.edits.clone()));
         }
         draft::flush(app);
+        browser::keep_focus_later(next(fix));
     });
     changing(move || {
         let text = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());

@@ -1,9 +1,10 @@
-//! What was written stays in the browser, also when the tab is closed: the latest documents, each under the time at which it was begun.
+//! What was written stays in the browser, also when the tab is closed: a limited number of documents, each under the time at which it was begun.
 //! Two open pages write different documents under different names.
 
 use super::versions;
 use crate::app::App;
 use crate::library;
+use crate::saved;
 use crate::stored::Kept;
 use crate::visited::{self, Visited};
 use play::Subject;
@@ -12,7 +13,7 @@ use view::browser;
 const PREFIX: &str = "written:";
 /// What stands before the name of a document where the time of its last change is kept, in milliseconds.
 const CHANGED: &str = "changed:";
-/// More of them are not kept; those go that were not changed for the longest time.
+/// More of them are not kept: a person decides which one goes.
 const MOST: usize = 50;
 
 /// A document that was written.
@@ -38,7 +39,21 @@ pub fn begin(app: App) {
     let text = visited::describe(app);
     let known = browser::all_remembered(PREFIX).into_iter().find(|(_, kept)| *kept == text);
     let name = known.map_or_else(new_name, |(name, _)| name);
-    app.with(|lab| lab.written_as = Some(Kept { name, text }));
+    app.with(|lab| {
+        lab.written_as = Some(Kept { name, text });
+        // What is saved from now on has the name of this document; what is saved of the file or of the library stays there.
+        saved::begin_other(lab);
+    });
+}
+
+/// The document of the storage that is opened here, if it is one.
+pub fn find(opened: &Visited) -> Option<Kept> {
+    if !matches!(library::subject(&opened.sources), Subject::File(_)) {
+        return None;
+    }
+    let mut all = browser::all_remembered(PREFIX).into_iter();
+    let (name, text) = all.find(|(_, text)| visited::read(text).as_ref() == Some(opened))?;
+    Some(Kept { name, text })
 }
 
 /// A name that no document has. Names have the same length for centuries, so that they stand in the order of time.
@@ -66,11 +81,13 @@ fn keep(app: App, text: String) {
     // At each change of a text: the texts of the others are not read.
     let mut others = browser::remembered_keys(PREFIX);
     others.retain(|other| *other != name);
-    let excess = (others.len() + 1).saturating_sub(MOST);
-    if excess > 0 {
-        others.sort_by_cached_key(|other| changed(other));
-        others.drain(..excess).for_each(|other| drop(remove(&other)));
+    if others.len() >= MOST && browser::remembered(&name).is_none() {
+        if app.with(|lab| std::mem::replace(&mut lab.saved.is_full, true)) == Some(false) {
+            app.complain(app.words().own_full.replace('#', &MOST.to_string()));
+        }
+        return;
     }
+    app.with(|lab| lab.saved.is_full = false);
     if !browser::remember(&name, &text)
         && app.with(|lab| std::mem::replace(&mut lab.saved.refused, true)) == Some(false)
     {
@@ -105,11 +122,11 @@ pub fn documents(language: &str) -> Vec<Document> {
     documents
 }
 
-/// Removes a document from the storage, with its versions.
+/// Removes a document from the storage, with its versions, state and answers.
 pub fn remove(name: &str) -> Removed {
     let own = [name.to_owned(), changed_key(name)].into_iter();
     let own = own.filter_map(|key| browser::remembered(&key).map(|text| (key, text)));
-    let removed: Vec<(String, String)> = own.chain(versions::kept(name)).collect();
+    let removed: Vec<(String, String)> = own.chain(versions::kept(name)).chain(saved::of_own(name)).collect();
     removed.iter().for_each(|(key, _)| browser::forget(key));
     Removed(removed)
 }

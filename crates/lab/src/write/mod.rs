@@ -32,6 +32,7 @@ pub use times::time_text;
 
 use crate::app::App;
 use ::view::views::*;
+use units::Language;
 use web_sys::Element;
 
 /// The tab.
@@ -81,6 +82,11 @@ pub fn view(app: App) -> View {
         .into()
 }
 
+/// The number of the text in a language; the document's own where there is none.
+fn in_language(texts: &[String], language: Language) -> usize {
+    texts.iter().position(|text| document::card(text).language == language.tag()).unwrap_or(0)
+}
+
 /// Puts the editor into its place; starts it if it is needed for the first time.
 async fn show(app: App, place: &Element) -> Option<()> {
     let started = app.with(|lab| lab.editor.clone()).flatten();
@@ -98,8 +104,12 @@ async fn show(app: App, place: &Element) -> Option<()> {
     };
     if !app.with(|lab| std::mem::replace(&mut lab.editor_is_current, true))? {
         let texts = app.read_writing(|writing| writing.texts().to_vec());
-        app.written_file.set(0);
+        let file = in_language(&texts, app.language.get_untracked());
+        app.written_file.set(file);
         editor.open(&texts);
+        if file > 0 {
+            editor.select(file);
+        }
         app.typed.update(|count| *count += 1);
     }
     editor.mount(place);

@@ -6,6 +6,7 @@ use crate::visited;
 use document::edit::set_translation;
 use document::page::Source;
 use document::translating::{LANGUAGES, Pair, TextKey, beginning, likely_language, pairs, short_texts};
+use view::browser;
 use view::views::*;
 use wasm_bindgen::JsCast;
 use web_sys::HtmlTextAreaElement;
@@ -87,7 +88,7 @@ fn is_missing(pair: &Pair) -> bool {
 
 fn row(app: App, file: usize, all: ReadSignal<Vec<Pair>>, number: usize, key: TextKey, original: String) -> HtmlLi {
     let refusal = create_signal(None::<String>);
-    let (own, id) = (key.clone(), format!("translation-{number}"));
+    let (own, id) = (key.clone(), id_of(number));
     let pair = memo(move || all.with(|all| all.iter().find(|pair| pair.key == own).cloned()));
     let missing = move || pair.with(|pair| pair.as_ref().is_some_and(is_missing));
     let is_long = original.contains('\n') || original.chars().count() > 60 || matches!(key, TextKey::Prose(..));
@@ -178,4 +179,11 @@ fn begin(app: App, language: &str) {
         return app.complain(app.words().translation_exists.to_owned());
     }
     changes::add(app, Source { name, text });
+    // The button is gone with the other views.
+    browser::focus_later(id_of(0));
+}
+
+/// The id of the field of a text.
+fn id_of(number: usize) -> String {
+    format!("translation-{number}")
 }

@@ -1,8 +1,13 @@
 //! What is wrong with a statement, beside it.
 
+use super::cell;
 use super::fault::id;
 use super::forms::{Forms, Refusal};
-use crate::write::briefs;
+use crate::app::App;
+use crate::write::{briefs, typing};
+use document::edit::Edit;
+use document::form::places;
+use model::Fix;
 use view::views::*;
 
 /// What is wrong with a statement, with its remedies, and why its last change was refused.
@@ -18,8 +23,20 @@ pub fn view(forms: Forms, number: usize, refusal: Refusal) -> HtmlDiv {
     div()
         .class("faults")
         .id(id(number))
-        .child(briefs::view(forms.app, own))
+        .child(briefs::view(forms.app, own, move |fix| changed_cell(forms.app, fix)))
         .child(p().class("refusal").role("alert").child(text(refused)))
+}
+
+/// The id of the cell that a remedy has changed or added.
+fn changed_cell(app: App, fix: &Fix) -> String {
+    let text = typing::text(app, 0);
+    let form = places(&document::read(&text));
+    let written = |edit: &Edit| {
+        let blanks = edit.text.len() - edit.text.trim_start().len();
+        form.at(edit.span.start + blanks)
+    };
+    let place = fix.edits.iter().rev().find_map(written);
+    place.map_or_else(String::new, |(number, kind)| cell::id(number, kind))
 }
 
 /// Whether there is anything to say of a statement.

@@ -64,14 +64,14 @@ pub fn view(questions: Questions, number: usize, parts: Vec<QuestionPart>) -> Ht
         .child(
             div()
                 .class("asked-head")
-                .child(h3().id(heading).child(title))
+                .child(h3().id(heading.clone()).tabindex("-1").child(title))
                 .child(in_text.child(words.question_in_text))
                 .child(remove),
         )
         .child(prompt)
         .each(parts, |part| field(questions, number, part, refusal))
         .child(refusal_of(refusal))
-        .child(div().class("faults").child(briefs::view(app, found)))
+        .child(div().class("faults").child(briefs::view(app, found, move |_| heading.clone())))
 }
 
 /// A part in its field, under its name; the value of the answer beside that.

@@ -183,5 +183,5 @@ fn faults(plots: Plots, number: usize) -> HtmlDiv {
             own.map(|(_, found)| found.clone()).collect::<Vec<_>>()
         })
     });
-    div().class("faults").child(briefs::view(plots.app, own))
+    div().class("faults").child(briefs::view(plots.app, own, move |_| id(number, "kind")))
 }

@@ -135,10 +135,10 @@ fn row(hand: Hand, number: usize, name: &'static str) -> HtmlDiv {
     let field = if matches!(name, "fill" | "stroke") { field.attr("list", "drawing-colours") } else { field };
     let found = found(hand, number, name);
     let is_wrong = move || found.with(|found| found.iter().any(|found| found.severity == Severity::Error));
-    let said = format!("{id}-faults");
+    let (said, next) = (format!("{id}-faults"), id.clone());
     let field = field.attr("aria-invalid", move || is_wrong().then_some("true")).attr("aria-describedby", said.clone());
     let row = line(id, words::attribute(hand.app, name), field.into())
-        .child(div().class("faults").id(said).child(briefs::view(hand.app, found)));
+        .child(div().class("faults").id(said).child(briefs::view(hand.app, found, move |_| next.clone())));
     if !POINTS.contains(&name) {
         return row;
     }
@@ -166,7 +166,7 @@ fn following(hand: Hand, number: usize, name: &'static str, axis: Axis) -> View 
     let framed = hand.drawing.with_untracked(|drawing| {
         drawing.as_ref().and_then(|drawing| drawing.items.get(number)).is_some_and(|item| item.framed)
     });
-    let title = match axis {
+    let direction = match axis {
         Axis::Across => words.follows_across,
         Axis::Along if framed => words.follows_up,
         Axis::Along => words.follows_down,
@@ -204,8 +204,14 @@ fn following(hand: Hand, number: usize, name: &'static str, axis: Axis) -> View 
                 acts::bind(hand, number, name, axis, &name_of);
             }
         };
+        // Several points of an element have the same directions.
+        let point = span().class("visually-hidden").child(format!("{}: ", words::attribute(hand.app, name)));
         let field = select().class("cell").id(id.clone()).each(options, View::from).when(events::change, bind);
-        div().class("inspector-follow").child(label().r#for(id.clone()).child(title)).child(field).into()
+        div()
+            .class("inspector-follow")
+            .child(label().r#for(id.clone()).child(point).child(direction))
+            .child(field)
+            .into()
     })
 }
 

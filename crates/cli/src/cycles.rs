@@ -83,6 +83,10 @@ fn as_json(record: &Record) -> String {
         "cycles": cycles,
         "lost_from": record.found.lost,
         "sinusoidal": record.found.sinusoidal,
+        "correlation": record.found.correlation,
+        "drift": record.found.drift.as_ref().map(|drift| json!({ "from": drift.from, "to": drift.to })),
+        "cut_off": record.found.cut_off.map(|cut| json!({ "rows": cut.rows, "low": cut.low, "high": cut.high })),
+        "sentences": text::sentences(record),
     });
     format!("{object:#}\n")
 }

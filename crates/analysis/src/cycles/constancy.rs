@@ -52,8 +52,7 @@ impl Constancy {
         };
         let off = |one: &Measured| (one.value - mean.value) / one.error;
         let chi_square: f64 = independent.iter().map(off).map(|off| off * off).sum();
-        // Two standard deviations of chi-square above its mean.
-        if chi_square / (freedom as f64) < 1.0 + 2.0 * (2.0 / freedom as f64).sqrt() {
+        if !is_beyond_chance(chi_square, freedom as f64) {
             return Some(Self::Same { mean, chi_square, freedom });
         }
         let third = independent.len().div_ceil(3);
@@ -139,6 +138,14 @@ impl Constancy {
             ),
         }
     }
+}
+
+/// True if chi-square is exceeded by chance in less than one record of a hundred (E. B. Wilson & M. M. Hilferty, Proc. Natl. Acad.
+/// Sci. 17 (1931) 684).
+fn is_beyond_chance(chi_square: f64, freedom: f64) -> bool {
+    const QUANTILE: f64 = 2.326;
+    let variance = 2.0 / (9.0 * freedom);
+    libm::cbrt(chi_square / freedom) > 1.0 - variance + QUANTILE * variance.sqrt()
 }
 
 /// The mean, each value weighted by its error; `None` without any, and where an error is not known.

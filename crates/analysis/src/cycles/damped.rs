@@ -3,6 +3,9 @@
 //! For given `w` and `g` the best `a`, `b` and `c` follow from linear equations (variable projection: Golub and Pereyra,
 //! SIAM J. Numer. Anal. 10, 413 (1973)), so that only `w` and `g` are searched for, by Gauss and Newton's steps.
 
+use crate::fit::autoregression::{Block, correlated, orthonormal};
+use crate::fit::linear::dot;
+
 /// Values over time, both without gaps, the times ascending.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Points<'a> {
@@ -128,17 +131,55 @@ impl Damped {
         matrix.iter().flatten().all(|entry| entry.is_finite()).then_some((matrix, right))
     }
 
-    /// The covariance of cosine, sine, offset, frequency and damping, from the scatter of the residuals; `basis` is its
-    /// own. `None` with no more points than parameters, or where the data cannot determine all of them.
-    pub fn covariance(&self, points: Points, basis: &[(f64, f64)]) -> Option<[[f64; 5]; 5]> {
-        let freedom = points.values.len().checked_sub(5).filter(|freedom| *freedom > 0)?;
-        let variance = self.squares / freedom as f64;
+    /// The derivatives of the curve by cosine, sine, offset, frequency and damping, column by column; `basis` is its own.
+    fn derivatives(&self, points: Points, basis: &[(f64, f64)]) -> Vec<Vec<f64>> {
+        let [a, b, _] = self.linear;
+        let column = |of: &dyn Fn(f64, f64, f64) -> f64| -> Vec<f64> {
+            points.times.iter().zip(basis).map(|(time, &(c, s))| of(time - self.origin, c, s)).collect()
+        };
+        vec![
+            column(&|_, c, _| c),
+            column(&|_, _, s| s),
+            column(&|_, _, _| 1.0),
+            column(&|time, c, s| time * (b * c - a * s)),
+            column(&|time, c, s| -time * (a * c + b * s)),
+        ]
+    }
+
+    /// The residuals beside a basis of what the curve can follow; `basis` is the curve's own. A level that `drifts` in the window
+    /// as a parabola does is no part of the residuals.
+    pub fn residuals(&self, points: Points, basis: &[(f64, f64)], drifts: bool) -> Block {
+        let [a, b, offset] = self.linear;
+        let mut residuals: Vec<f64> =
+            points.values.iter().zip(basis).map(|(value, (c, s))| value - a * c - b * s - offset).collect();
+        let mut columns = self.derivatives(points, basis);
+        if drifts {
+            columns.extend([1, 2].map(|power| -> Vec<f64> {
+                points.times.iter().map(|time| libm::pow(time - self.origin, f64::from(power))).collect()
+            }));
+        }
+        let basis = orthonormal(columns);
+        for column in basis.iter().filter(|_| drifts) {
+            let part = dot(column, &residuals);
+            residuals.iter_mut().zip(column).for_each(|(value, entry)| *value -= part * entry);
+        }
+        Block::new(basis, residuals)
+    }
+
+    /// The covariance of cosine, sine, offset, frequency and damping for noise of this variance, of which neighbouring rows are
+    /// correlated by `rho`. `basis` is the curve's own. `None` where the data cannot determine all of them.
+    pub fn covariance(&self, points: Points, basis: &[(f64, f64)], variance: f64, rho: f64) -> Option<[[f64; 5]; 5]> {
         let (matrix, _) = self.equations(points, basis)?;
+        let columns = self.derivatives(points, basis);
+        let sums: Vec<Vec<f64>> = columns.iter().map(|column| correlated(column, rho)).collect();
+        // The inverse of the normal matrix on both sides of the products of correlated columns.
+        let mut half = [[0.0; 5]; 5];
+        for (half, sums) in half.iter_mut().zip(&sums) {
+            *half = solve(matrix, core::array::from_fn(|row| dot(&columns[row], sums)))?;
+        }
         let mut covariance = [[0.0; 5]; 5];
-        for (index, column) in covariance.iter_mut().enumerate() {
-            let mut unit = [0.0; 5];
-            unit[index] = variance;
-            *column = solve(matrix, unit)?;
+        for (row, covariance) in covariance.iter_mut().enumerate() {
+            *covariance = solve(matrix, core::array::from_fn(|column| variance * half[column][row]))?;
         }
         Some(covariance)
     }
@@ -151,7 +192,7 @@ impl Damped {
 
 /// Solves symmetric positive definite equations of which the lower triangle is given, by Cholesky's factors of the matrix
 /// scaled to a unit diagonal.
-fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
+pub(super) fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
     let mut scale = [0.0; N];
     for i in 0..N {
         scale[i] = 1.0 / matrix[i][i].sqrt();

@@ -1,6 +1,8 @@
 //! Where an oscillation crosses its middle, and how far it goes in between.
 
 use super::damped::Points;
+use crate::fit::autoregression::correlated;
+use crate::fit::linear::dot;
 use crate::order::median;
 
 /// The part of a record between two crossings.
@@ -23,19 +25,27 @@ pub(super) struct Swings {
     pub lobes: Vec<Lobe>,
 }
 
-/// How much neighbouring values scatter beyond what is smooth: the median of fourth differences, which a slow oscillation
-/// does not have, or of second ones, if that is less.
+/// The standard deviation of uncorrelated noise about what is smooth; see [`correlated_scatter`].
 pub(super) fn scatter(values: &[f64]) -> f64 {
+    correlated_scatter(values, 0.0)
+}
+
+/// The standard deviation of noise, of which neighbouring values are correlated by `rho`, about what is smooth: from the median
+/// of fourth differences, which a slow oscillation does not have, or of second ones, if that is less.
+pub(super) fn correlated_scatter(values: &[f64], rho: f64) -> f64 {
+    const FOURTH: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
+    const SECOND: [f64; 3] = [1.0, -2.0, 1.0];
     // No more differences than give a median.
     let stride = (values.len() / 500).max(1);
     let fourth = |v: &[f64]| (v[0] - 4.0 * v[1] + 6.0 * v[2] - 4.0 * v[3] + v[4]).abs();
     let second = |v: &[f64]| (v[0] - 2.0 * v[1] + v[2]).abs();
     let differences =
         |width: usize, of: &dyn Fn(&[f64]) -> f64| values.windows(width).step_by(stride).map(of).collect();
-    // 1.4826 makes a standard deviation of a median; 70 and 6 are the sums of the squared coefficients.
-    let scatter = [(differences(5, &fourth), 70.0_f64), (differences(3, &second), 6.0)]
+    let variance = |of: &[f64]| dot(of, &correlated(of, rho));
+    // 1.4826 makes a standard deviation of a median.
+    let scatter = [(differences(5, &fourth), variance(&FOURTH)), (differences(3, &second), variance(&SECOND))]
         .into_iter()
-        .map(|(differences, squares)| 1.4826 * median(differences) / squares.sqrt())
+        .map(|(differences, variance)| 1.4826 * median(differences) / variance.sqrt())
         .fold(f64::INFINITY, f64::min);
     if scatter.is_finite() { scatter } else { 0.0 }
 }

@@ -1,17 +1,24 @@
 //! An oscillation, cycle by cycle, before any theory.
 
 mod constancy;
+mod cut_off;
 mod cycle;
 mod damped;
+mod drift;
 mod estimate;
 mod lobes;
 mod quantity;
+mod record;
 mod rows;
 mod shape;
 mod sinusoids;
+mod words;
 
 pub use constancy::{Constancy, mean};
+pub use cut_off::CutOff;
 pub use cycle::{Cycle, Measured};
+pub use drift::Drift;
 pub use estimate::{Estimate, estimate};
 pub use quantity::{Quantity, columns, well_known};
-pub use sinusoids::{Cycles, cycles};
+pub use record::{Cycles, NoCycles, cycles};
+pub use words::Writing;

@@ -5,7 +5,9 @@
 use super::cycle::{Cycle, Measured};
 use super::damped::Points;
 use super::estimate::centre;
-use super::lobes::{Lobe, Swings, scatter, swings};
+use super::lobes::{Lobe, Swings, correlated_scatter, scatter, swings};
+use crate::fit::autoregression::{Block, common_correlation, correlated, orthonormal};
+use crate::fit::linear::{dot, norm};
 use crate::order::median;
 use crate::smoothing;
 use core::f64::consts::TAU;
@@ -15,24 +17,29 @@ const CROSSING: f64 = 0.08;
 const TURNING: f64 = 0.08;
 /// Of more rows than these, not all are used.
 const ROWS: usize = 40;
+/// The greatest correlation that is taken from the residuals of sinusoids, which may be those of another shape.
+const MOST: f64 = 0.9;
+/// So many residuals beyond the fitted numbers tell their correlation.
+const FREE: usize = 100;
 /// Rows this part of a swing's height away from the middle are no longer near a crossing.
 const STEEP: f64 = 0.7;
 
 /// Each cycle around a turning point that has two crossings to either side. A period is the mean of the two between crossings
 /// in the same direction, one downwards and one upwards; the amplitude, half the height between the turning point and the mean
-/// of its neighbours.
-pub(super) fn cycles(times: &[f64], values: &[f64]) -> Vec<Cycle> {
+/// of its neighbours. The noise of neighbouring rows is correlated by `rho`.
+pub(super) fn cycles(times: &[f64], values: &[f64], rho: f64) -> Vec<Cycle> {
     let points = Points { times, values };
-    let Some(found) = about_middle(points) else { return Vec::new() };
+    let rho = rho.min(MOST);
+    let mut noise = Noise { white: scatter(values), rho, correlated: correlated_scatter(values, rho) };
+    let Some(found) = about_middle(points, noise) else { return Vec::new() };
     let periods = found.crossings.windows(3).map(|three| three[2] - three[0]).collect();
     let period = median(periods);
     if !(period > 0.0 && period.is_finite()) {
         return Vec::new();
     }
-    let noise = scatter(values);
-    let crossings: Vec<Measured> = (0..found.crossings.len())
-        .map(|place| crossing(points, &found.swings, place, found.middle, period, noise))
-        .collect();
+    noise = noise_at_crossings(points, &found, period, noise.white).filter(|own| own.rho <= rho).unwrap_or(noise);
+    let crossings: Vec<Measured> =
+        (0..found.crossings.len()).map(|place| crossing(points, &found, place, period, noise)).collect();
     let turns: Vec<(Measured, Measured)> =
         found.swings.lobes.iter().map(|lobe| turning_point(points, lobe, found.middle, period, noise)).collect();
     let mut cycles = Vec::new();
@@ -47,10 +54,58 @@ pub(super) fn cycles(times: &[f64], values: &[f64]) -> Vec<Cycle> {
     cycles
 }
 
-/// The size of noise that no row of a record exceeds: the expected greatest one of so many normal values grows as the root of
-/// twice the logarithm of their number, and scatters by less than one standard deviation.
-fn greatest_noise(values: &[f64]) -> f64 {
-    scatter(values) * (1.0 + (2.0 * libm::log(values.len().max(1) as f64)).sqrt())
+/// The noise of the values.
+#[derive(Clone, Copy, Debug)]
+struct Noise {
+    /// Standard deviation of what differs from row to row, where the residuals of a few rows do not tell it.
+    white: f64,
+    /// Correlation of neighbouring rows of the noise that lasts for longer.
+    rho: f64,
+    /// Standard deviation of that noise.
+    correlated: f64,
+}
+
+impl Noise {
+    /// The size of noise that no row of a record of so many rows exceeds: the expected greatest one of so many normal values
+    /// grows as the root of twice the logarithm of their number, and scatters by less than one standard deviation.
+    fn greatest(self, rows: usize) -> f64 {
+        self.white.max(self.correlated) * (1.0 + (2.0 * libm::log(rows.max(1) as f64)).sqrt())
+    }
+}
+
+/// The noise about polynomials of degree five through the crossings; `None` where these have too few rows.
+fn noise_at_crossings(points: Points, found: &Found, period: f64, white: f64) -> Option<Noise> {
+    let blocks: Vec<Block> = (0..found.crossings.len())
+        .map(|place| {
+            let rows = steep(points, found, place, period);
+            // Neighbours, not every second row.
+            let from = rows.times.len().saturating_sub(ROWS) / 2;
+            let (times, values) = (rows.times.iter().skip(from).take(ROWS), rows.values.iter().skip(from).take(ROWS));
+            let times: Vec<f64> = times.map(|time| (time - found.crossings[place]) / period).collect();
+            let power = |degree| times.iter().map(|time| libm::pow(*time, f64::from(degree))).collect();
+            let basis = orthonormal((0..6).map(power).collect());
+            let mut residuals: Vec<f64> = values.map(|value| value - found.middle).collect();
+            for column in &basis {
+                let part = dot(column, &residuals);
+                residuals.iter_mut().zip(column).for_each(|(value, entry)| *value -= part * entry);
+            }
+            Block::new(basis, residuals)
+        })
+        .collect();
+    let free: usize = blocks.iter().map(Block::freedom).sum();
+    if free < FREE {
+        return None;
+    }
+    let rho = common_correlation(blocks.iter()).max(0.0);
+    let variance = median(blocks.iter().map(|block| block.variance(rho)).collect());
+    Some(Noise { white, rho, correlated: variance.sqrt() })
+}
+
+/// The rows of the steep part about a crossing.
+fn steep<'a>(points: Points<'a>, found: &Found, place: usize, period: f64) -> Points<'a> {
+    let height = found.swings.lobes[place].height.abs().min(found.swings.lobes[place + 1].height.abs());
+    let is_steep = |value: f64| (value - found.middle).abs() <= STEEP * height;
+    near(points, found.crossings[place], CROSSING * period, 4, is_steep)
 }
 
 /// The swings of a record about its middle.
@@ -60,7 +115,7 @@ struct Found {
     swings: Swings,
 }
 
-fn about_middle(points: Points) -> Option<Found> {
+fn about_middle(points: Points, noise: Noise) -> Option<Found> {
     let (low, high) = (points.values.iter())
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
     let size = high / 2.0 - low / 2.0;
@@ -68,7 +123,7 @@ fn about_middle(points: Points) -> Option<Found> {
         return None;
     }
     // Neither noise makes a crossing nor a hundredth of the range.
-    let threshold = greatest_noise(points.values).max(0.02 * size);
+    let threshold = noise.greatest(points.values.len()).max(0.02 * size);
     let mut middle = points.values.iter().sum::<f64>() / points.values.len() as f64;
     let mut found = swings(points, middle, threshold);
     for _ in 0..2 {
@@ -99,33 +154,35 @@ struct Local {
     times: Vec<f64>,
     values: Vec<f64>,
     degree: usize,
-    /// The standard deviation of the values about it.
-    scatter: f64,
+    /// The values about it, of which these are not every one: the correlation is that of the rows taken.
+    noise: Noise,
 }
 
 impl Local {
-    fn new(points: Points, degree: usize, noise: f64) -> Option<Self> {
+    fn new(points: Points, degree: usize, noise: Noise) -> Option<Self> {
         let stride = points.times.len().div_ceil(ROWS).max(1);
         let times: Vec<f64> = points.times.iter().copied().step_by(stride).collect();
         let values: Vec<f64> = points.values.iter().copied().step_by(stride).collect();
         let degree = degree.min(times.len().checked_sub(1)?);
-        let mut local = Self { times, values, degree, scatter: noise };
+        let noise = Noise { rho: libm::pow(noise.rho, stride as f64), ..noise };
+        let mut local = Self { times, values, degree, noise };
         let freedom = local.times.len() - degree - 1;
         if freedom >= 3 {
             let off = |(time, value): (&f64, &f64)| Some(value - local.at(*time, 0)?.value);
             let squares: Option<f64> =
                 local.times.iter().zip(&local.values).map(off).map(|off| Some(off? * off?)).sum();
-            local.scatter = (squares? / freedom as f64).sqrt();
+            local.noise.white = (squares? / freedom as f64).sqrt();
         }
         Some(local)
     }
 
-    /// The polynomial, or a derivative, at a time, with its error.
+    /// The polynomial, or a derivative, at a time, with its error: that of its residuals, or that of the correlated noise, if
+    /// this is more.
     fn at(&self, time: f64, derivative: usize) -> Option<Measured> {
         let weights = smoothing::weights(&self.times, time, self.degree, derivative)?;
-        let value = weights.iter().zip(&self.values).map(|(weight, value)| weight * value).sum();
-        let square: f64 = weights.iter().map(|weight| weight * weight).sum();
-        Some(Measured { value, error: self.scatter * square.sqrt() })
+        let white = self.noise.white * norm(&weights);
+        let correlated = self.noise.correlated * dot(&weights, &correlated(&weights, self.noise.rho)).max(0.0).sqrt();
+        Some(Measured { value: dot(&weights, &self.values), error: white.max(correlated) })
     }
 
     /// Where the polynomial, or its derivative, has the value `level` near `time`, by Newton's method.
@@ -150,10 +207,9 @@ impl Local {
 }
 
 /// A crossing of the middle: a cubic through the rows about it, those of the steep part alone.
-fn crossing(points: Points, swings: &Swings, place: usize, middle: f64, period: f64, noise: f64) -> Measured {
-    let rough = swings.crossings[place];
-    let height = swings.lobes[place].height.abs().min(swings.lobes[place + 1].height.abs());
-    let rows = near(points, rough, CROSSING * period, 4, |value| (value - middle).abs() <= STEEP * height);
+fn crossing(points: Points, found: &Found, place: usize, period: f64, noise: Noise) -> Measured {
+    let (rough, middle) = (found.crossings[place], found.middle);
+    let rows = steep(points, found, place, period);
     let root = |degree: usize, rows: Points| Local::new(rows, degree, noise)?.root(rough, 0, middle);
     let Some(cubic) = root(3, rows) else {
         let step = rows.times.last().zip(rows.times.first()).map_or(0.0, |(last, first)| last - first);
@@ -169,7 +225,7 @@ fn crossing(points: Points, swings: &Swings, place: usize, middle: f64, period: 
 }
 
 /// When a lobe turns, and its value there: a polynomial of degree four through the rows about it.
-fn turning_point(points: Points, lobe: &Lobe, middle: f64, period: f64, noise: f64) -> (Measured, Measured) {
+fn turning_point(points: Points, lobe: &Lobe, middle: f64, period: f64, noise: Noise) -> (Measured, Measured) {
     let rows = near(points, lobe.time, TURNING * period, 6, |_| true);
     let found = Local::new(rows, 4, noise).and_then(|local| {
         let time = local.root(lobe.time, 1, 0.0)?;
@@ -178,7 +234,7 @@ fn turning_point(points: Points, lobe: &Lobe, middle: f64, period: f64, noise: f
     let step = rows.times.last().zip(rows.times.first()).map_or(0.0, |(last, first)| last - first);
     found.unwrap_or((
         Measured { value: lobe.time, error: step / 4.0 },
-        Measured { value: middle + lobe.height, error: noise.max(f64::MIN_POSITIVE) },
+        Measured { value: middle + lobe.height, error: noise.white.max(noise.correlated).max(f64::MIN_POSITIVE) },
     ))
 }
 

@@ -1,143 +1,123 @@
-//! What each cycle of an oscillation is like by itself.
+//! The cycles of a damped sinusoid, each from a fit to the three half-cycles around one turning point.
 
 use super::cycle::{Cycle, Measured};
 use super::damped::{Damped, Points, basis};
-use super::estimate::{Estimate, estimate};
-use super::rows::without_gaps;
-use super::shape;
-use crate::order::median;
+use super::estimate::Estimate;
+use crate::fit::autoregression::{Block, common_correlation};
 use core::f64::consts::{PI, TAU};
-use units::Language;
-
-/// A record, cycle by cycle.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Cycles {
-    /// The damped sinusoid closest to the whole record, roughly.
-    pub estimate: Estimate,
-    /// One entry for each turning point that has both of its neighbours.
-    pub cycles: Vec<Cycle>,
-    /// From here on the noise hides the oscillation, or it does not cross its middle clearly.
-    pub lost: Option<f64>,
-    /// Whether they are those of a sinusoid; else periods are those between crossings of the middle, and amplitudes those of
-    /// the turning points.
-    pub sinusoidal: bool,
-}
-
-impl Cycles {
-    /// Why the cycles end at a time, which is written with its unit.
-    pub fn lost_text(&self, time: &str, language: Language) -> String {
-        let why = match self.sinusoidal {
-            true => language.pick("the noise hides the oscillation", "el ruido oculta la oscilación"),
-            false => language.pick(
-                "the oscillation does not cross its middle level clearly: by more than the noise and a hundredth of its range",
-                "la oscilación no cruza con claridad su nivel medio: por más que el ruido y que una centésima de su recorrido",
-            ),
-        };
-        language.pick(format!("From {time} on {why}."), format!("A partir de {time} {why}."))
-    }
-}
 
 /// Half the width of a window in periods: a turning point with its two neighbours, each with its quarter of a period.
 const REACH: f64 = 0.75;
 /// An amplitude below so many standard errors is noise.
 const CLEAR: f64 = 4.0;
 
-/// White noise has a correlation of neighbouring rows of so many standard deviations at most.
-const BEYOND_NOISE: f64 = 3.0;
-
-/// Periods of sinusoids that are so many standard errors from those between crossings belong to another shape.
-const OFF: f64 = 3.0;
-
-/// Measures each cycle. A damped sinusoid with an offset of its own is fitted to the three half-cycles around each turning
-/// point; errors are those of least squares, from the scatter of the residuals. Where the shape is no sinusoid, crossings of the
-/// middle and turning points are measured instead: where these have the smaller errors, or their periods contradict those of
-/// the sinusoids. Rows one turning point apart share two thirds of their data; those three apart share none. `None` where
-/// there is no oscillation of at least three turning points above the noise.
-pub fn cycles(times: &[f64], values: &[f64]) -> Option<Cycles> {
-    let (times, values): (Vec<f64>, Vec<f64>) = without_gaps(times, values).into_iter().unzip();
-    if is_white_noise(&values) {
-        return None;
-    }
-    let estimate = estimate(&times, &values)?;
-    let mut result = sinusoids(&times, &values, estimate)?;
-    let crossings = shape::cycles(&times, &values);
-    if is_another_shape(&result.cycles, &crossings) {
-        let lost = lost(&times, &crossings);
-        result = Cycles { estimate, cycles: crossings, lost, sinusoidal: false };
-    }
-    (!result.cycles.is_empty()).then_some(result)
+/// A damped sinusoid fitted to the half-cycles around one turning point, and the rows that it was fitted to.
+struct Window<'a> {
+    fit: Damped,
+    points: Points<'a>,
+    /// Angular frequency that its neighbours let expect.
+    expected: f64,
 }
 
-/// Whether neighbouring rows are uncorrelated.
-fn is_white_noise(values: &[f64]) -> bool {
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let products: f64 = values.windows(2).map(|pair| (pair[0] - mean) * (pair[1] - mean)).sum();
-    let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
-    products.abs() <= BEYOND_NOISE / count.sqrt() * squares
+/// So many turning points in a row that are not seen clearly end the table.
+const FAILURES: usize = 3;
+
+/// Damped sinusoids about all turning points that stand clear of white noise.
+pub(super) struct Windows<'a> {
+    windows: Vec<Window<'a>>,
+    /// The time from which on nothing is seen.
+    lost: Option<f64>,
 }
 
-/// When cycles between crossings end, if the record goes on for longer than two of them.
-fn lost(times: &[f64], crossings: &[Cycle]) -> Option<f64> {
-    let (cycle, last) = (crossings.last()?, times.last()?);
-    let end = cycle.time.value + cycle.period.value;
-    (end + cycle.period.value < *last).then_some(end)
-}
-
-/// Whether the cycles between crossings are to be believed, and not those of sinusoids, which reach further down into the
-/// noise: both are compared where there are crossings.
-fn is_another_shape(sinusoids: &[Cycle], crossings: &[Cycle]) -> bool {
-    let end = crossings.last().map_or(f64::NEG_INFINITY, |last| last.time.value + 0.25 * last.period.value);
-    let common = &sinusoids[..sinusoids.partition_point(|cycle| cycle.time.value <= end)];
-    if common.is_empty() {
-        return sinusoids.is_empty() && !crossings.is_empty();
+impl Windows<'_> {
+    /// The cycles, the time of their end where noise hides the rest, and the correlation of the noise in neighbouring rows. A
+    /// level that `drifts` counts as no noise.
+    pub(super) fn cycles(&self, drifts: bool) -> (Vec<Cycle>, Option<f64>, f64) {
+        let mut scratch = Vec::new();
+        let blocks: Vec<Block> = self.windows.iter().map(|window| window.residuals(drifts, &mut scratch)).collect();
+        // Windows three turning points apart share no rows.
+        let rho = common_correlation(blocks.iter().step_by(3)).max(0.0);
+        let mut cycles: Vec<Cycle> = Vec::with_capacity(self.windows.len());
+        let mut failures = 0;
+        for (window, variance) in self.windows.iter().zip(variances(&blocks, rho)) {
+            match window.cycle(variance, rho, &mut scratch) {
+                Some(cycle) => {
+                    failures = 0;
+                    cycles.push(cycle);
+                }
+                None if failures + 1 < FAILURES => failures += 1,
+                None => {
+                    let lost = cycles.last().map(|last| last.time.value + 0.5 * last.period.value);
+                    return (cycles, lost, rho);
+                }
+            }
+        }
+        (cycles, self.lost, rho)
     }
-    let usual = |cycles: &[Cycle]| median(cycles.iter().map(|cycle| cycle.period.error).collect());
-    if usual(crossings) < usual(common) {
-        return true;
-    }
-    // Each third row shares no data with the one before.
-    let mean = |cycles: &[Cycle]| {
-        let independent: Vec<Measured> = cycles.iter().step_by(3).map(|cycle| cycle.period).collect();
-        let count = independent.len() as f64;
-        let error = independent.iter().map(|one| one.error * one.error).sum::<f64>().sqrt() / count;
-        Measured { value: independent.iter().map(|one| one.value).sum::<f64>() / count, error }
-    };
-    let (one, other) = (mean(common), mean(crossings));
-    (one.value - other.value).abs() > OFF * libm::hypot(one.error, other.error)
 }
 
-/// The cycles of a damped sinusoid.
-fn sinusoids(times: &[f64], values: &[f64], estimate: Estimate) -> Option<Cycles> {
+/// The variance of the noise in each window. One window has few rows, so that its own variance is uncertain; it is drawn towards
+/// that of all windows, the more so the less the variances differ beyond that uncertainty (G. K. Smyth, Stat. Appl. Genet. Mol.
+/// Biol. 3 (2004) 3).
+fn variances(blocks: &[Block], rho: f64) -> Vec<f64> {
+    let own: Vec<f64> = blocks.iter().map(|block| block.variance(rho)).collect();
+    // The degrees of freedom of a variance of correlated residuals.
+    let independent = (1.0 - rho * rho) / (1.0 + rho * rho);
+    let freedoms: Vec<f64> = blocks.iter().map(|block| (block.freedom() as f64 * independent).max(1.0)).collect();
+    let count = own.len() as f64;
+    // Logarithms of chi-square over its degrees of freedom f have about the mean -1/f and the variance 2/f.
+    let logarithms: Vec<f64> =
+        own.iter().zip(&freedoms).map(|(variance, freedom)| libm::log(*variance) + 1.0 / freedom).collect();
+    let mean = logarithms.iter().sum::<f64>() / count;
+    let scatter = logarithms.iter().map(|one| (one - mean) * (one - mean)).sum::<f64>() / (count - 1.0);
+    let expected = freedoms.iter().map(|freedom| 2.0 / freedom).sum::<f64>() / count;
+    let common = libm::exp(mean);
+    // As many degrees of freedom as the common variance is worth; all windows together where nothing speaks against it.
+    let worth = if scatter > expected { 2.0 / (scatter - expected) } else { f64::INFINITY };
+    let worth = worth.min(freedoms.iter().sum::<f64>() / 3.0);
+    if !(common.is_finite() && worth.is_finite()) {
+        return own;
+    }
+    own.iter().zip(&freedoms).map(|(own, freedom)| (freedom * own + worth * common) / (freedom + worth)).collect()
+}
+
+/// The windows about the turning points of a record, from a damped sinusoid close to it.
+pub(super) fn windows<'a>(times: &'a [f64], values: &'a [f64], estimate: &Estimate) -> Option<Windows<'a>> {
     let (first, last) = (*times.first()?, *times.last()?);
-    let mut result = Cycles { estimate, cycles: Vec::new(), lost: None, sinusoidal: true };
+    let mut windows: Vec<Window> = Vec::new();
+    let mut before: Option<Cycle> = None;
+    let mut lost = None;
     let mut local = (estimate.angular_frequency, estimate.damping);
-    let mut time = turning_point(&estimate, first + PI / local.0);
+    let mut time = turning_point(estimate, first + PI / local.0);
     let mut scratch = Vec::new();
     // The time before which nothing was seen any more, and for how many turning points.
     let mut failures = 0;
-    while time + 0.98 * PI / local.0 <= last && failures < 3 {
+    while time + 0.98 * PI / local.0 <= last && failures < FAILURES {
         // A turning point that lies no later than the last one is that one again: so every round goes forwards.
-        let earliest = result.cycles.last().map_or(f64::NEG_INFINITY, |last| last.time.value + 0.5 * PI / local.0);
-        let found = at(times, values, time, local, &mut scratch).filter(|cycle| cycle.time.value > earliest);
-        match found {
-            Some(cycle) => {
+        let earliest = before.map_or(f64::NEG_INFINITY, |before| before.time.value + 0.5 * PI / local.0);
+        let found = at(times, values, time, local, &mut scratch);
+        let clear = found.and_then(|window| {
+            let variance = window.residuals(false, &mut scratch).variance(0.0);
+            Some((window.cycle(variance, 0.0, &mut scratch)?, window))
+        });
+        match clear.filter(|(cycle, _)| cycle.time.value > earliest) {
+            Some((cycle, window)) => {
                 failures = 0;
-                result.lost = None;
+                lost = None;
                 local = (cycle.angular_frequency.value, cycle.damping.value);
                 time = cycle.time.value;
-                result.cycles.push(cycle);
+                before = Some(cycle);
+                windows.push(window);
             }
             None => {
                 failures += 1;
-                result.lost = result.lost.or(Some(time));
+                lost = lost.or(Some(time));
             }
         }
         time += PI / local.0;
     }
     // A gap, or an end, is not noise.
-    result.lost = result.lost.filter(|_| failures >= 3);
-    Some(result)
+    Some(Windows { windows, lost: lost.filter(|_| failures >= FAILURES) })
 }
 
 /// The first turning point of an estimate from `time` on.
@@ -153,8 +133,14 @@ fn lead(damping: f64, angular_frequency: f64) -> f64 {
     libm::atan2(damping, angular_frequency)
 }
 
-/// The cycle whose turning point is near `time`.
-fn at(times: &[f64], values: &[f64], time: f64, (w, g): (f64, f64), scratch: &mut Vec<(f64, f64)>) -> Option<Cycle> {
+/// The window about the turning point near `time`.
+fn at<'a>(
+    times: &'a [f64],
+    values: &'a [f64],
+    time: f64,
+    (w, g): (f64, f64),
+    scratch: &mut Vec<(f64, f64)>,
+) -> Option<Window<'a>> {
     let mut centre = time;
     let mut found = None;
     // Once from where the turning point is expected, once more from where it is.
@@ -166,15 +152,27 @@ fn at(times: &[f64], values: &[f64], time: f64, (w, g): (f64, f64), scratch: &mu
         if shift.abs() > 0.5 * PI / w {
             return None;
         }
-        found = Some((fit, points));
+        found = Some(Window { fit, points, expected: w });
         if shift.abs() < 1e-3 / w {
             break;
         }
         centre += shift;
     }
-    let (fit, points) = found?;
-    basis(points, fit.origin, fit.w, fit.g, scratch);
-    cycle(&fit, &fit.covariance(points, scratch)?, w)
+    found
+}
+
+impl Window<'_> {
+    /// The residuals; a level that `drifts` is no part of them.
+    fn residuals(&self, drifts: bool, scratch: &mut Vec<(f64, f64)>) -> Block {
+        basis(self.points, self.fit.origin, self.fit.w, self.fit.g, scratch);
+        self.fit.residuals(self.points, scratch, drifts)
+    }
+
+    /// The cycle, unless too little is known of it, for noise of this variance that is correlated by `rho` in neighbouring rows.
+    fn cycle(&self, variance: f64, rho: f64, scratch: &mut Vec<(f64, f64)>) -> Option<Cycle> {
+        basis(self.points, self.fit.origin, self.fit.w, self.fit.g, scratch);
+        cycle(&self.fit, &self.fit.covariance(self.points, scratch, variance, rho)?, self.expected)
+    }
 }
 
 /// The damped sinusoid in the window about `centre`.

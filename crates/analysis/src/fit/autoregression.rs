@@ -54,7 +54,7 @@ impl Autoregression {
         let blocks: Vec<Block> = series
             .iter()
             .filter(|places| !places.is_empty())
-            .map(|places| Block::new(places, basis, residuals))
+            .map(|places| Block::at(places, basis, residuals))
             .collect();
         let mut errors: Vec<Errors> = blocks.iter().map(|block| block.errors(0.0, block.count())).collect();
         let mut shares: Vec<Vec<f64>> = blocks.iter().map(|block| block.products(0.0).0).collect();
@@ -88,8 +88,8 @@ impl Autoregression {
     }
 }
 
-/// One series beside the basis.
-struct Block {
+/// The residuals of one series beside an orthonormal basis of the curves that were fitted to it.
+pub(crate) struct Block {
     residuals: Vec<f64>,
     /// The rows of the basis, column by column.
     basis: Vec<Vec<f64>>,
@@ -100,14 +100,85 @@ struct Block {
     lagged: Vec<f64>,
 }
 
+/// The correlation of neighbouring errors in series of the same noise, each fitted by itself: the one with which the moments of
+/// all residuals together are expected to be the observed ones. 0 for fewer than twelve residuals beyond the fitted numbers.
+pub(crate) fn common_correlation<'a>(blocks: impl Iterator<Item = &'a Block>) -> f64 {
+    let blocks: Vec<&Block> = blocks.collect();
+    let free: usize = blocks.iter().map(|block| block.freedom()).sum();
+    if free < LONG {
+        return 0.0;
+    }
+    let series: Vec<&[f64]> = blocks.iter().map(|block| block.residuals.as_slice()).collect();
+    let observed = statistics::autocorrelation(&series);
+    let bias = 2.0 / blocks.iter().map(|block| block.count()).sum::<f64>();
+    // What is missing at a correlation, for the secant method.
+    let missing = |rho: f64| {
+        let (neighbours, squares) = blocks.iter().fold((0.0, 0.0), |sum, block| {
+            let (neighbours, squares) = block.expected(rho, &vec![0.0; block.own.len()]);
+            (sum.0 + neighbours, sum.1 + squares)
+        });
+        observed - neighbours / squares + bias * rho
+    };
+    let (mut before, mut rho) = (0.0, observed.clamp(-MOST, MOST));
+    let mut missing_before = missing(before);
+    for _ in 0..20 {
+        let now = missing(rho);
+        let slope = ((now - missing_before) / (rho - before)).clamp(-2.0, -0.05);
+        let next = (rho - now / slope).clamp(-MOST, MOST);
+        (before, missing_before) = (rho, now);
+        let moved = (next - rho).abs();
+        rho = next;
+        if moved <= 1e-4 || moved.is_nan() {
+            break;
+        }
+    }
+    if rho.is_finite() { rho } else { 0.0 }
+}
+
+/// An orthonormal basis of columns of equal length (Gram and Schmidt, twice for the last digits). Columns that depend on those
+/// before are left out.
+pub(crate) fn orthonormal(columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let mut basis: Vec<Vec<f64>> = Vec::with_capacity(columns.len());
+    for mut column in columns {
+        let length = dot(&column, &column).sqrt();
+        for _ in 0..2 {
+            for other in &basis {
+                let part = dot(&column, other);
+                column.iter_mut().zip(other).for_each(|(value, other)| *value -= part * other);
+            }
+        }
+        let left = dot(&column, &column).sqrt();
+        if left > 1e-9 * length {
+            column.iter_mut().for_each(|value| *value /= left);
+            basis.push(column);
+        }
+    }
+    basis
+}
+
 impl Block {
-    fn new(places: &[usize], basis: &[Vec<f64>], residuals: &[f64]) -> Self {
+    /// The values of `residuals` and `basis` at these places.
+    fn at(places: &[usize], basis: &[Vec<f64>], residuals: &[f64]) -> Self {
         let of = |column: &Vec<f64>| -> Vec<f64> { places.iter().map(|&place| column[place]).collect() };
-        let basis: Vec<Vec<f64>> = basis.iter().map(of).collect();
+        Self::new(basis.iter().map(of).collect(), places.iter().map(|&place| residuals[place]).collect())
+    }
+
+    /// Residuals of a fit by the columns of an orthonormal basis, all of the same length.
+    pub(crate) fn new(basis: Vec<Vec<f64>>, residuals: Vec<f64>) -> Self {
         let shifted: Vec<Vec<f64>> = basis.iter().map(|column| beside(column)).collect();
         let own = products(&basis, &basis);
         let lagged = products(&basis, &shifted);
-        Self { residuals: places.iter().map(|&place| residuals[place]).collect(), basis, shifted, own, lagged }
+        Self { residuals, basis, shifted, own, lagged }
+    }
+
+    /// The variance of errors of which neighbours are correlated by `rho`, by the sum of the squared residuals.
+    pub(crate) fn variance(&self, rho: f64) -> f64 {
+        self.errors(rho, self.expected(rho, &vec![0.0; self.own.len()]).1).variance
+    }
+
+    /// The number of residuals less that of the fitted columns.
+    pub(crate) fn freedom(&self) -> usize {
+        self.residuals.len().saturating_sub(self.basis.len())
     }
 
     fn count(&self) -> f64 {
@@ -173,7 +244,7 @@ fn beside(column: &[f64]) -> Vec<f64> {
 }
 
 /// The sums over all rows with the weights rho^|distance|.
-fn correlated(column: &[f64], rho: f64) -> Vec<f64> {
+pub(crate) fn correlated(column: &[f64], rho: f64) -> Vec<f64> {
     let mut sums = vec![0.0; column.len()];
     let (mut before, mut after) = (0.0, 0.0);
     for (sum, value) in sums.iter_mut().zip(column) {

@@ -2,7 +2,7 @@
 //! [`Outcome`] is what is known in the end. All numbers are SI; names and units are the model's.
 
 mod apart;
-mod autoregression;
+pub(crate) mod autoregression;
 mod bind;
 mod check;
 mod columns;
@@ -16,7 +16,7 @@ mod film_scale;
 mod hac;
 mod identify;
 mod judgement;
-mod linear;
+pub(crate) mod linear;
 mod loss;
 mod observed;
 mod outcome;

@@ -6,6 +6,7 @@ use crate::data::Measured;
 use crate::failure::Failure;
 use crate::limits::limits;
 use analysis::cycles;
+use units::Language;
 
 /// What was measured, and its cycles.
 #[derive(Debug)]
@@ -45,11 +46,11 @@ pub fn record<'a>(data: &'a Measured, arguments: &Cycles) -> Result<Record<'a>, 
         .filter(|(time, value)| part.contains(time) && value.is_finite())
         .map(|(time, value)| (time, *value))
         .unzip();
-    let found = cycles::cycles(&times, &values).ok_or_else(|| {
+    let found = cycles::cycles(&times, &values).map_err(|reason| {
+        let reason = reason.text(Language::English, &|value| format!("{value:.1}"));
         Failure::with_hint(
-            format!("{}: {name} does not oscillate clearly above the noise ({} rows)", data.name, times.len()),
-            "a cycle needs three turning points, clear of the noise, with eight rows about them; choose another column \
-             with --observe NAME=COLUMN, or another part with --from and --until",
+            format!("{}: {name}, {} rows. {reason}", data.name, times.len()),
+            "choose another column with --observe NAME=COLUMN, or another part with --from and --until",
         )
     })?;
     let unit = table.columns[column].unit.as_ref().map(|unit| unit.text.clone()).unwrap_or_default();

@@ -2,7 +2,7 @@
 
 use super::record::Record;
 use crate::columns;
-use analysis::cycles::{Constancy, Cycle, Measured, Quantity};
+use analysis::cycles::{Cycle, Measured, Quantity, Writing};
 use units::Language;
 use units::number::{self, Layout, Style};
 
@@ -37,21 +37,9 @@ pub fn table(record: &Record) -> String {
          apart), and the local angular frequency ω = 2π/T and damping γ = decrement/T. After ± stands one standard \
          error. Rows next to each other share data; each third row is independent.",
     );
-    if !record.found.sinusoidal {
-        out.push('\n');
-        wrapped(
-            &mut out,
-            "",
-            "The shape is not a damped sinusoid: T is the time between crossings of the middle level in the same direction, and A \
-             is half the height between turning points.",
-        );
-    }
     out.push('\n');
-    for quantity in [Quantity::AngularFrequency, Quantity::Damping] {
-        wrapped(&mut out, "", &change(record, quantity));
-    }
-    if let Some(lost) = record.found.lost {
-        wrapped(&mut out, "", &record.found.lost_text(&seconds(lost), Language::English));
+    for sentence in sentences(record) {
+        wrapped(&mut out, "", &sentence);
     }
     out
 }
@@ -127,16 +115,22 @@ fn rows(out: &mut String, record: &Record) {
     }
 }
 
-/// Whether a quantity is the same in all cycles.
-fn change(record: &Record, quantity: Quantity) -> String {
-    let unit = quantity.unit(&record.unit, "s");
-    let written = |measured: Measured| {
-        number::error_with_unit(&number::with_error(measured.value, Some(measured.error), Style::POINT), &unit)
-    };
-    let constancy = Constancy::of(&record.found.cycles, quantity);
-    constancy
-        .map(|constancy| constancy.text(quantity, Language::English, &written, &|value| format!("{value:.1}")))
-        .unwrap_or_default()
+/// Sentences about the record and its cycles.
+pub fn sentences(record: &Record) -> Vec<String> {
+    let digits = |value: f64| number::plain(value, DIGITS, Style::POINT);
+    record.found.sentences(
+        Language::English,
+        &Writing {
+            measured: &|quantity, measured| {
+                let unit = quantity.unit(&record.unit, "s");
+                let text = number::with_error(measured.value, Some(measured.error), Style::POINT);
+                number::error_with_unit(&text, &unit)
+            },
+            value: &|value| format!("{} {}", digits(value), record.unit).trim_end().to_owned(),
+            time: &seconds,
+            fixed: &|value, decimals| number::fixed(value, decimals, Style::POINT),
+        },
+    )
 }
 
 /// Words in lines of bounded width; the lines after the first are as far in as the first one's text.

@@ -318,5 +318,5 @@ fn noise_ends_the_table_or_refuses_it() {
     let out = cycles(&path, &[]).stdout;
     assert!(out.contains("s on the noise hides the oscillation."), "{out}");
     assert!(!out.contains("not a damped sinusoid"), "{out}");
-    refused(record(0.0).as_bytes(), &[], &["y does not oscillate clearly above the noise (6000 rows)"]);
+    refused(record(0.0).as_bytes(), &[], &["y, 6000 rows. This column does not oscillate clearly above the noise"]);
 }

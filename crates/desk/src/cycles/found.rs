@@ -1,6 +1,6 @@
 //! The cycles of a column, and what is looked at of them.
 
-use analysis::cycles::{Cycles, Quantity};
+use analysis::cycles::{Cycles, NoCycles, Quantity};
 use units::Unit;
 
 /// What the view of cycles shows.
@@ -29,8 +29,8 @@ impl Default for CycleView {
 pub(crate) struct Found {
     /// The first and the last reading of the clock.
     pub ends: (f64, f64),
-    /// What is said of the column where nothing oscillates in it.
-    pub cycles: Option<Cycles>,
+    /// The cycles, or the reason why there are none.
+    pub cycles: Result<Cycles, NoCycles>,
     /// The column's unit.
     pub unit: Unit,
     /// What the column measures; empty if nothing of the document.

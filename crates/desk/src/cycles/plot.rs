@@ -24,7 +24,7 @@ impl Desk {
     /// Takes what is to be drawn from what was found.
     pub(crate) fn draw_cycles(&mut self) {
         let (quantity, against) = (self.cycle_view.quantity, self.cycle_view.against_amplitude);
-        let found = self.cycle_view.found.as_ref().and_then(|found| found.cycles.as_ref());
+        let found = self.cycle_view.found.as_ref().and_then(|found| found.cycles.as_ref().ok());
         let cycles = found.map_or(&[][..], |found| &found.cycles);
         let plot = &mut self.cycles;
         plot.measured = Points::of(cycles, quantity, against);
@@ -45,7 +45,7 @@ impl Desk {
 
     /// Finds the cycles of the run, once it stands still.
     pub(crate) fn follow_cycles(&mut self) {
-        if self.cycle_view.found.as_ref().is_none_or(|found| found.cycles.is_none()) {
+        if self.cycle_view.found.as_ref().is_none_or(|found| found.cycles.is_err()) {
             return;
         }
         let now = (self.play.revision().parameters, self.play.course().rows() as u64);
@@ -77,8 +77,8 @@ impl Desk {
         let times = history.times().get(..self.play.course().rows())?;
         let first = times.partition_point(|time| clock(*time) < found.ends.0);
         let last = times.partition_point(|time| clock(*time) <= found.ends.1);
-        let periods =
-            (found.ends.1 - found.ends.0) * found.cycles.as_ref()?.estimate.angular_frequency / core::f64::consts::TAU;
+        let periods = (found.ends.1 - found.ends.0) * found.cycles.as_ref().ok()?.estimate.angular_frequency
+            / core::f64::consts::TAU;
         let most = FEW_ROWS.max((ROWS_PER_PERIOD * periods) as usize);
         let mut readings = Readings::new(model, &[observed.node]);
         let rows = (first..last).step_by(last.saturating_sub(first).div_ceil(most).max(1));
@@ -88,7 +88,7 @@ impl Desk {
                 (clock(history.time(row)), found.unit.from_si(value))
             })
             .unzip();
-        Some(cycles(&times, &values)?.cycles)
+        Some(cycles(&times, &values).ok()?.cycles)
     }
 
     /// Writes the texts of the plot in the chosen language.
@@ -139,7 +139,7 @@ impl Desk {
         let nothing = Interval { low: 0.0, high: 0.0 };
         let (against, falls) = (self.cycle_view.against_amplitude, self.cycle_view.quantity == Quantity::Amplitude);
         let limits = drawn.limits;
-        let offered = self.cycle_view.found.as_ref().is_some_and(|found| found.cycles.is_some());
+        let offered = self.cycle_view.found.as_ref().is_some_and(|found| found.cycles.is_ok());
         if let Some(plot) = self.play.added_plot(self.cycle_plot) {
             *plot = AddedPlot {
                 labels: std::mem::take(&mut plot.labels),

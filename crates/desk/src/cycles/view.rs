@@ -4,9 +4,12 @@
 use crate::cycles::found::Found;
 use crate::records::record::Record;
 use crate::{Desk, Export, ExportKind, number};
-use analysis::cycles::{self, Constancy, Measured, Quantity};
+use analysis::cycles::{self, Measured, Quantity, Writing};
 use units::Language;
 use units::number::Layout;
+
+/// Significant digits of a level.
+const DIGITS: usize = 4;
 
 /// A column in which cycles can be looked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -149,9 +152,13 @@ impl Desk {
     /// The cycles, while they are shown; otherwise none.
     pub fn cycles(&self) -> Option<CyclesView> {
         let found = self.cycle_view.found.as_ref()?;
-        let Some(cycles) = &found.cycles else {
-            let sentences = vec![no_cycles(self.play.language()).to_owned()];
-            return Some(CyclesView { sentences, ..CyclesView::default() });
+        let cycles = match &found.cycles {
+            Ok(cycles) => cycles,
+            Err(reason) => {
+                let fixed = |value: f64| number::fixed(value, 1, self.play.style());
+                let sentences = vec![reason.text(self.play.language(), &fixed)];
+                return Some(CyclesView { sentences, ..CyclesView::default() });
+            }
         };
         let (own, time) = self.cycle_units(found);
         let head = |symbol: &str, unit: &str| match unit {
@@ -178,19 +185,16 @@ impl Desk {
             let cells = columns.iter().filter_map(|column| column.get(place).cloned()).collect();
             (turning_point(self.play.language(), cycle.maximum), cells)
         };
-        let sentence = |quantity: Quantity| {
-            let unit = quantity.unit(&own, &time);
-            let written = |measured: Measured| number::error_with_unit(&text(measured), &unit);
-            let fixed = |value: f64| number::fixed(value, 1, self.play.style());
-            Some(Constancy::of(&cycles.cycles, quantity)?.text(quantity, self.play.language(), &written, &fixed))
-        };
-        let mut sentences: Vec<String> =
-            [Quantity::AngularFrequency, Quantity::Damping].into_iter().filter_map(sentence).collect();
-        sentences.extend((!cycles.sinusoidal).then(|| another_shape(self.play.language()).to_owned()));
-        let lost = |from: f64| {
-            cycles.lost_text(&format!("{} {time}", number::fixed(from, 2, self.play.style())), self.play.language())
-        };
-        sentences.extend(cycles.lost.map(lost));
+        let style = self.play.style();
+        let sentences = cycles.sentences(
+            self.play.language(),
+            &Writing {
+                measured: &|quantity, measured| number::error_with_unit(&text(measured), &quantity.unit(&own, &time)),
+                value: &|value| number::error_with_unit(&number::plain(value, DIGITS, style), &own),
+                time: &|value| format!("{} {time}", number::fixed(value, 2, style)),
+                fixed: &|value, decimals| number::fixed(value, decimals, style),
+            },
+        );
         Some(CyclesView { heads, rows: cycles.cycles.iter().enumerate().map(row).collect(), sentences })
     }
 
@@ -198,7 +202,7 @@ impl Desk {
     pub fn export_cycles(&self, kind: ExportKind) -> Option<Export> {
         let found = self.cycle_view.found.as_ref()?;
         let record = self.record(self.cycle_view.chosen?.0)?;
-        let cycles = &found.cycles.as_ref()?.cycles;
+        let cycles = &found.cycles.as_ref().ok()?.cycles;
         let table = cycles::columns(cycles, &found.unit.text, &self.play.model().independent.unit.text);
         let heads: Vec<&str> = table.iter().map(|(head, _)| head.as_str()).collect();
         let columns: Vec<&[f64]> = table.iter().map(|(_, column)| column.as_slice()).collect();
@@ -236,22 +240,4 @@ fn turning_point(language: Language, maximum: bool) -> &'static str {
         true => language.pick("maximum", "máximo"),
         false => language.pick("minimum", "mínimo"),
     }
-}
-
-fn no_cycles(language: Language) -> &'static str {
-    language.pick(
-        "This column does not oscillate clearly above the noise: a cycle needs three turning points, clear of the noise, \
-         with eight rows about them. Choose another column or a longer record.",
-        "Esta columna no oscila con claridad por encima del ruido: un ciclo necesita tres puntos de retorno que destaquen \
-         sobre el ruido, con ocho filas a su alrededor. Elige otra columna o un registro más largo.",
-    )
-}
-
-fn another_shape(language: Language) -> &'static str {
-    language.pick(
-        "The shape is not a damped sinusoid: the period is the time between crossings of the middle level in the same \
-         direction, and the amplitude is half the height between turning points.",
-        "La forma no es una sinusoide amortiguada: el periodo es el tiempo entre pasos por el nivel medio en el mismo sentido, \
-         y la amplitud, la mitad de la altura entre puntos de retorno.",
-    )
 }

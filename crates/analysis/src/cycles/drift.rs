@@ -1,0 +1,104 @@
+//! The slow change of the level about which a record oscillates.
+
+use super::constancy::mean;
+use super::cycle::{Cycle, Measured};
+use super::damped::solve;
+
+/// A slow change of the level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drift {
+    /// The level at the first row, in the unit of the record.
+    pub from: f64,
+    /// The level at the last row.
+    pub to: f64,
+}
+
+/// From so many turning points on a drift is told from the oscillation itself.
+const FEWEST: usize = 8;
+/// Chi-square of a constant level lies so many standard deviations above its mean where the level drifts.
+const BEYOND: f64 = 3.0;
+/// Half the width of the window in which the level is taken for a parabola, in turning points.
+const REACH: usize = 6;
+/// The scatter of offsets about their mean over that about a smooth curve, in squares, where the level drifts.
+const SMOOTH: f64 = 3.0;
+/// A level that is constant to this part of the amplitude does not drift.
+const CONSTANT: f64 = 1e-6;
+
+/// True if the level changes by more than its errors explain. Each third turning point shares no data with the one before.
+pub(super) fn is_significant(cycles: &[Cycle]) -> bool {
+    let independent: Vec<Measured> = cycles.iter().step_by(3).map(|cycle| cycle.offset).collect();
+    let Some(constant) = mean(&independent) else { return false };
+    let freedom = independent.len() as f64 - 1.0;
+    let off = |one: &Measured| (one.value - constant.value) / one.error;
+    let chi_square: f64 = independent.iter().map(off).map(|off| off * off).sum();
+    chi_square > freedom + BEYOND * (2.0 * freedom).sqrt()
+}
+
+/// The level of these cycles at the times of the rows, from a smooth curve through their offsets; `None` where it is constant or
+/// the cycles are too few.
+pub(super) fn level(cycles: &[Cycle], times: &[f64]) -> Option<Vec<f64>> {
+    let size = cycles.iter().fold(0.0_f64, |size, cycle| size.max(cycle.amplitude.value));
+    let (low, high) = cycles.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), cycle| {
+        (low.min(cycle.offset.value), high.max(cycle.offset.value))
+    });
+    if cycles.len() < FEWEST || high - low <= CONSTANT * size {
+        return None;
+    }
+    // A drift is smooth: a curve explains most of the scatter of the offsets.
+    let mean = cycles.iter().map(|cycle| cycle.offset.value).sum::<f64>() / cycles.len() as f64;
+    let (mut about_mean, mut about_curve) = (0.0, 0.0);
+    for cycle in cycles {
+        let (mean, curve) = (cycle.offset.value - mean, cycle.offset.value - smooth(cycles, cycle.time.value)?);
+        about_mean += mean * mean;
+        about_curve += curve * curve;
+    }
+    if about_mean < SMOOTH * about_curve {
+        return None;
+    }
+    let (first, last) = (*times.first()?, *times.last()?);
+    let turning_points = cycles.iter().map(|cycle| cycle.time.value).filter(|time| *time > first && *time < last);
+    let outer = |cycle: &Cycle, side: f64| cycle.time.value + side * 0.5 * cycle.period.value;
+    let outer = [outer(cycles.first()?, -1.0), outer(cycles.last()?, 1.0)].map(|time| time.clamp(first, last));
+    let knots = [first, outer[0]].into_iter().chain(turning_points).chain([outer[1], last]);
+    let knots: Vec<f64> = knots.collect();
+    let levels: Option<Vec<f64>> = knots.iter().map(|time| smooth(cycles, *time)).collect();
+    let levels = levels?;
+    Some(times.iter().map(|time| at(&knots, &levels, *time)).collect())
+}
+
+/// The value at a time on straight lines between values at ascending times; beyond them, on the first or last line.
+pub(super) fn at(times: &[f64], values: &[f64], time: f64) -> f64 {
+    let place = times.partition_point(|knot| *knot <= time).min(times.len().saturating_sub(1)).max(1);
+    match (times.get(place - 1..=place), values.get(place - 1..=place)) {
+        (Some(&[before, after]), Some(&[low, high])) if after > before => {
+            low + (high - low) * (time - before) / (after - before)
+        }
+        _ => values.get(place - 1).copied().unwrap_or(0.0),
+    }
+}
+
+/// The level at a time by a parabola through the offsets about it, the nearer ones with the greater weight (W. S. Cleveland,
+/// J. Am. Stat. Assoc. 74 (1979) 829). From half a period beyond the outer turning points on, the level stays.
+fn smooth(cycles: &[Cycle], time: f64) -> Option<f64> {
+    let half = |cycle: &Cycle| 0.5 * cycle.period.value;
+    let (first, last) = (cycles.first()?, cycles.last()?);
+    let time = time.clamp(first.time.value - half(first), last.time.value + half(last));
+    let width = (2 * REACH + 1).min(cycles.len());
+    let place = cycles.partition_point(|cycle| cycle.time.value < time);
+    let near = cycles.get(place.saturating_sub(REACH).min(cycles.len() - width)..)?.get(..width)?;
+    let reach = near.iter().fold(0.0_f64, |reach, cycle| reach.max((cycle.time.value - time).abs()));
+    let (mut matrix, mut right) = ([[0.0; 3]; 3], [0.0; 3]);
+    for cycle in near {
+        let x = (cycle.time.value - time) / (1.05 * reach);
+        let part = 1.0 - x.abs() * x * x;
+        let weight = part * part * part / (cycle.offset.error * cycle.offset.error);
+        let powers = [1.0, x, x * x];
+        for (row, power) in powers.iter().enumerate() {
+            right[row] += weight * power * cycle.offset.value;
+            for (entry, other) in matrix[row].iter_mut().zip(&powers) {
+                *entry += weight * power * other;
+            }
+        }
+    }
+    solve(matrix, right).map(|[level, ..]| level).filter(|level| level.is_finite())
+}

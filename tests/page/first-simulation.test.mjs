@@ -181,6 +181,8 @@ for (const hands of ["mouse", "keyboard", "finger"]) {
     await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "A mass on a spring"));
     await lab.press("ES – Español");
     await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Una masa en un resorte"));
+    // The tab is the one before the reload.
+    await lab.tab("Explorar");
     assert.ok(await lab.page.getByText("Amortiguamiento").first().isVisible());
     console.log(`${hands}: ${person.actions} actions`);
     assert.ok(person.actions < MOST[hands], `${person.actions} actions`);

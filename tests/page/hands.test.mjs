@@ -78,7 +78,7 @@ visit("an empty file or prose does not take the place of the simulation", async 
   }
   // One with errors in it is opened: it is a simulation.
   await drop(lab, { name: "faulty.md", text: "---\ntitle: Faulty\n---\n\n```model\nx' = -k*x\n```\n" });
-  await said(lab, /nothing runs/i);
+  await said(lab, /nothing to run/i);
 });
 
 visit("a quantity with an initial value brings no equation", async (lab) => {

@@ -146,7 +146,7 @@ fn what_cannot_be_read_is_refused_with_the_remedy() {
         &["cannot read", "the workbook is damaged or incomplete", "hint: open it in the spreadsheet program"],
     );
     refused(b"Dear Ann,\nhow are you?\n", &[], &["line 1: there is no table", "hint: a table has one row a line"]);
-    refused(b"t,y\n0,1\n1,1\n2,1\n", &[], &["y does not oscillate", "--observe NAME=COLUMN"]);
+    refused(b"t,y\n0,1\n1,1\n2,1\n", &[], &["does not oscillate", "--observe NAME=COLUMN"]);
     let good = text("t\ty", false);
     refused(
         good.as_bytes(),
@@ -154,7 +154,7 @@ fn what_cannot_be_read_is_refused_with_the_remedy() {
         &["has no column `z`", "its columns are t and y", "--observe z=COLUMN"],
     );
     refused(good.as_bytes(), &["--observe", "y=t"], &["t is what the others are measured against"]);
-    refused(good.as_bytes(), &["--from", "3.5"], &["does not oscillate", "(15 rows)"]);
+    refused(good.as_bytes(), &["--from", "3.5"], &["does not oscillate", "15 rows"]);
     let done = meniscus(&["cycles", "no-such-file.txt"]);
     assert_eq!(done.code, 2);
     assert!(done.stderr.contains("cannot read no-such-file.txt: No such file"), "{}", done.stderr);

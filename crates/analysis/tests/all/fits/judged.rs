@@ -213,8 +213,11 @@ fn weights_of_evidence_count_independent_values() {
     let best = &outcomes[ranked[0].index];
     let worth = best.independent / 300.0;
     assert!((0.01..0.15).contains(&worth), "{worth}");
-    let expected = libm::exp(-0.5 * worth * ranked[1].difference);
-    assert!((ranked[1].weight / ranked[0].weight / expected - 1.0).abs() < 1e-9, "{ranked:?}");
+    let aicc = |place: usize| outcomes[ranked[place].index].aicc.unwrap();
+    let expected = worth * (aicc(1) - aicc(0));
+    assert!((ranked[1].difference / expected - 1.0).abs() < 1e-9, "{ranked:?}");
+    let evidence = libm::exp(-0.5 * ranked[1].difference);
+    assert!((ranked[1].weight / ranked[0].weight / evidence - 1.0).abs() < 1e-9, "{ranked:?}");
 }
 
 /// Records with numbers of their own are known as well together as each alone: what belongs to another one has no score, and

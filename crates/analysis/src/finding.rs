@@ -1,10 +1,12 @@
 //! What was noticed about a file, and what its measurement hides, in words.
 
+mod heading;
 mod words;
 
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
 use crate::tracker::Remark;
+pub use heading::{Certainty, Heading, UnitReading};
 use units::Language::{self, Spanish};
 pub(crate) use words::readings;
 use words::{backwards, called, clock, decimal, missing, reading, rounded_step, runs, separator, word};
@@ -45,6 +47,8 @@ pub enum Finding {
         /// How many rows.
         count: usize,
     },
+    /// What was decided about names, units and errors in the header.
+    Heading(Heading),
     /// What stands in the brackets of a header is no unit.
     UnknownUnit {
         /// The column.
@@ -201,6 +205,7 @@ impl Finding {
                     "{count} filas son más largas que las otras, la primera en la línea {line}; lo que sobra se dejó fuera"
                 ),
             ),
+            Self::Heading(heading) => heading.text(language),
             Self::UnknownUnit { column, unit } => say(
                 format!("`{unit}`, the unit of {column}, is not known; until one is stated, its numbers have none"),
                 format!(

@@ -4,6 +4,7 @@
 pub mod csv;
 pub mod cycles;
 pub mod derivative;
+mod error_name;
 pub mod finding;
 pub mod fit;
 pub mod import;

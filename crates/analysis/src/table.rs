@@ -1,5 +1,6 @@
 //! Measured data as columns.
 
+use crate::error_name::{self, Belongs};
 use crate::origin::Origin;
 use crate::run_name;
 use units::Unit;
@@ -43,6 +44,18 @@ impl Column {
             Some(unit) => self.values.iter().map(|value| unit.to_si(*value)).collect(),
             None => self.values.clone(),
         }
+    }
+}
+
+impl Column {
+    /// Whether the numbers can be standard errors of the other's: all positive and small beside its range.
+    fn can_be_errors_of(&self, of: &Self) -> bool {
+        let finite = |values: &[f64]| -> Vec<f64> { values.iter().copied().filter(|value| value.is_finite()).collect() };
+        let (errors, values) = (finite(&self.values), finite(&of.values));
+        let extreme = |values: &[f64], larger: fn(f64, f64) -> f64| values.iter().copied().reduce(larger);
+        let (Some(low), Some(high)) = (extreme(&values, f64::min), extreme(&values, f64::max)) else { return false };
+        let (Some(least), Some(most)) = (extreme(&errors, f64::min), extreme(&errors, f64::max)) else { return false };
+        least > 0.0 && most < 0.5 * (high - low)
     }
 }
 
@@ -121,13 +134,26 @@ impl Table {
         if runs.len() > 1 && runs.iter().all(own_clock) { runs } else { Vec::new() }
     }
 
-    /// The column with the standard errors of another one, by its name: `sigma_y` for `y`, of the same body and clock.
+    /// The column with the standard errors of another one: `sigma_y`, `y_err`, `u(y)`, `±` for `y`, of the same body and clock. `dy` and
+    /// `Δy` count where their numbers can be errors.
     pub fn errors_of(&self, column: usize) -> Option<usize> {
         let own = self.columns.get(column).filter(|own| !own.name.is_empty())?;
-        let name = format!("sigma_{}", own.name);
-        let belongs =
-            |other: &Column| other.name == name && other.body == own.body && other.independent == own.independent;
-        self.columns.iter().position(belongs)
+        let measured = own.independent != column;
+        let belongs = |(index, other): (usize, &Column)| {
+            let named = match error_name::of(&other.name) {
+                Some(Belongs::To(name)) => name == own.name,
+                Some(Belongs::Perhaps(name)) => name == own.name && measured && other.can_be_errors_of(own),
+                Some(Belongs::ToPrevious) => {
+                    let follows = index == column + 1 && error_name::of(&own.name).is_none();
+                    follows && measured && other.can_be_errors_of(own)
+                }
+                None => false,
+            };
+            let same = other.body == own.body && other.independent == own.independent;
+            let units = own.unit.as_ref().zip(other.unit.as_ref());
+            named && index != column && same && units.is_none_or(|(one, other)| one.dimension == other.dimension)
+        };
+        self.columns.iter().enumerate().position(belongs)
     }
 
     /// What a column is called for a person: its name; `body.name` where that is not enough; its number without a name.

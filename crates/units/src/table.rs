@@ -78,6 +78,11 @@ const SYMBOLS: &[Symbol] = &[
     symbol("dyn", [1, 1, -2, 0, 0, 0, 0], Scale::decimal(1, -5), false),
     symbol("erg", [1, 2, -2, 0, 0, 0, 0], Scale::decimal(1, -7), false),
     symbol("cal", [1, 2, -2, 0, 0, 0, 0], Scale::decimal(4184, -3), true),
+    symbol("in",  [0, 1, 0, 0, 0, 0, 0], Scale::decimal(254, -4), false),
+    symbol("ft",  [0, 1, 0, 0, 0, 0, 0], Scale::decimal(3048, -4), false),
+    symbol("lm",  [0, 0, 0, 0, 0, 0, 1], Scale::ONE, true),
+    symbol("lx",  [0, -2, 0, 0, 0, 0, 1], Scale::ONE, true),
+    symbol("G",   [1, 0, -2, -1, 0, 0, 0], Scale::decimal(1, -4), true),
     symbol("eV",  [1, 2, -2, 0, 0, 0, 0], Scale::decimal(1_602_176_634, -28), true),
     Symbol { text: "px", dimension: Base::Pixel, scale: Scale::ONE, prefixes: false },
 ];
@@ -168,6 +173,13 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("torr", "mmHg"),
     ("dyne", "dyn"),
     ("calorie", "cal"),
+    ("inch", "in"),
+    ("inche", "in"),
+    ("foot", "ft"),
+    ("feet", "ft"),
+    ("lumen", "lm"),
+    ("lux", "lx"),
+    ("gauss", "G"),
 ];
 
 /// The symbol `text` names and the power of ten before it. A symbol of its own comes before one with a prefix: `min`

@@ -146,14 +146,26 @@ fn date(text: &str) -> Option<(Option<f64>, &str)> {
         _ => return None,
     };
     if separator != '.' {
-        return ((1..=31).contains(&first_number) && (1..=31).contains(&second_number)).then_some((None, rest));
+        let either = is_date(year, first_number, second_number) || is_date(year, second_number, first_number);
+        return either.then_some((None, rest));
     }
     Some((Some(days(year, second_number, first_number)?), rest))
 }
 
+/// Whether there is such a day: no 31 February.
+fn is_date(year: i64, month: i64, day: i64) -> bool {
+    let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    let last = match month {
+        2 => 28 + i64::from(leap),
+        4 | 6 | 9 | 11 => 30,
+        _ => 31,
+    };
+    (1..=12).contains(&month) && (1..=last).contains(&day)
+}
+
 /// Days since 1 January 1970 in the Gregorian calendar (H. Hinnant, "chrono-compatible low-level date algorithms").
 fn days(year: i64, month: i64, day: i64) -> Option<f64> {
-    if !(1..=12).contains(&month) || !(1..=31).contains(&day) {
+    if !is_date(year, month, day) {
         return None;
     }
     let year = if month <= 2 { year - 1 } else { year };
@@ -240,7 +252,7 @@ mod tests {
             assert_eq!(seconds(text), Some((expected, form)), "{text}");
         }
         for text in
-            ["", "12", "1.5", "12:60:00", "12:00:61", "a:b", "1:2:3:4", "13:00 pm", "1/2", "2026-13-01", "12:", "-1:00"]
+            ["", "12", "1.5", "12:60:00", "12:00:61", "a:b", "1:2:3:4", "13:00 pm", "1/2", "2026-13-01", "2026-02-31", "29.02.2025", "31/2/2025 10:00:00", "12:", "-1:00"]
         {
             assert_eq!(seconds(text), None, "{text}");
         }

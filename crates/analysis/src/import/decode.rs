@@ -44,7 +44,7 @@ pub fn look(start: &[u8]) -> Result<(), ImportError> {
     Ok(())
 }
 
-/// The text, with `\n` at the ends of lines or `\r\n`: UTF-8, UTF-16 with a byte-order mark, else Latin-1.
+/// The text, with `\n` at the ends of lines or `\r\n`: UTF-8, UTF-16 with a byte-order mark, else Windows-1252.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     look(bytes)?;
     let text = characters(bytes);
@@ -63,7 +63,7 @@ pub(super) fn decode_owned(bytes: Vec<u8>) -> Result<String, ImportError> {
     Ok(String::from_utf8(bytes).unwrap_or_default())
 }
 
-/// The characters of bytes: UTF-8, UTF-16 with a byte-order mark, else Latin-1.
+/// The characters of bytes: UTF-8, UTF-16 with a byte-order mark, else Windows-1252.
 pub(crate) fn characters(bytes: &[u8]) -> Cow<'_, str> {
     match bytes {
         [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
@@ -78,10 +78,22 @@ fn utf16(bytes: &[u8], word: fn([u8; 2]) -> u16) -> Cow<'_, str> {
     Cow::Owned(char::decode_utf16(words).map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER)).collect())
 }
 
-/// UTF-8, or else Latin-1, in which every byte is a character.
+/// The characters of Windows-1252 from 0x80 to 0x9f; five bytes have none.
+const WINDOWS: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘', '’', '“',
+    '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+];
+
+/// UTF-8, or else Windows-1252, which is Latin-1 but for these, and in which every byte is a character.
 fn plain(bytes: &[u8]) -> Cow<'_, str> {
     match core::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),
-        Err(_) => Cow::Owned(bytes.iter().map(|byte| char::from(*byte)).collect()),
+        Err(_) => {
+            let character = |byte: &u8| {
+                let special = byte.checked_sub(0x80).and_then(|place| WINDOWS.get(usize::from(place)).copied());
+                special.unwrap_or(char::from(*byte))
+            };
+            Cow::Owned(bytes.iter().map(character).collect())
+        }
     }
 }

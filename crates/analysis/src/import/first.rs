@@ -88,7 +88,20 @@ fn numeric_columns(text: &str, format: &Format) -> Vec<bool> {
 
 /// Why there is no row.
 fn none(text: &str, format: &Format) -> ImportError {
-    let lonely = text.lines().position(|line| kinds(line, format) == [Kind::Number]);
+    let mut lonely = None;
+    for (line, content) in text.lines().enumerate() {
+        let kinds = kinds(content, format);
+        if kinds == [Kind::Number] {
+            lonely = lonely.or(Some(line));
+        }
+        // One number with something beside it that is none.
+        let number = kinds.iter().position(|kind| *kind == Kind::Number);
+        let word = kinds.iter().position(|kind| *kind == Kind::Word);
+        if let (Some(_), Some(column), true) = (number, word, line > 0) {
+            let cell = Cells::of(content, format.delimiter).nth(column).unwrap_or_default();
+            return ImportError::new(Some(line + 1), Refusal::Cell { column: column + 1, text: rows::excerpt(cell) });
+        }
+    }
     match lonely {
         Some(line) => ImportError::new(Some(line + 1), Refusal::OneColumn),
         None => {

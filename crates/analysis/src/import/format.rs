@@ -2,7 +2,7 @@
 
 use super::cells::{Cells, Delimiter};
 use super::number::{self, Cell, Signs};
-use super::{clock, unit_words};
+use super::{clock, head};
 use std::collections::BTreeMap;
 use units::Language::{self, English, Spanish};
 
@@ -102,7 +102,7 @@ pub(super) fn kind(cell: &str, delimiter: Delimiter, signs: Signs, with_units: b
 }
 
 fn is_with_unit(cell: &str, signs: Signs) -> bool {
-    number::with_unit(cell, signs).is_some_and(|(_, unit)| unit_words::read(unit).is_some())
+    number::with_unit(cell, signs).is_some_and(|(_, unit)| head::is_unit(unit))
 }
 
 /// What a line has.
@@ -141,7 +141,8 @@ struct Candidate {
 impl Candidate {
     fn new(lines: &[&str], (delimiter, decimal): (Delimiter, u8), thousands: bool, with_units: bool) -> Self {
         let other = if decimal == b'.' { b',' } else { b'.' };
-        let thousands = (thousands && delimiter.byte() != Some(other)).then_some(other);
+        // Between commas a comma stands in quotation marks alone.
+        let thousands = thousands.then_some(other);
         let signs = Signs { decimal, thousands };
         let counts = lines.iter().map(|line| count(line, delimiter, signs, with_units)).collect();
         Self { delimiter, signs, counts }

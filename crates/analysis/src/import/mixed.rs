@@ -20,40 +20,55 @@ struct Column {
     grouped: Option<(usize, String)>,
 }
 
-/// The columns, from 0, whose decimal sign is not that of the file: one cell is a number with the other sign only, and no cell
-/// has the sign of the file. Of a sign between thousands it is said where nothing in the file shows that it is none of decimals.
-///
-/// # Errors
-/// When a column has both decimal signs, and one of its numbers could be read with either.
-pub(super) fn columns(
-    text: &str,
-    first: First,
-    format: &Format,
-    findings: &mut Vec<Finding>,
-) -> Result<Vec<usize>, ImportError> {
-    let rows = text.get(first.offset..).unwrap_or_default();
-    let others = format.other_signs();
-    let sign = others.decimal;
-    if !rows.as_bytes().contains(&sign) {
-        return Ok(Vec::new());
+/// What the signs in each column mean, while the rows are read.
+#[derive(Debug, Default)]
+pub(super) struct Survey {
+    columns: Vec<Column>,
+    /// How many lines have been read.
+    lines: usize,
+    /// Whether a number with groups has shown what the sign means: `1.295,5` or `1.234.567`.
+    shown: bool,
+}
+
+/// Whether there can be columns with the other sign.
+pub(super) fn is_open(rows: &str, format: &Format) -> bool {
+    let sign = format.other_signs().decimal;
+    // Between delimiters that are the sign itself it stands in quotation marks alone.
+    let quoted = format.delimiter.byte() != Some(sign) || rows.as_bytes().contains(&b'"');
+    quoted && rows.as_bytes().contains(&sign)
+}
+
+impl Survey {
+    /// Reads the lines in about `budget` bytes of the rows; how many bytes that were.
+    pub fn read(&mut self, rows: &str, budget: usize, first: First, format: &Format) -> usize {
+        let mut at = 0;
+        for line in rows.split_inclusive('\n') {
+            if at >= budget {
+                break;
+            }
+            at += line.len();
+            self.line(line.trim_end_matches(['\n', '\r']), first.line, format);
+            self.lines += 1;
+        }
+        at
     }
-    let is_number = |cell: &str, signs: Signs| matches!(number::cell(cell, signs), Cell::Number(_));
-    let mut columns: Vec<Column> = Vec::new();
-    // `1.295,5` or `1.234.567`, or `settle` has said it.
-    let mut shown = !findings.is_empty();
-    for (index, line) in rows.lines().enumerate() {
+
+    fn line(&mut self, line: &str, header_lines: usize, format: &Format) {
+        let others = format.other_signs();
+        let sign = others.decimal;
+        let is_number = |cell: &str, signs: Signs| matches!(number::cell(cell, signs), Cell::Number(_));
         for (place, cell) in Cells::of(line, format.delimiter).enumerate().take(COLUMNS) {
             let has = |sign: u8| cell.as_bytes().contains(&sign);
             if !has(sign) && !has(format.decimal) {
                 continue;
             }
-            if columns.len() <= place {
-                columns.resize_with(place + 1, Column::default);
+            if self.columns.len() <= place {
+                self.columns.resize_with(place + 1, Column::default);
             }
-            let Some(column) = columns.get_mut(place) else { continue };
-            let here = || (first.line + index + 1, rows::excerpt(cell));
+            let Some(column) = self.columns.get_mut(place) else { continue };
+            let here = || (header_lines + self.lines + 1, rows::excerpt(cell));
             if is_number(cell, format.signs()) {
-                shown |= has(sign) && !number::could_be_grouped(cell, sign);
+                self.shown |= has(sign) && !number::could_be_grouped(cell, sign);
                 if has(format.decimal) {
                     column.usual = true;
                 } else {
@@ -64,22 +79,32 @@ pub(super) fn columns(
             }
         }
     }
-    let mut found = Vec::new();
-    for (index, column) in columns.into_iter().enumerate() {
-        let Some((_, beside)) = column.other else {
-            if let Some((line, text)) = column.grouped.filter(|_| !shown && !column.usual) {
-                findings.push(Finding::GroupSign { line, text });
-                shown = true;
+
+    /// The columns, from 0, whose decimal sign is not that of the file: one cell is a number with the other sign only, and no cell
+    /// has the sign of the file. Of a sign between thousands it is said where nothing in the file shows that it is none of decimals.
+    ///
+    /// # Errors
+    /// When a column has both decimal signs, and one of its numbers could be read with either.
+    pub fn settle(self, findings: &mut Vec<Finding>) -> Result<Vec<usize>, ImportError> {
+        let mut found = Vec::new();
+        // Or the sign has been settled, and that was said.
+        let mut shown = self.shown || !findings.is_empty();
+        for (index, column) in self.columns.into_iter().enumerate() {
+            let Some((_, beside)) = column.other else {
+                if let Some((line, text)) = column.grouped.filter(|_| !shown && !column.usual) {
+                    findings.push(Finding::GroupSign { line, text });
+                    shown = true;
+                }
+                continue;
+            };
+            match column.grouped {
+                Some((line, text)) if column.usual => {
+                    return Err(ImportError::new(Some(line), Refusal::Separator { column: index + 1, text, beside }));
+                }
+                _ if !column.usual => found.push(index),
+                _ => {}
             }
-            continue;
-        };
-        match column.grouped {
-            Some((line, text)) if column.usual => {
-                return Err(ImportError::new(Some(line), Refusal::Separator { column: index + 1, text, beside }));
-            }
-            _ if !column.usual => found.push(index),
-            _ => {}
         }
+        Ok(found)
     }
-    Ok(found)
 }

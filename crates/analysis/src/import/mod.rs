@@ -6,8 +6,7 @@ mod clock;
 mod decode;
 mod first;
 mod format;
-mod header;
-mod label;
+mod head;
 mod lines;
 mod mixed;
 mod number;
@@ -19,7 +18,6 @@ mod runs;
 mod separators;
 mod settle;
 mod stamp;
-mod unit_words;
 
 pub use cells::Delimiter;
 pub(crate) use decode::characters;
@@ -27,16 +25,18 @@ pub use decode::look;
 pub use format::Format;
 pub use refusal::{ImportError, Refusal};
 
-use crate::finding::Finding;
+use crate::error_name::{self, Belongs};
+use crate::finding::{Finding, Heading};
 use crate::origin::Origin;
 use crate::scale_line;
 use crate::table::{Column, Table};
 use clock::Form;
 use first::First;
-use header::Head;
+use head::Head;
 use number::Signs;
 use rows::Rows;
 use settle::ClockColumn;
+use stamp::Stamped;
 use std::borrow::Cow;
 use units::Unit;
 
@@ -79,33 +79,41 @@ pub struct Importer<'a> {
     text: Cow<'a, str>,
     /// The text as it was, where time stamps have become a column of it.
     original: Option<Cow<'a, str>>,
+    /// Whether it is a sheet, whose texts can have any form.
+    sheet: bool,
     format: Format,
     first: First,
-    rows: Rows,
+    pass: Pass,
     /// What was noticed about the signs in its numbers.
     findings: Vec<Finding>,
-    /// How many bytes of the rows have been read.
+    /// How many bytes of the rows have been read in this pass; of the whole text where time stamps are divided from it.
     read: usize,
+}
+
+/// One reading of all rows. What is noticed in one decides the next.
+#[derive(Debug)]
+enum Pass {
+    Stamps(Stamped),
+    Separators(separators::Survey),
+    Mixed(mixed::Survey),
+    Rows(Rows),
+    Refused(ImportError),
 }
 
 impl<'a> Importer<'a> {
     /// Begins to read a text, as [`decode`] gives it: finds out how it is written and where its rows begin.
     ///
     /// # Errors
-    /// When there are no rows of numbers, or a comma or a point in them can be read in two ways.
+    /// When there are no rows of numbers.
     pub fn new(text: Cow<'a, str>) -> Result<Self, ImportError> {
-        match stamp::without(&text) {
-            Some(bare) => {
-                let (delimiter, _) = format::recognise(&bare);
-                let (columns, delimiter) = stamp::as_column(&text, delimiter);
-                let signs = format::recognise(&columns).1;
-                Self::begin(Cow::Owned(columns), delimiter, signs, Some(text)).map_err(|(error, _)| error)
-            }
-            None => {
-                let (delimiter, signs) = format::recognise(&text);
-                Self::begin(text, delimiter, signs, None).map_err(|(error, _)| error)
-            }
+        if let Some(bare) = stamp::without(&text) {
+            let stamped = Stamped::new(format::recognise(&bare).0);
+            let format = Format { delimiter: stamped.delimiter, decimal: b'.', thousands: None, header_lines: 0 };
+            let (first, pass) = (First { line: 0, offset: 0 }, Pass::Stamps(stamped));
+            return Ok(Self { text, original: None, sheet: false, format, first, pass, findings: Vec::new(), read: 0 });
         }
+        let (delimiter, signs) = format::recognise(&text);
+        Self::begin(text, delimiter, signs, None).map_err(|(error, _)| error)
     }
 
     /// The same for the cells of a spreadsheet, as [`sheet`] describes them.
@@ -117,7 +125,9 @@ impl<'a> Importer<'a> {
             return Err(ImportError::new(None, Refusal::Empty));
         }
         // Numbers that a sheet holds as texts can have any form.
-        Self::begin(cells, Delimiter::Tab, Signs::plain(b'.'), None).or_else(|(_, cells)| Self::new(cells))
+        Self::begin(cells, Delimiter::Tab, Signs::plain(b'.'), None)
+            .map(|importer| Self { sheet: true, ..importer })
+            .or_else(|(_, cells)| Self::new(cells))
     }
 
     /// Begins to read a text whose delimiter and signs are known; gives it back where that cannot be.
@@ -127,48 +137,118 @@ impl<'a> Importer<'a> {
         signs: Signs,
         original: Option<Cow<'a, str>>,
     ) -> Result<Self, (ImportError, Cow<'a, str>)> {
-        let mut findings = Vec::new();
         let format = Format { delimiter, decimal: signs.decimal, thousands: signs.thousands, header_lines: 0 };
-        let found = first::row(&text, &format).and_then(|first| {
-            let format = Format { header_lines: first.line, ..format };
-            let format = separators::settle(&text, first, format, &mut findings)?;
-            Ok((first, format, mixed::columns(&text, first, &format, &mut findings)?))
-        });
-        match found {
-            Ok((first, format, mixed)) => {
-                let rows = Rows::of(&text[first.offset..], mixed);
-                Ok(Self { text, original, format, first, rows, findings, read: 0 })
-            }
-            Err(error) => Err((error, text)),
-        }
+        let first = match first::row(&text, &format) {
+            Ok(first) => first,
+            Err(error) => return Err((error, text)),
+        };
+        let format = Format { header_lines: first.line, ..format };
+        let pass = if separators::is_open(&text[first.offset..], &format) {
+            Pass::Separators(separators::Survey::default())
+        } else {
+            Pass::after_separators(&text[first.offset..], &format)
+        };
+        Ok(Self { text, original, sheet: false, format, first, pass, findings: Vec::new(), read: 0 })
     }
 
     /// Reads the rows in about `budget` bytes more. Whether all have been read.
     pub fn advance(&mut self, budget: usize) -> bool {
         let (header, rows) = self.text.split_at(self.first.offset);
-        let header: Vec<&str> = header.lines().collect();
-        self.read += self.rows.read(&rows[self.read..], budget, &self.format, &header);
-        self.first.offset + self.read >= self.text.len()
+        let rest = rows.get(self.read..).unwrap_or_default();
+        let (first, format) = (self.first, self.format);
+        self.read += match &mut self.pass {
+            Pass::Stamps(stamped) => stamped.read(rest, budget),
+            Pass::Separators(survey) => survey.read(rest, budget, first, &format),
+            Pass::Mixed(survey) => survey.read(rest, budget, first, &format),
+            Pass::Rows(table) => {
+                let header: Vec<&str> = header.lines().collect();
+                table.read(rest, budget, &format, &header)
+            }
+            Pass::Refused(_) => return true,
+        };
+        let settled = matches!(&self.pass, Pass::Separators(survey) if survey.is_settled());
+        if self.read < rows.len() && !settled {
+            return false;
+        }
+        if matches!(self.pass, Pass::Rows(_)) {
+            return true;
+        }
+        self.next_pass();
+        false
+    }
+
+    /// Goes on with what the pass that has come to its end has shown.
+    fn next_pass(&mut self) {
+        self.read = 0;
+        let refused = Pass::Refused(ImportError::new(None, Refusal::Empty));
+        let next = match std::mem::replace(&mut self.pass, refused) {
+            Pass::Stamps(stamped) => {
+                let original = std::mem::take(&mut self.text);
+                let signs = format::recognise(&stamped.columns).1;
+                match Self::begin(Cow::Owned(stamped.columns), stamped.delimiter, signs, Some(original)) {
+                    Ok(importer) => {
+                        *self = importer;
+                        return;
+                    }
+                    Err((error, _)) => Err(error),
+                }
+            }
+            Pass::Separators(survey) => survey.settle(self.format, &mut self.findings).map(|format| {
+                self.format = format;
+                Pass::after_separators(&self.text[self.first.offset..], &format)
+            }),
+            Pass::Mixed(survey) => survey
+                .settle(&mut self.findings)
+                .map(|mixed| Pass::Rows(Rows::of(&self.text[self.first.offset..], mixed))),
+            other => Ok(other),
+        };
+        match next {
+            Ok(next) => self.pass = next,
+            Err(_) if self.sheet => match Self::new(std::mem::take(&mut self.text)) {
+                Ok(importer) => *self = importer,
+                Err(error) => self.pass = Pass::Refused(error),
+            },
+            Err(error) => self.pass = Pass::Refused(error),
+        }
     }
 
     /// Which part of the text has been read, from 0 to 1.
     pub fn progress(&self) -> f64 {
-        (self.first.offset + self.read) as f64 / self.text.len().max(1) as f64
+        let part = (self.first.offset + self.read) as f64 / self.text.len().max(1) as f64;
+        let (from, to) = match self.pass {
+            Pass::Stamps(_) => (0.0, 0.1),
+            Pass::Separators(_) => (0.1, 0.2),
+            Pass::Mixed(_) => (0.2, 0.4),
+            Pass::Rows(_) | Pass::Refused(_) => (0.4, 1.0),
+        };
+        from + (to - from) * part.min(1.0)
     }
 
     /// The table, once all rows have been read, and the text.
     ///
     /// # Errors
-    /// When it is no table of at least two columns and rows of numbers, or its times cannot be read.
-    pub fn finish(self) -> Result<(Import, Cow<'a, str>), ImportError> {
-        let Self { text, original, format, first, mut rows, mut findings, .. } = self;
+    /// When it is no table of at least two columns and rows of numbers, its times cannot be read, or a comma or a point in its numbers
+    /// can be read in two ways.
+    pub fn finish(mut self) -> Result<(Import, Cow<'a, str>), ImportError> {
+        while !self.advance(usize::MAX) {}
+        let Self { text, original, format, first, pass, mut findings, .. } = self;
+        let mut rows = match pass {
+            Pass::Rows(rows) => rows,
+            Pass::Refused(error) => return Err(error),
+            _ => return Err(ImportError::new(None, Refusal::Empty)),
+        };
         let head_lines: Vec<&str> = text[..first.offset].lines().collect();
-        let mut heads = header::read(&head_lines, format.delimiter, rows.columns.len(), &mut findings);
-        findings.truncate(FINDINGS);
+        let mut heads = head::read(&head_lines, format.delimiter, &rows.below(), &mut findings);
         refuse_double_commas(&heads, &rows, &format)?;
         rows.widen(heads.len(), &text);
         heads.resize(rows.columns.len(), Head::default());
-        let clocks = settle::columns(&mut rows, &mut heads);
+        let clocks = settle::columns(&mut rows, &mut heads, &mut findings);
+        findings.truncate(FINDINGS);
+        for (head, values) in heads.iter().zip(&mut rows.columns) {
+            if let Some(value) = head.converts() {
+                values.iter_mut().for_each(|number| *number = value(*number));
+            }
+        }
         rows.refuse_words(first.line)?;
         refuse_unread_times(&heads, &rows)?;
         let (mut columns, mut kept) = columns(heads, &mut rows, &mut findings);
@@ -185,6 +265,7 @@ impl<'a> Importer<'a> {
         let scale_error = scale_line::read(head_lines.iter().copied());
         findings.extend(scale_error.map(Finding::Scale));
         let mut table = Table { columns, scale_error };
+        findings.extend(errors(&table).into_iter().take(FINDINGS).map(Finding::Heading));
         runs::side_by_side(&mut table, &rows.repeats);
         let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));
         findings.extend(clocks.iter().filter_map(|clock| Some(clock_finding(clock, label(clock.column)?))));
@@ -195,6 +276,44 @@ impl<'a> Importer<'a> {
         findings.extend(runs_finding(&table));
         Ok((Import { table, findings, format }, original.unwrap_or(text)))
     }
+}
+
+impl Pass {
+    /// The pass after the meaning of the signs is known.
+    fn after_separators(rows: &str, format: &Format) -> Self {
+        if mixed::is_open(rows, format) {
+            Self::Mixed(mixed::Survey::default())
+        } else {
+            Self::Rows(Rows::of(rows, Vec::new()))
+        }
+    }
+}
+
+/// Which columns are taken for the standard errors of others, and which are only called so. Of `sigma_y` beside `y` nothing is said.
+fn errors(table: &Table) -> Vec<Heading> {
+    let mut said = Vec::new();
+    for (index, column) in table.columns.iter().enumerate() {
+        let Some(belongs) = error_name::of(&column.name) else { continue };
+        let owners = || (0..table.columns.len()).filter(|own| *own != index);
+        let owner = owners().find(|own| table.errors_of(*own) == Some(index));
+        let called = match belongs {
+            Belongs::To(name) | Belongs::Perhaps(name) => owners().find(|own| table.columns[*own].name == name),
+            Belongs::ToPrevious => index.checked_sub(1),
+        };
+        let label = table.label(index);
+        match (owner, called, belongs) {
+            (Some(own), _, _) => {
+                let unused = table.columns[own].independent == own;
+                if unused || column.name != format!("sigma_{}", table.columns[own].name) {
+                    said.push(Heading::Errors { column: label, of: table.label(own), unused });
+                }
+            }
+            (None, Some(own), _) => said.push(Heading::NotErrors { column: label, of: Some(table.label(own)) }),
+            (None, None, Belongs::To(_)) => said.push(Heading::NotErrors { column: label, of: None }),
+            (None, None, _) => {}
+        }
+    }
+    said
 }
 
 /// Reads the cells of a spreadsheet, by the same rules as a text.
@@ -239,7 +358,7 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
 
 /// The unit of this name, as people write it over their columns: `ms`, `msec`, `Sekunden`.
 pub fn unit(text: &str) -> Option<Unit> {
-    unit_words::read(text)
+    head::unit_of(text)
 }
 
 fn called(name: &str, index: usize) -> String {

@@ -2,7 +2,7 @@
 
 use super::clock::{self, Reading};
 use super::number::{self, Signs};
-use super::unit_words;
+use super::head;
 
 /// What the cells of a column hold besides plain numbers and gaps.
 #[derive(Debug, Default)]
@@ -35,7 +35,7 @@ impl Other {
             return Self::Clock(reading);
         }
         match number::with_unit(text, signs) {
-            Some((value, unit)) if unit_words::read(unit).is_some() => Self::WithUnit(value, unit.to_owned()),
+            Some((value, unit)) if head::is_unit(unit) => Self::WithUnit(value, unit.to_owned()),
             _ => Self::Word,
         }
     }

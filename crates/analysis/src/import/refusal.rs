@@ -61,6 +61,13 @@ pub enum Refusal {
         /// How many numbers the row has.
         cells: usize,
     },
+    /// No line has two numbers; this cell beside a number is none.
+    Cell {
+        /// The column, from 1.
+        column: usize,
+        /// What stands there.
+        text: String,
+    },
     /// More words than numbers among the data.
     Words {
         /// The column of the first word, from 1.
@@ -124,6 +131,12 @@ impl ImportError {
             )),
             Refusal::Commas { names, cells } => {
                 at(format!("{cells} numbers for {names} names: the comma seems to be both delimiter and decimal sign"))
+            }
+            Refusal::Cell { column, text } if language == Spanish => {
+                at(format!("columna {column}: «{text}» no es un número, y ninguna línea tiene dos números"))
+            }
+            Refusal::Cell { column, text } => {
+                at(format!("column {column}: `{text}` is not a number, and no line has two numbers"))
             }
             Refusal::Words { column, text } if language == Spanish => {
                 at(format!("«{text}» en la columna {column} no es un número, y hay más palabras que números"))

@@ -2,7 +2,7 @@
 
 use super::cells::{COLUMNS, Cells, Delimiter};
 use super::format::Format;
-use super::header;
+use super::head::{self, Below};
 use super::number::{self, Cell};
 use super::others::{Other, Others};
 use super::refusal::{ImportError, Refusal};
@@ -135,7 +135,7 @@ impl Rows {
     /// row.
     fn any(&mut self, line: &str, number: usize, format: &Format, row: &mut Vec<f64>) -> Option<usize> {
         let start = line.trim_start();
-        let comment = start.starts_with(['#', '%']) && !number::is_spreadsheet_error(header::first_word(start));
+        let comment = start.starts_with(['#', '%']) && !number::is_spreadsheet_error(head::first_word(start));
         if start.is_empty() || comment || start.starts_with("//") {
             return None;
         }
@@ -247,6 +247,19 @@ impl Rows {
         let length = self.length;
         let wanted = wanted.min(COLUMNS).min(most).max(self.columns.len());
         self.columns.resize_with(wanted, || vec![f64::NAN; length]);
+    }
+
+    /// What the rows say of the header above them.
+    pub fn below(&self) -> Below<'_> {
+        let wide = self.columns.len().max(self.others.len());
+        let numeric = |column: usize| {
+            let others = self.others.get(column);
+            let beside = others.map_or(0, |others| others.clocks.len() + others.with_units.len());
+            let numbers = self.columns.get(column).map_or(0, |values| values.iter().filter(|v| v.is_finite()).count());
+            numbers + beside > 0 && numbers + beside >= self.words_in(column)
+        };
+        let numbers = |column: usize| self.columns.get(column).map_or(&[][..], Vec::as_slice);
+        Below { numeric: (0..wide).map(numeric).collect(), first: numbers(0), second: numbers(1) }
     }
 
     /// How many words a column has.

@@ -27,83 +27,55 @@ struct Column {
     values: Vec<(f64, f64)>,
 }
 
-/// The format with the sign read as it must be, and what is to be said of it.
-///
-/// Nearly every file settles it at once: `0,5`, `1,25` and `12,3456` have a decimal sign. Where all numbers with the sign have the
-/// form `1,295`, a column of those alone has a decimal sign, as programs write that always give three decimals. A
-/// column that also has whole numbers without it contradicts itself. Then the reading counts by which the values follow each other
-/// far more smoothly, or the one with groups if it is smoother at all and one of the numbers ends with a zero. Otherwise
-/// the column is ambiguous.
-///
-/// # Errors
-/// When both readings are possible.
-pub(super) fn settle(
-    text: &str,
-    first: First,
-    format: Format,
-    findings: &mut Vec<Finding>,
-) -> Result<Format, ImportError> {
-    let rows = text.get(first.offset..).unwrap_or_default();
-    // Where semicolons stand between the cells a comma is decimal, where commas do so a point is.
-    let usual = matches!((format.delimiter, format.decimal), (Delimiter::Semicolon, b',') | (Delimiter::Comma, b'.'));
-    if format.thousands.is_some() || usual {
-        return Ok(format);
-    }
-    let Some(columns) = columns(rows, first.line, &format) else { return Ok(format) };
-    let grouped =
-        Format { decimal: if format.decimal == b',' { b'.' } else { b',' }, thousands: Some(format.decimal), ..format };
-    let mut said = None;
-    for (index, column) in columns.iter().enumerate() {
-        let (Some((line, text)), Some((_, plain))) = (&column.grouped, &column.plain) else { continue };
-        if column.long {
-            continue;
-        }
-        let [decimal, thousands] = [0, 1].map(|reading| roughness(&column.values, reading));
-        let finding = |is_thousands: bool| Finding::Separator {
-            line: *line,
-            text: text.clone(),
-            beside: plain.clone(),
-            thousands: is_thousands,
-        };
-        if SMOOTHER * thousands < decimal || (column.zero && thousands < decimal) {
-            findings.push(finding(true));
-            return Ok(grouped);
-        }
-        if SMOOTHER * decimal < thousands {
-            said.get_or_insert(finding(false));
-            continue;
-        }
-        return Err(ImportError::new(
-            Some(*line),
-            Refusal::Separator { column: index + 1, text: text.clone(), beside: plain.clone() },
-        ));
-    }
-    // A column of `1,295` alone is read as usual. Of a comma it is said, which is no decimal sign everywhere.
-    let alone =
-        columns.into_iter().filter(|column| column.plain.is_none() && !column.long).find_map(|column| column.grouped);
-    let alone = alone.filter(|_| format.decimal == b',').map(|(line, text)| Finding::DecimalSign { line, text });
-    findings.extend(said.or(alone));
-    Ok(format)
+/// The columns with what speaks for either reading, while the rows are read.
+#[derive(Debug, Default)]
+pub(super) struct Survey {
+    columns: Vec<Column>,
+    /// How many lines have been read.
+    lines: usize,
+    /// Whether a number has settled that the sign is decimal.
+    decimal: bool,
 }
 
-/// The columns with what speaks for either reading; `None` as soon as a number settles that the sign is decimal, or if none has
-/// it.
-fn columns(rows: &str, header_lines: usize, format: &Format) -> Option<Vec<Column>> {
-    let sign = format.decimal;
-    if !rows.as_bytes().contains(&sign) {
-        return None;
+/// Whether the sign of the decimals can group digits as well: it stands in the rows, and the format does not settle it.
+pub(super) fn is_open(rows: &str, format: &Format) -> bool {
+    // A comma between commas stands in quotation marks alone.
+    let quoted = format.delimiter.byte() != Some(format.decimal) || rows.as_bytes().contains(&b'"');
+    format.thousands.is_none() && quoted && rows.as_bytes().contains(&format.decimal)
+}
+
+impl Survey {
+    /// Reads the lines in about `budget` bytes of the rows; how many bytes that were.
+    pub fn read(&mut self, rows: &str, budget: usize, first: First, format: &Format) -> usize {
+        let mut at = 0;
+        for line in rows.split_inclusive('\n') {
+            if at >= budget || self.decimal {
+                break;
+            }
+            at += line.len();
+            self.decimal = self.line(line.trim_end_matches(['\n', '\r']), first.line, format).is_none();
+            self.lines += 1;
+        }
+        at
     }
-    let other = if sign == b',' { b'.' } else { b',' };
-    let groups = Signs { decimal: other, thousands: Some(sign) };
-    let mut columns: Vec<Column> = Vec::new();
-    for (index, line) in rows.lines().enumerate() {
+
+    /// Whether nothing more need be read.
+    pub fn is_settled(&self) -> bool {
+        self.decimal
+    }
+
+    /// `None` as soon as a number settles that the sign is decimal.
+    fn line(&mut self, line: &str, header_lines: usize, format: &Format) -> Option<()> {
+        let sign = format.decimal;
+        let other = if sign == b',' { b'.' } else { b',' };
+        let groups = Signs { decimal: other, thousands: Some(sign) };
         for (place, cell) in Cells::of(line, format.delimiter).enumerate().take(COLUMNS) {
             let Cell::Number(value) = number::cell(cell, format.signs()) else { continue };
-            if columns.len() <= place {
-                columns.resize_with(place + 1, Column::default);
+            if self.columns.len() <= place {
+                self.columns.resize_with(place + 1, Column::default);
             }
-            let column = columns.get_mut(place)?;
-            let here = || (header_lines + index + 1, rows::excerpt(cell));
+            let column = self.columns.get_mut(place)?;
+            let here = || (header_lines + self.lines + 1, rows::excerpt(cell));
             if !cell.as_bytes().contains(&sign) {
                 let digits = cell.bytes().filter(u8::is_ascii_digit).count();
                 if digits > 3 {
@@ -122,8 +94,60 @@ fn columns(rows: &str, header_lines: usize, format: &Format) -> Option<Vec<Colum
                 return None;
             }
         }
+        Some(())
     }
-    Some(columns)
+
+    /// The format with the sign read as it must be, and what is to be said of it.
+    ///
+    /// Nearly every file settles it at once: `0,5`, `1,25` and `12,3456` have a decimal sign. Where all numbers with the sign have
+    /// the form `1,295`, a column of those alone has a decimal sign, as programs write that always give three decimals. A
+    /// column that also has whole numbers without it contradicts itself. Then the reading counts by which the values follow each
+    /// other far more smoothly, or the one with groups if it is smoother at all and one of the numbers ends with a zero. Otherwise
+    /// the column is ambiguous.
+    ///
+    /// # Errors
+    /// When both readings are possible.
+    pub fn settle(self, format: Format, findings: &mut Vec<Finding>) -> Result<Format, ImportError> {
+        let columns = if self.decimal { Vec::new() } else { self.columns };
+        let decimal = if format.decimal == b',' { b'.' } else { b',' };
+        let grouped = Format { decimal, thousands: Some(format.decimal), ..format };
+        let mut said = None;
+        for (index, column) in columns.iter().enumerate() {
+            let (Some((line, text)), Some((_, plain))) = (&column.grouped, &column.plain) else { continue };
+            if column.long {
+                continue;
+            }
+            let [decimal, thousands] = [0, 1].map(|reading| roughness(&column.values, reading));
+            let finding = |is_thousands: bool| Finding::Separator {
+                line: *line,
+                text: text.clone(),
+                beside: plain.clone(),
+                thousands: is_thousands,
+            };
+            if SMOOTHER * thousands < decimal || (column.zero && thousands < decimal) {
+                findings.push(finding(true));
+                return Ok(grouped);
+            }
+            if SMOOTHER * decimal < thousands {
+                said.get_or_insert(finding(false));
+                continue;
+            }
+            return Err(ImportError::new(
+                Some(*line),
+                Refusal::Separator { column: index + 1, text: text.clone(), beside: plain.clone() },
+            ));
+        }
+        // A column of `1,295` alone is read as usual. Of a comma it is said, which is no decimal sign everywhere; where semicolons
+        // divide the cells it is one.
+        let alone = columns
+            .into_iter()
+            .filter(|column| column.plain.is_none() && !column.long)
+            .find_map(|column| column.grouped);
+        let unusual = format.decimal == b',' && format.delimiter != Delimiter::Semicolon;
+        let alone = alone.filter(|_| unusual).map(|(line, text)| Finding::DecimalSign { line, text });
+        findings.extend(said.or(alone));
+        Ok(format)
+    }
 }
 
 /// The squares of the steps over the squares of the deviations from the mean: von Neumann's ratio, small for what moves smoothly.

@@ -1,9 +1,9 @@
 //! Columns whose cells hold times of day, or numbers with a unit behind them.
 
 use super::clock::{self, Form, Reading, Times};
-use super::header::Head;
+use super::head::{self, Head, Meant};
 use super::rows::Rows;
-use super::unit_words;
+use crate::finding::{Finding, Heading};
 use crate::origin::UnitOrigin;
 use units::Unit;
 
@@ -18,7 +18,7 @@ pub(super) struct ClockColumn {
 
 /// Makes numbers of what is neither a plain number nor a word, where a column holds more of it than of numbers; the rest are
 /// words. The unit is that of the cells, whatever the header says.
-pub(super) fn columns(rows: &mut Rows, heads: &mut [Head]) -> Vec<ClockColumn> {
+pub(super) fn columns(rows: &mut Rows, heads: &mut [Head], findings: &mut Vec<Finding>) -> Vec<ClockColumn> {
     let mut clocks = Vec::new();
     for (column, head) in heads.iter_mut().enumerate().take(rows.columns.len()) {
         let Some(others) = rows.others_mut(column) else { continue };
@@ -30,9 +30,10 @@ pub(super) fn columns(rows: &mut Rows, heads: &mut [Head]) -> Vec<ClockColumn> {
         let numbers = rows.columns[column].iter().filter(|value| value.is_finite()).count();
         if readings.len() >= numbers.max(with_units.len()).max(1) {
             clocks.extend(take_clocks(rows, column, readings, head));
-        } else if let Some(unit) = common(unit).filter(|_| with_units.len() >= numbers) {
-            head.unit = Some(unit);
-            head.origin = UnitOrigin::Cells;
+        } else if let Some((meant, text)) =
+            common(unit, &head.name).filter(|(meant, _)| with_units.len() >= numbers || head.is_in(meant))
+        {
+            take_units(head, column, (meant, text), numbers, findings);
             rows.accept(column, with_units.into_iter(), false);
         } else if let Some(others) = rows.others_mut(column) {
             (others.clocks, others.with_units) = (readings, with_units);
@@ -43,9 +44,31 @@ pub(super) fn columns(rows: &mut Rows, heads: &mut [Head]) -> Vec<ClockColumn> {
     clocks
 }
 
-/// The unit that all cells have.
-fn common(unit: Option<(String, bool)>) -> Option<Unit> {
-    unit.filter(|(_, same)| *same).and_then(|(text, _)| unit_words::read(&text))
+/// The unit that all cells have, and its text.
+fn common(unit: Option<(String, bool)>, name: &str) -> Option<(Meant, String)> {
+    unit.filter(|(_, same)| *same).and_then(|(text, _)| Some((head::meant_unit(&text, name)?, text)))
+}
+
+/// Gives a column the unit of its cells, and says where the header has another one or some cells have none.
+fn take_units(
+    head: &mut Head,
+    index: usize,
+    (meant, text): (Meant, String),
+    bare: usize,
+    findings: &mut Vec<Finding>,
+) {
+    let column = if head.name.is_empty() { (index + 1).to_string() } else { head.name.clone() };
+    let same = head.is_in(&meant);
+    if !same && let Some(header) = head.unit.as_ref().map(|unit| unit.text.clone()).filter(|text| !text.is_empty()) {
+        findings.push(Finding::Heading(Heading::CellUnit { column, header, cells: text.clone() }));
+    } else if !same && bare > 0 {
+        findings.push(Finding::Heading(Heading::BareNumbers { column, unit: text.clone(), count: bare }));
+    }
+    if !same && let Some(reading) = meant.reading {
+        let column = if head.name.is_empty() { (index + 1).to_string() } else { head.name.clone() };
+        findings.push(Finding::Heading(Heading::Unit { column, written: text.clone(), reading }));
+    }
+    head.take(meant, text, UnitOrigin::Cells);
 }
 
 fn take_clocks(

@@ -17,38 +17,58 @@ fn divided(line: &str) -> Option<(&str, &str)> {
     Some((stamp, rest.strip_prefix(' ').unwrap_or(rest)))
 }
 
-/// The text without stamps, if most of its first lines have one.
+/// So many lines tell the delimiter behind the stamps.
+const SAMPLE: usize = 300;
+
+/// The first lines without stamps, if most of them have one.
 pub(super) fn without(text: &str) -> Option<String> {
-    let first: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).take(20).collect();
+    let first: Vec<&str> = text.lines().take(SAMPLE).filter(|line| !line.trim().is_empty()).take(20).collect();
     let stamped = first.iter().filter(|line| divided(line).is_some()).count();
     if 2 * stamped <= first.len() {
         return None;
     }
-    let mut bare = String::with_capacity(text.len());
-    for line in text.lines() {
+    let mut bare = String::new();
+    for line in text.lines().take(SAMPLE) {
         bare.push_str(divided(line).map_or(line, |(_, rest)| rest));
         bare.push('\n');
     }
     Some(bare)
 }
 
-/// The text with the stamps in a first column.
-pub(super) fn as_column(text: &str, delimiter: Delimiter) -> (String, Delimiter) {
-    // Numbers alone behind the stamps have no delimiter; one of blanks has no empty cells.
-    let delimiter = match delimiter {
-        Delimiter::Blanks | Delimiter::Blank | Delimiter::CommaAndBlank => Delimiter::Tab,
-        other => other,
-    };
-    let sign = char::from(delimiter.byte().unwrap_or(b'\t'));
-    let mut columns = String::with_capacity(text.len() + 16);
-    for line in text.lines() {
-        let (stamp, rest) = divided(line).unwrap_or(("", line));
-        columns.push_str(stamp);
-        columns.push(sign);
-        columns.push_str(rest.trim());
-        columns.push('\n');
+/// A text that is being written again with the stamps in a first column.
+#[derive(Debug)]
+pub(super) struct Stamped {
+    pub delimiter: Delimiter,
+    pub columns: String,
+}
+
+impl Stamped {
+    pub fn new(delimiter: Delimiter) -> Self {
+        // Numbers alone behind the stamps have no delimiter; one of blanks has no empty cells.
+        let delimiter = match delimiter {
+            Delimiter::Blanks | Delimiter::Blank | Delimiter::CommaAndBlank => Delimiter::Tab,
+            other => other,
+        };
+        Self { delimiter, columns: String::new() }
     }
-    (columns, delimiter)
+
+    /// Takes the lines in about `budget` bytes of the text; how many bytes that were.
+    pub fn read(&mut self, text: &str, budget: usize) -> usize {
+        let sign = char::from(self.delimiter.byte().unwrap_or(b'\t'));
+        let mut at = 0;
+        for line in text.split_inclusive('\n') {
+            if at >= budget {
+                break;
+            }
+            at += line.len();
+            let (stamp, rest) = divided(line).unwrap_or(("", line));
+            self.columns.push_str(stamp);
+            self.columns.push(sign);
+            self.columns.push_str(rest.trim());
+            self.columns.push('\n');
+        }
+        at
+    }
 }
 
 /// Leaves the stamps out where a column has the same times in a unit of its own, which are those of the measurement and not

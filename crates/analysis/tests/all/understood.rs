@@ -119,8 +119,9 @@ const HEADERS: &[Case] = &[
     (
         "Logger Pro's text: names, symbols and units",
         "Vernier Format 2\nfile.cmbl 1/2/2024\nRun 1\nTime\tPosition\nT\tX\ns\tm\n\n0\t1.5\n0.1\t2.5\n",
-        "*T [s] line of units: 0 0.1
-1:X [m] line of units: 1.5 2.5",
+        "*Time [s] line of units: 0 0.1
+1:Position [m] line of units: 1.5 2.5
+! line 4 of the file has the names, line 6 the units; taken for a comment: line 5",
     ),
     (
         "a unit among the units that is not known",
@@ -299,9 +300,9 @@ const UNITS: &[Case] = &[
     (
         "a time in a unit that nobody knows",
         "t (ticks),y\n0,1\n50,2\n",
-        "*t (ticks) [] unknown: 0 50
+        "*t [] unknown: 0 50
 1:y [] not stated: 1 2
-! `ticks`, the unit of t (ticks), is not known; until one is stated, its numbers have none",
+! `ticks`, the unit of t, is not known; until one is stated, its numbers have none",
     ),
     (
         "two cameras",

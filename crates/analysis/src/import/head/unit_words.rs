@@ -4,7 +4,7 @@ use units::Unit;
 
 /// What stands over columns besides the symbols, in the languages of loggers and spreadsheets, in small letters and in the
 /// singular; an `s`, `n` or `es` at the end does not matter. A document must use the symbols.
-const WORDS: [(&str, &[&str]); 31] = [
+const WORDS: [(&str, &[&str]); 40] = [
     ("s", &["sec", "second", "seg", "segundo", "sek", "sekunde", "seconde", "secondo", "secondi"]),
     (
         "ms",
@@ -52,11 +52,48 @@ const WORDS: [(&str, &[&str]); 31] = [
     ("T", &["tesla"]),
     ("ohm", &["ohmio", "Ω"]),
     ("px", &["pixel", "píxel", "pxl"]),
+    ("in", &["inch", "inche", "zoll", "pulgada"]),
+    ("ft", &["foot", "feet", "fuß"]),
+    ("lx", &["lux", "luxe"]),
+    ("lm", &["lumen"]),
+    ("G", &["gauss"]),
+    ("C", &["coulomb", "culombio"]),
+    ("S", &["siemen"]),
+    ("F", &["farad", "faradio"]),
+    // Also `U/min` for revolutions: no atomic mass each minute.
+    ("rpm", &["rev/min", "r/min", "u/min", "upm", "r.p.m", "revolutions per minute"]),
 ];
 
+/// A temperature scale with a zero of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::import) enum Level {
+    Celsius,
+    Fahrenheit,
+}
+
+/// The temperature scale of this name: `°C`, `degC`, `grados Celsius`, `Fahrenheit`.
+pub(in crate::import) fn level(text: &str) -> Option<Level> {
+    let text: String = text.trim().to_lowercase().chars().filter(|letter| !letter.is_whitespace()).collect();
+    let text = text.replace('º', "°").replace('℃', "°c").replace('℉', "°f");
+    let marked = ["degrees", "degree", "deg", "grados", "grado", "grad", "°"];
+    let bare = marked.iter().find_map(|mark| text.strip_prefix(mark)).unwrap_or(&text);
+    let has_mark = bare.len() < text.len();
+    match bare.trim_start_matches('.') {
+        "c" if has_mark => Some(Level::Celsius),
+        "f" if has_mark => Some(Level::Fahrenheit),
+        "celsius" | "c°" => Some(Level::Celsius),
+        "fahrenheit" | "f°" => Some(Level::Fahrenheit),
+        _ => None,
+    }
+}
+
 /// The unit of this name; `None` where it is not known. The empty text and `-` are a pure number.
-pub(super) fn read(text: &str) -> Option<Unit> {
+pub(in crate::import) fn read(text: &str) -> Option<Unit> {
     let text = text.trim().trim_end_matches('.');
+    // In a quotient degrees are differences: `°C/min`. Alone they are a level.
+    let kelvin = (text.contains(['°', 'º', '℃']) && text.contains(['/', ' ', '·', '*', '^', '⁻']) && level(text).is_none())
+        .then(|| text.replace(['º'], "°").replace("°C", "K").replace('℃', "K"));
+    let text = kelvin.as_deref().unwrap_or(text);
     if text.len() > 60 {
         return None;
     }
@@ -167,6 +204,12 @@ mod tests {
             ("μs", "us"),
             ("", ""),
             ("-", ""),
+            ("inches", "in"),
+            ("feet", "ft"),
+            ("Pulgadas", "in"),
+            ("lux", "lx"),
+            ("W/(m² °C)", "W/(m^2 K)"),
+            ("°C/min", "K/min"),
         ] {
             let (unit, expected) = (read(text), Unit::parse(expected).expect("a unit"));
             let found = unit.map(|unit| (unit.dimension, unit.factor));
@@ -174,6 +217,12 @@ mod tests {
         }
         for text in ["blips", "left", "ticks", "a.u.", "°C", "of the year", "y"] {
             assert!(read(text).is_none(), "{text}");
+        }
+        for text in ["°C", "º C", "degC", "Celsius", "grados Celsius", "℃", "Grad C", "C°", "deg. C"] {
+            assert_eq!(level(text), Some(Level::Celsius), "{text}");
+        }
+        for text in ["C", "F", "cm", "deg", "°", "K", "gradc m"] {
+            assert_eq!(level(text), None, "{text}");
         }
     }
 }

@@ -1,14 +1,19 @@
 //! One cell of a header: the name of a column, its unit, and the run that it belongs to.
 
-use super::roles::is_time;
-use super::{clock, unit_words};
+use super::meant::{self, Meant};
+use super::power::{self, Sense};
+use super::unit_words;
+use crate::error_name;
+use crate::finding::UnitReading;
+use crate::import::clock;
+use crate::import::roles::is_time;
 use crate::origin::UnitOrigin;
 use crate::run_name;
 use units::{Dimension, Unit};
 
 /// What a cell of the header says of its column.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Label {
+pub(in crate::import) struct Label {
     pub name: String,
     pub unit: Option<Unit>,
     pub origin: UnitOrigin,
@@ -18,6 +23,10 @@ pub(super) struct Label {
     pub behind: String,
     /// What the name says of its clock times: `t [hh:mm]`.
     pub clock: Option<clock::Form>,
+    /// How the numbers become values in the unit, where that is not plain.
+    pub reading: Option<UnitReading>,
+    /// The value in the unit is the number of the cell times ten to this, and how sure that is.
+    pub tens: Option<(i32, Sense)>,
 }
 
 /// Reads `y [cm]`, `Time (ms) Run #1`, `Run 2: Angle (deg)`, `t / s`, `t in ms`, `Time: ms`, `time_ms`, `v_{y}`.
@@ -28,6 +37,18 @@ pub(super) fn read(cell: &str) -> Label {
         return Label::default();
     }
     let (rest, run) = run_name::without(cell);
+    let Some(power) = power::taken(rest) else { return Label { run, ..plain_label(rest) } };
+    let label = plain_label(&power.heading);
+    // A power over an unknown unit is part of what is not known.
+    if power.sense == Sense::Open || label.origin.unknown().is_some() {
+        let origin = UnitOrigin::Unknown(rest.chars().take(40).collect());
+        return Label { run, unit: None, origin, reading: None, tens: Some((power.tens, Sense::Open)), ..label };
+    }
+    Label { run, tens: Some((power.tens, power.sense)), ..label }
+}
+
+/// A cell without run and power of ten.
+fn plain_label(rest: &str) -> Label {
     let mut label = bracketed(rest)
         .or_else(|| divided(rest))
         .or_else(|| behind_word(rest))
@@ -36,7 +57,6 @@ pub(super) fn read(cell: &str) -> Label {
         .or_else(|| last_word(rest))
         .unwrap_or_else(|| own_name(rest));
     label.name = plain(&label.name);
-    label.run = run;
     label
 }
 
@@ -45,23 +65,14 @@ fn plain(name: &str) -> String {
     name.trim().replace("_{", "_").replace('}', "")
 }
 
-/// The unit of this text for a column of this name. Over times capitals are no other unit: `MS` are no megasiemens.
-pub(super) fn unit(text: &str, name: &str) -> Option<Unit> {
-    let unit = unit_words::read(text)?;
-    if !is_time(name) || unit.dimension == Dimension::TIME {
-        return Some(unit);
-    }
-    unit_words::read(&text.to_lowercase()).filter(|unit| unit.dimension == Dimension::TIME)
-}
-
-/// The same where no bracket says that a unit follows: `Sensor: 1` has none.
-fn symbol(text: &str, name: &str) -> Option<Unit> {
+/// The unit of a text that no bracket encloses: `Sensor: 1` has none.
+fn symbol(text: &str, name: &str) -> Option<Meant> {
     let has_letter = text.contains(|character: char| character.is_alphabetic() || matches!(character, '%' | '°'));
-    has_letter.then(|| unit(text, name)).flatten()
+    has_letter.then(|| meant::unit(text, name)).flatten()
 }
 
-fn named(name: &str, unit: Unit, origin: UnitOrigin) -> Label {
-    Label { name: name.to_owned(), unit: Some(unit), origin, ..Label::default() }
+fn named(name: &str, meant: Meant, origin: UnitOrigin) -> Label {
+    Label { name: name.to_owned(), unit: Some(meant.unit), origin, reading: meant.reading, ..Label::default() }
 }
 
 fn unknown(name: &str, text: &str) -> Label {
@@ -80,22 +91,29 @@ fn bracketed(cell: &str) -> Option<Label> {
         let inside = without_in(inside);
         // y(t) is no y in tonnes.
         let function = cell[open..].starts_with('(') && before.ends_with(char::is_alphanumeric) && inside == "t";
-        if function || name.is_empty() || inside.is_empty() {
+        // Neither is u(y) a u in some unit.
+        let attached = cell[open..].starts_with('(') && before.ends_with(char::is_alphanumeric);
+        let of_error = attached && error_name::of(cell).is_some();
+        if function || of_error || name.is_empty() || inside.is_empty() {
             continue;
         }
         if let Some(form) = clock_form(inside) {
             return Some(Label { name: name.to_owned(), clock: Some(form), ..Label::default() });
         }
-        if let Some(unit) = unit(inside, name) {
-            let behind = cell[close + 1..].trim().to_owned();
+        let behind = cell[close + 1..].trim().to_owned();
+        if let Some(unit) = meant::unit(inside, name) {
             return Some(Label { behind, ..named(name, unit, UnitOrigin::Heading) });
         }
-        // In parentheses may stand a remark that belongs to the name: `y (left)`.
+        // In parentheses may stand a remark that belongs to the name where several have it: `y (left)`.
         let remark = cell[open..].starts_with('(');
         last.get_or_insert_with(|| {
-            let label = unknown(if remark { cell } else { name }, inside);
+            let whole = attached && !looks_like_unit(inside);
+            let mut label = unknown(if whole { cell } else { name }, inside);
+            if remark && !whole {
+                label.behind = cell[open..].trim().to_owned();
+            }
             match label.origin {
-                UnitOrigin::Unknown(text) if remark && !is_time(name) => {
+                UnitOrigin::Unknown(text) if remark && !is_time(name) && !looks_like_unit(&text) => {
                     Label { origin: UnitOrigin::Remark(text), ..label }
                 }
                 origin => Label { origin, ..label },
@@ -103,6 +121,18 @@ fn bracketed(cell: &str) -> Option<Label> {
         });
     }
     last
+}
+
+/// Whether an unknown text in parentheses looks like a unit, and not like a remark.
+pub(super) fn looks_like_unit(text: &str) -> bool {
+    const UNKNOWN: [&str; 20] = [
+        "db", "dba", "dbv", "dbm", "ph", "ppm", "a.u.", "a. u.", "arb", "arb.", "arb. units", "u.a.", "counts", "cuentas",
+        "ticks", "adc", "lsb", "sequence", "samples", "digits",
+    ];
+    let mark = |letter: char| matches!(letter, '°' | 'º' | '%' | '/' | '^' | '²' | '³' | '·' | '⁻' | 'µ' | 'Ω');
+    UNKNOWN.contains(&text.to_lowercase().as_str())
+        || text.contains(mark)
+        || (text.chars().count() <= 3 && text.chars().all(char::is_alphabetic) && text.contains(char::is_uppercase))
 }
 
 /// Where the next bracket opens and closes; those of `v_{y}` are none.
@@ -192,9 +222,9 @@ fn suffix(cell: &str) -> Option<Label> {
     if name.is_empty() || text.contains(['{', '}', '^', '(']) {
         return None;
     }
-    let found = symbol(text, name)?;
+    let found = symbol(text, name).filter(|_| !is_word(text))?;
     let letters = |text: &str| text.chars().filter(|character| character.is_alphabetic()).count();
-    let of_time = found.dimension == Dimension::TIME;
+    let of_time = found.unit.dimension == Dimension::TIME;
     let certain = if is_time(name) {
         of_time
     } else {
@@ -207,20 +237,25 @@ fn suffix(cell: &str) -> Option<Label> {
 fn last_word(cell: &str) -> Option<Label> {
     let (name, text) = cell.rsplit_once([' ', ','])?;
     let name = name.trim_end_matches([' ', ',']);
-    let found = symbol(text, name)?;
+    let found = symbol(text, name).filter(|_| !is_word(text))?;
     let certain = if is_time(name) {
-        found.dimension == Dimension::TIME
+        found.unit.dimension == Dimension::TIME
     } else {
-        text.chars().count() >= 2 && found.dimension != Dimension::TIME
+        text.chars().count() >= 2 && found.unit.dimension != Dimension::TIME
     };
     (certain && !name.is_empty()).then(|| named(name, found, UnitOrigin::Heading))
+}
+
+/// Whether a unit is as often the end of a name: `V_in`, `V in`.
+fn is_word(text: &str) -> bool {
+    text == "in"
 }
 
 /// `millis`, `seconds`: a time that is called by its unit.
 fn own_name(cell: &str) -> Label {
     let found = unit_words::read(cell).filter(|unit| unit.dimension == Dimension::TIME);
     match found.filter(|unit| cell.chars().count() > 3 || unit.text == "ms") {
-        Some(unit) => named(cell, unit, UnitOrigin::Name),
+        Some(unit) => named(cell, Meant { unit, reading: None }, UnitOrigin::Name),
         None => Label { name: cell.to_owned(), ..Label::default() },
     }
 }
@@ -230,7 +265,7 @@ mod tests {
     use super::*;
 
     /// The cell, and `run|name|unit` or `run|name|?what is not known`.
-    const CELLS: [(&str, &str); 47] = [
+    const CELLS: [(&str, &str); 56] = [
         ("t [s]", "|t|s"),
         ("Time (msec)", "|Time|ms"),
         ("Time (MS)", "|Time|ms"),
@@ -249,13 +284,22 @@ mod tests {
         ("millis", "|millis|ms"),
         ("t/ms", "|t|ms"),
         ("t (in ms)", "|t|ms"),
-        ("t (ticks)", "|t (ticks)|?ticks"),
+        ("t (ticks)", "|t|?ticks"),
         ("t [ticks]", "|t|?ticks"),
         ("Time: ticks", "|Time|?ticks"),
         ("t / frames", "|t|?frames"),
         ("y [blips]", "|y|?blips"),
-        ("y (left)", "|y (left)|?left"),
+        ("y (left)", "|y|?left"),
         ("y (left) [cm]", "|y (left)|cm"),
+        ("L (dB)", "|L|?dB"),
+        ("V_in", "|V_in|"),
+        ("V in", "|V in|"),
+        ("T (°C)", "|T|K"),
+        ("T (C)", "|T|K"),
+        ("a (g)", "|a|m/s^2"),
+        ("v x10^-3 (m/s)", "|v|m/s"),
+        ("v*1000 (m/s)", "|v|?v*1000 (m/s)"),
+        ("v / 10^-3 m/s", "|v|m/s"),
         ("ω(t)", "|ω(t)|"),
         ("a(t) (m/s^2)", "|a(t)|m/s^2"),
         ("v_{y} (cm/s)", "|v_y|cm/s"),
@@ -276,7 +320,7 @@ mod tests {
         ("y_cm", "|y|cm"),
         ("v_s", "|v_s|"),
         ("Masse m", "|Masse m|"),
-        ("Temperature [°C]", "|Temperature|?°C"),
+        ("Temperature [°C]", "|Temperature|K"),
         ("12:00:00.000", "||"),
     ];
 

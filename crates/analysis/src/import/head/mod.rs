@@ -1,0 +1,223 @@
+//! What the lines before the first row say: names, units, bodies.
+
+mod below;
+mod block;
+mod bodies;
+mod cells_of;
+mod column;
+mod label;
+mod meant;
+mod power;
+mod unit_words;
+
+pub(super) use below::Below;
+pub(super) use column::Head;
+pub(super) use meant::{Meant, unit as meant_unit};
+pub(super) use unit_words::{level, read as unit_of};
+
+use super::cells::Delimiter;
+use super::{clock, format, number};
+use crate::finding::{Certainty, Finding, Heading};
+use crate::origin::UnitOrigin;
+use crate::run_name;
+use bodies::{are_runs, is_body_line, name_bodies};
+use cells_of::{bare_unit, split};
+use column::head;
+use label::Label;
+use power::Sense;
+
+/// Whether a text behind a number is a unit.
+pub(super) fn is_unit(text: &str) -> bool {
+    unit_of(text).is_some() || level(text).is_some()
+}
+
+/// Names, units and bodies of the columns, or of more if the header has more.
+pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings: &mut Vec<Finding>) -> Vec<Head> {
+    let columns = below.wide();
+    let mut filled: Vec<&str> = Vec::new();
+    let mut numbers: Vec<usize> = Vec::new();
+    // A title has a blank line under it, the name of a body has not.
+    let mut titles = 0;
+    for (number, line) in lines.iter().enumerate() {
+        let bare = uncommented(line);
+        if bare.trim().is_empty() {
+            titles = filled.len();
+        } else if !bare.trim_start().to_ascii_lowercase().starts_with("multi:")
+            && !(number == 0 && format::declared(line).is_some())
+        {
+            filled.push(bare);
+            numbers.push(number + 1);
+            // Neither does a comment name one.
+            titles = if bare.len() < line.len() { filled.len() } else { titles };
+        }
+    }
+    let Some(block) = block::tell(&filled, delimiter, below) else { return vec![Head::default(); columns] };
+    let mut heads = named(filled[block.names], delimiter, columns);
+    let shifted = settle_count(&mut heads, &filled, block.names, below, findings);
+    complete(&mut heads, &filled, &block, delimiter, columns);
+    if let Some(units) = block.units {
+        let mut units = split(filled[units], delimiter, columns);
+        if shifted && units.len() < columns {
+            units.insert(0, "");
+        }
+        take_units(&mut heads, &units, below, findings);
+    }
+    let above: Vec<&str> = (titles.min(block.names)..block.names)
+        .filter(|line| Some(*line) != block.units)
+        .map(|line| filled[line])
+        .collect();
+    name_bodies(&mut heads, &above, delimiter);
+    // Runs may be named below the names.
+    let runs = |line: &&usize| **line > block.names && are_runs(filled[**line], delimiter);
+    let below_names = block.comments.iter().find(runs).copied();
+    if let Some(line) = below_names.filter(|_| heads.iter().all(|head| head.body.is_none())) {
+        name_bodies(&mut heads, &[filled[line]], delimiter);
+    }
+    let comments: Vec<usize> = block
+        .comments
+        .iter()
+        .filter(|line| Some(**line) != below_names && !is_body_line(filled[**line], &heads, delimiter))
+        .filter_map(|line| numbers.get(*line).copied())
+        .collect();
+    if !comments.is_empty() {
+        let number = |line: usize| numbers.get(line).copied().unwrap_or_default();
+        let units = block.units.map(number);
+        findings.push(Finding::Heading(Heading::Lines { names: number(block.names), units, comments }));
+    }
+    say(&heads, findings);
+    heads
+}
+
+/// What is to be said of names and units.
+fn say(heads: &[Head], findings: &mut Vec<Finding>) {
+    for (index, head) in heads.iter().enumerate() {
+        let column = if head.name.is_empty() { (index + 1).to_string() } else { head.name.clone() };
+        if let Some((tens, sense)) = head.tens {
+            let certainty = match sense {
+                Sense::Clear => Certainty::Clear,
+                Sense::Usual => Certainty::Usual,
+                Sense::Open => Certainty::Open,
+            };
+            let heading = head.heading.clone();
+            findings.push(Finding::Heading(Heading::Power { column, heading, tens, certainty }));
+            continue;
+        }
+        if let Some((reading, written)) = &head.reading {
+            let (reading, written) = (*reading, written.clone());
+            findings.push(Finding::Heading(Heading::Unit { column, written, reading }));
+        } else if let Some(unit) = head.origin.unknown() {
+            findings.push(Finding::UnknownUnit { column, unit: unit.to_owned() });
+        }
+    }
+}
+
+/// Moves names to the right where the first column has none: R's tables and those of pandas. True if it did.
+fn settle_count(
+    heads: &mut Vec<Head>,
+    filled: &[&str],
+    names: usize,
+    below: &Below,
+    findings: &mut Vec<Finding>,
+) -> bool {
+    let count = heads.iter().rposition(|head| !head.heading.is_empty()).map_or(0, |last| last + 1);
+    if count + 1 != below.wide() || count < 2 || heads.iter().take(count).any(|head| head.heading.is_empty()) {
+        return false;
+    }
+    // `t` alone under the names is that of the first column.
+    let alone = filled.get(names + 1).map(|line| line.trim()).filter(|line| !line.contains([' ', '\t', ',', ';']));
+    let first = alone.is_some() || below.names_rows();
+    if first {
+        heads.truncate(count);
+        heads.insert(0, alone.map(|line| head(label::read(line), line)).unwrap_or_default());
+    }
+    if alone.is_none() {
+        findings.push(Finding::Heading(Heading::FewNames { names: count, first }));
+    }
+    first
+}
+
+/// Gives a column without a name that of the line above, as where cells are merged downwards.
+fn complete(heads: &mut [Head], filled: &[&str], block: &block::Block, delimiter: Delimiter, columns: usize) {
+    let Some(above) = block.names.checked_sub(1).filter(|above| Some(*above) != block.units) else { return };
+    let cells = split(filled[above], delimiter, columns);
+    let any_named = heads.iter().any(|head| !head.heading.is_empty());
+    for (own, cell) in heads.iter_mut().zip(cells).filter(|(own, _)| own.heading.is_empty() && any_named) {
+        *own = head(label::read(cell), cell);
+    }
+}
+
+/// The line without the sign that makes it a comment.
+fn uncommented(line: &str) -> &str {
+    let start = line.trim_start();
+    let bare = start.strip_prefix('#').or_else(|| start.strip_prefix('%')).or_else(|| start.strip_prefix("//"));
+    match bare {
+        // Neither a first column that is called `#` nor a failed formula is a comment.
+        Some(_) if number::is_spreadsheet_error(first_word(start)) => line,
+        Some(rest) if !rest.starts_with(['\t', ';', ',']) => rest.trim_start_matches(['#', ' ']),
+        _ => line,
+    }
+}
+
+/// Up to the first delimiter of any kind.
+pub(super) fn first_word(text: &str) -> &str {
+    text.split(['\t', ';', ',', ' ', '|']).next().unwrap_or(text)
+}
+
+fn take_units(heads: &mut [Head], units: &[&str], below: &Below, findings: &mut Vec<Finding>) {
+    let mut without = Vec::new();
+    for (index, head) in heads.iter_mut().enumerate() {
+        let cell = units.get(index).copied().unwrap_or_default();
+        let text = bare_unit(cell);
+        if head.unit.is_some() || head.origin.unknown().is_some() {
+            continue;
+        }
+        if text.is_empty() {
+            if below.is_numeric(index) && !head.name.is_empty() {
+                without.push(head.name.clone());
+            }
+            continue;
+        }
+        // A power of ten may stand before it.
+        let label = label::read(&format!("{} [{text}]", if head.name.is_empty() { "x" } else { &head.name }));
+        head.reading = label.reading.map(|reading| (reading, text.to_owned()));
+        (head.unit, head.tens) = (label.unit, label.tens.or(head.tens));
+        head.origin = match head.unit {
+            Some(_) => UnitOrigin::UnitLine,
+            None => UnitOrigin::Unknown(text.chars().take(40).collect()),
+        };
+    }
+    if !without.is_empty() {
+        findings.push(Finding::Heading(Heading::NoUnit(without)));
+    }
+}
+
+fn named(line: &str, delimiter: Delimiter, columns: usize) -> Vec<Head> {
+    let cells = split(line, delimiter, columns);
+    let prefix = |cell: &str| cell.split_once(':').map(|(prefix, _)| prefix.trim().to_owned());
+    let prefixes: Vec<Option<String>> = cells.iter().map(|cell| prefix(cell)).collect();
+    let mut labels: Vec<Label> = Vec::with_capacity(cells.len());
+    for (cell, prefix) in cells.iter().zip(&prefixes) {
+        // `ball: t`, `ball: y`: what several names have in common is a body.
+        let shared = prefix.is_some() && prefixes.iter().filter(|other| *other == prefix).count() > 1;
+        labels.push(match cell.split_once(':').filter(|_| shared && clock::read(cell).is_none()) {
+            Some((body, rest)) => {
+                let body = run_name::name(body).unwrap_or_else(|| body.trim().to_owned());
+                Label { run: Some(body), ..label::read(rest) }
+            }
+            None => label::read(cell),
+        });
+    }
+    // `y [cm] (left)` and `y [cm] (right)` are distinguished by what stands behind.
+    let full: Vec<(String, Option<String>)> =
+        labels.iter().map(|label| (label.name.clone(), label.run.clone())).collect();
+    let mut heads: Vec<Head> = Vec::with_capacity(columns.max(labels.len()));
+    for (label, cell) in labels.into_iter().zip(&cells) {
+        let same = |other: &&(String, Option<String>)| other.0 == label.name && other.1 == label.run;
+        let twice = !label.behind.is_empty() && full.iter().filter(same).count() > 1;
+        let name = if twice { format!("{} {}", label.name, label.behind) } else { label.name.clone() };
+        heads.push(Head { name, ..head(label, cell) });
+    }
+    heads.resize(columns.max(heads.len()), Head::default());
+    heads
+}
+

@@ -13,21 +13,80 @@ pub(crate) enum Belongs<'a> {
 
 /// What stands before the name.
 const BEFORE: [&str; 27] = [
-    "sigma_", "sigma ", "σ_", "σ", "err_", "error_", "err ", "error of ", "error in ", "error de ", "unc_", "sd_", "std_",
-    "se_", "stderr_", "uncertainty of ", "uncertainty in ", "uncertainty_", "incertidumbre de ", "incertidumbre_",
-    "fehler von ", "fehler_", "fehler ", "unsicherheit ", "standard error of ", "±", "+/-",
+    "sigma_",
+    "sigma ",
+    "σ_",
+    "σ",
+    "err_",
+    "error_",
+    "err ",
+    "error of ",
+    "error in ",
+    "error de ",
+    "unc_",
+    "sd_",
+    "std_",
+    "se_",
+    "stderr_",
+    "uncertainty of ",
+    "uncertainty in ",
+    "uncertainty_",
+    "incertidumbre de ",
+    "incertidumbre_",
+    "fehler von ",
+    "fehler_",
+    "fehler ",
+    "unsicherheit ",
+    "standard error of ",
+    "±",
+    "+/-",
 ];
 /// What stands around it.
 const AROUND: [&str; 7] = ["u(", "σ(", "sigma(", "err(", "error(", "std(", "sd("];
 /// What stands behind it.
 const BEHIND: [&str; 22] = [
-    "_err", "_error", "_sigma", "_std", "_sd", "_se", "_unc", "_stderr", "_fehler", " err", " err.", " error", " sd", " std",
-    " se", " uncertainty", " incertidumbre", " fehler", "-fehler", " standard error", " ±", "±",
+    "_err",
+    "_error",
+    "_sigma",
+    "_std",
+    "_sd",
+    "_se",
+    "_unc",
+    "_stderr",
+    "_fehler",
+    " err",
+    " err.",
+    " error",
+    " sd",
+    " std",
+    " se",
+    " uncertainty",
+    " incertidumbre",
+    " fehler",
+    "-fehler",
+    " standard error",
+    " ±",
+    "±",
 ];
 /// Names without that of a column.
 const ALONE: [&str; 17] = [
-    "±", "+/-", "+-", "error", "err", "err.", "sigma", "σ", "uncertainty", "incertidumbre", "fehler", "unsicherheit", "std", "sd",
-    "stderr", "standard error", "error estándar",
+    "±",
+    "+/-",
+    "+-",
+    "error",
+    "err",
+    "err.",
+    "sigma",
+    "σ",
+    "uncertainty",
+    "incertidumbre",
+    "fehler",
+    "unsicherheit",
+    "std",
+    "sd",
+    "stderr",
+    "standard error",
+    "error estándar",
 ];
 
 /// The column whose standard errors a column of this name holds, as far as the name says.
@@ -37,7 +96,8 @@ pub(crate) fn of(name: &str) -> Option<Belongs<'_>> {
     if ALONE.contains(&lower.as_str()) {
         return Some(Belongs::ToPrevious);
     }
-    let begin = |sign: &str| name.get(..sign.len()).filter(|first| first.to_lowercase() == sign).map(|_| &name[sign.len()..]);
+    let begin =
+        |sign: &str| name.get(..sign.len()).filter(|first| first.to_lowercase() == sign).map(|_| &name[sign.len()..]);
     let end = |sign: &str| {
         let at = name.len().checked_sub(sign.len())?;
         name.get(at..).filter(|last| last.to_lowercase() == sign).and_then(|_| name.get(..at))

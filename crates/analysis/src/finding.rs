@@ -6,7 +6,7 @@ mod words;
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
 use crate::tracker::Remark;
-pub use heading::{Certainty, Heading, UnitReading};
+pub use heading::{Certainty, Heading};
 use units::Language::{self, Spanish};
 pub(crate) use words::readings;
 use words::{backwards, called, clock, decimal, missing, reading, rounded_step, runs, separator, word};

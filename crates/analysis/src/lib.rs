@@ -1,6 +1,7 @@
 //! Measured data meet a model: tables and their import, data quality, derivatives, cycles, least squares
 //! with honest uncertainties, and the ranking of models.
 
+pub mod conversion;
 pub mod csv;
 pub mod cycles;
 pub mod derivative;

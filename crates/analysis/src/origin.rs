@@ -1,5 +1,6 @@
 //! Where what is known of a column comes from.
 
+use crate::conversion::Conversion;
 use units::Language::{self, Spanish};
 
 /// How a column stood in its file.
@@ -9,6 +10,8 @@ pub struct Origin {
     pub heading: String,
     /// Where its unit comes from.
     pub unit: UnitOrigin,
+    /// What the numbers of the cells were converted by, if they are not the values.
+    pub conversion: Option<Conversion>,
     /// How many cells hold a word instead of a number; each became a gap.
     pub words: usize,
     /// The first of these words, and its line.

@@ -50,7 +50,8 @@ impl Column {
 impl Column {
     /// Whether the numbers can be standard errors of the other's: all positive and small beside its range.
     fn can_be_errors_of(&self, of: &Self) -> bool {
-        let finite = |values: &[f64]| -> Vec<f64> { values.iter().copied().filter(|value| value.is_finite()).collect() };
+        let finite =
+            |values: &[f64]| -> Vec<f64> { values.iter().copied().filter(|value| value.is_finite()).collect() };
         let (errors, values) = (finite(&self.values), finite(&of.values));
         let extreme = |values: &[f64], larger: fn(f64, f64) -> f64| values.iter().copied().reduce(larger);
         let (Some(low), Some(high)) = (extreme(&values, f64::min), extreme(&values, f64::max)) else { return false };

@@ -171,6 +171,10 @@ fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<()
                     "--unit {name}={value}: {file} holds clock times there, which are read in seconds"
                 )));
             }
+            // The unit is that of the numbers in the file.
+            if let Some(conversion) = column.origin.conversion.take() {
+                column.values.iter_mut().for_each(|value| *value = conversion.number(*value));
+            }
             column.unit = Some(unit.clone());
             column.origin.unit = UnitOrigin::Person;
         }

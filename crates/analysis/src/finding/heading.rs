@@ -1,6 +1,7 @@
 //! Decisions about the header of a file, each with its reason.
 
 use super::words::{called, decimal};
+use crate::conversion::UnitReading;
 use units::Language::{self, Spanish};
 
 /// A decision about names, units or errors in the header.
@@ -91,75 +92,6 @@ pub enum Certainty {
     Open,
 }
 
-/// How the text of a unit was read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum UnitReading {
-    /// A temperature in °C, converted to K.
-    Celsius,
-    /// A temperature in °F, converted to K.
-    Fahrenheit,
-    /// A difference of temperatures in °C, which is one in K.
-    CelsiusDifference,
-    /// A difference of temperatures in °F, converted to K.
-    FahrenheitDifference,
-    /// The standard acceleration of gravity, converted to m/s².
-    Gravity {
-        /// Whether the numbers are thousandths of it, `mg`.
-        thousandth: bool,
-    },
-    /// Seconds, written as a capital letter.
-    Seconds,
-}
-
-impl UnitReading {
-    /// The value in the unit of the column, for the number of a cell.
-    pub(crate) fn value(self, number: f64) -> f64 {
-        // A sum of two decimal numbers has their decimals: 295.55, not 295.54999999999995.
-        let rounded = |value: f64| if value.abs() < 1e6 { (value * 1e9).round() / 1e9 } else { value };
-        match self {
-            Self::Celsius => rounded(number + 273.15),
-            Self::Fahrenheit => (number + 459.67) * 5.0 / 9.0,
-            Self::FahrenheitDifference => number * 5.0 / 9.0,
-            Self::Gravity { thousandth } => number * 9.80665 / if thousandth { 1000.0 } else { 1.0 },
-            Self::CelsiusDifference | Self::Seconds => number,
-        }
-    }
-
-    fn text(self, language: Language) -> &'static str {
-        let (english, spanish) = match self {
-            Self::Celsius => (
-                "a temperature in °C: 273.15 was added, the column is in K",
-                "una temperatura en °C: se sumó 273,15, la columna está en K",
-            ),
-            Self::Fahrenheit => (
-                "a temperature in °F: the column was converted to K",
-                "una temperatura en °F: la columna se convirtió a K",
-            ),
-            Self::CelsiusDifference => (
-                "a difference of temperatures, which is the same in K, as the name says",
-                "una diferencia de temperaturas, que en K es la misma, como dice el nombre",
-            ),
-            Self::FahrenheitDifference => (
-                "a difference of temperatures in °F, as the name says: the column was converted to K",
-                "una diferencia de temperaturas en °F, como dice el nombre: la columna se convirtió a K",
-            ),
-            Self::Gravity { thousandth: false } => (
-                "multiples of 9.80665 m/s^2 and not gram, as the name is that of an acceleration: the column was converted to m/s^2",
-                "múltiplos de 9,80665 m/s^2 y no gramos, pues el nombre es el de una aceleración: la columna se convirtió a m/s^2",
-            ),
-            Self::Gravity { thousandth: true } => (
-                "thousandths of 9.80665 m/s^2 and not milligram, as the name is that of an acceleration: the column was converted to m/s^2",
-                "milésimas de 9,80665 m/s^2 y no miligramos, pues el nombre es el de una aceleración: la columna se convirtió a m/s^2",
-            ),
-            Self::Seconds => (
-                "seconds and not siemens, as the name is that of a time",
-                "segundos y no siemens, pues el nombre es el de un tiempo",
-            ),
-        };
-        if language == Spanish { spanish } else { english }
-    }
-}
-
 impl Heading {
     /// It in a sentence or two, in English or Spanish.
     pub(super) fn text(&self, language: Language) -> String {
@@ -179,12 +111,24 @@ impl Heading {
                 )
             }
             Self::FewNames { names, first: true } => say(
-                format!("{names} names stand over {} columns: the first column counts or names the rows and has no name", names + 1),
-                format!("hay {names} nombres para {} columnas: la primera numera o nombra las filas y no tiene nombre", names + 1),
+                format!(
+                    "{names} names stand over {} columns: the first column counts or names the rows and has no name",
+                    names + 1
+                ),
+                format!(
+                    "hay {names} nombres para {} columnas: la primera numera o nombra las filas y no tiene nombre",
+                    names + 1
+                ),
             ),
             Self::FewNames { names, first: false } => say(
-                format!("{names} names stand over {} columns: the last column has no name, as the first does not count the rows", names + 1),
-                format!("hay {names} nombres para {} columnas: la última no tiene nombre, pues la primera no numera las filas", names + 1),
+                format!(
+                    "{names} names stand over {} columns: the last column has no name, as the first does not count the rows",
+                    names + 1
+                ),
+                format!(
+                    "hay {names} nombres para {} columnas: la última no tiene nombre, pues la primera no numera las filas",
+                    names + 1
+                ),
             ),
             Self::NoUnit(columns) => {
                 let columns = columns.join(", ");
@@ -194,7 +138,7 @@ impl Heading {
                 )
             }
             Self::Unit { column, written, reading } => {
-                let (column, reading) = (called(column, language), reading.text(language));
+                let (column, reading) = (called(column, language), unit_text(*reading, language));
                 say(format!("{column}: `{written}` is {reading}"), format!("{column}: «{written}» es {reading}"))
             }
             Self::Power { column, heading, tens, certainty } => power(column, heading, *tens, *certainty, language),
@@ -207,34 +151,53 @@ impl Heading {
                 format!("{column}: {count} celdas no tienen unidad y se leyeron en {unit}, como las otras"),
             ),
             Self::Errors { column, of, unused: false } => say(
-                format!("{column} is taken for the standard errors of {of}, by its name and numbers; fits use them, cycles do not"),
-                format!("{column} se toma como los errores estándar de {of}, por su nombre y sus números; los ajustes los usan, los ciclos no"),
+                format!(
+                    "{column} is taken for the standard errors of {of}, by its name and numbers; fits use them, cycles do not"
+                ),
+                format!(
+                    "{column} se toma como los errores estándar de {of}, por su nombre y sus números; los ajustes los usan, los ciclos no"
+                ),
             ),
             Self::Errors { column, of, unused: true } => say(
-                format!("{column} is called like the standard errors of {of}; errors of an independent variable are not used"),
-                format!("{column} se llama como los errores estándar de {of}; los errores de una variable independiente no se usan"),
+                format!(
+                    "{column} is called like the standard errors of {of}; errors of an independent variable are not used"
+                ),
+                format!(
+                    "{column} se llama como los errores estándar de {of}; los errores de una variable independiente no se usan"
+                ),
             ),
             Self::NotErrors { column, of: Some(of) } => say(
-                format!("{column} is not taken for standard errors of {of}: not all its numbers are positive and small, or its unit is another"),
-                format!("{column} no se toma como errores estándar de {of}: no todos sus números son positivos y pequeños, o su unidad es otra"),
+                format!(
+                    "{column} is not taken for standard errors of {of}: not all its numbers are positive and small, or its unit is another"
+                ),
+                format!(
+                    "{column} no se toma como errores estándar de {of}: no todos sus números son positivos y pequeños, o su unidad es otra"
+                ),
             ),
             Self::NotErrors { column, of: None } => say(
-                format!("{column} is called like standard errors, but no column has the name that it would belong to; it is not used as such"),
-                format!("{column} se llama como unos errores estándar, pero ninguna columna tiene el nombre al que pertenecería; no se usa así"),
+                format!(
+                    "{column} is called like standard errors, but no column has the name that it would belong to; it is not used as such"
+                ),
+                format!(
+                    "{column} se llama como unos errores estándar, pero ninguna columna tiene el nombre al que pertenecería; no se usa así"
+                ),
             ),
         }
     }
 }
 
 fn power(column: &str, heading: &str, tens: i32, certainty: Certainty, language: Language) -> String {
-    let (column, factor) = (called(column, language), if tens.abs() <= 4 {
-        decimal(libm::exp10(f64::from(tens)), 4, language)
-    } else {
-        format!("10^{tens}")
-    });
+    let (column, factor) = (
+        called(column, language),
+        if tens.abs() <= 4 { decimal(libm::exp10(f64::from(tens)), 4, language) } else { format!("10^{tens}") },
+    );
     match (certainty, language == Spanish) {
-        (Certainty::Clear, false) => format!("{column}: the numbers were multiplied by {factor}, as the heading `{heading}` says"),
-        (Certainty::Clear, true) => format!("{column}: los números se multiplicaron por {factor}, como dice el encabezado «{heading}»"),
+        (Certainty::Clear, false) => {
+            format!("{column}: the numbers were multiplied by {factor}, as the heading `{heading}` says")
+        }
+        (Certainty::Clear, true) => {
+            format!("{column}: los números se multiplicaron por {factor}, como dice el encabezado «{heading}»")
+        }
         (Certainty::Usual, false) => format!(
             "{column}: the numbers were multiplied by {factor}, the usual sense of `{heading}`; if they hold the product already, write the power before the name"
         ),
@@ -248,4 +211,37 @@ fn power(column: &str, heading: &str, tens: i32, certainty: Certainty, language:
             "{column}: la potencia de diez en «{heading}» puede decir que los números contienen el producto o que hay que multiplicarlos por ella; no se aplicó, y hay que indicar la unidad"
         ),
     }
+}
+
+fn unit_text(reading: UnitReading, language: Language) -> &'static str {
+    let (english, spanish) = match reading {
+        UnitReading::Celsius => (
+            "a temperature in °C: 273.15 was added, the column is in K",
+            "una temperatura en °C: se sumó 273,15, la columna está en K",
+        ),
+        UnitReading::Fahrenheit => {
+            ("a temperature in °F: the column was converted to K", "una temperatura en °F: la columna se convirtió a K")
+        }
+        UnitReading::CelsiusDifference => (
+            "a difference of temperatures, which is the same in K, as the name says",
+            "una diferencia de temperaturas, que en K es la misma, como dice el nombre",
+        ),
+        UnitReading::FahrenheitDifference => (
+            "a difference of temperatures in °F, as the name says: the column was converted to K",
+            "una diferencia de temperaturas en °F, como dice el nombre: la columna se convirtió a K",
+        ),
+        UnitReading::Gravity { thousandth: false } => (
+            "multiples of 9.80665 m/s^2 and not gram, as the name is that of an acceleration: the column was converted to m/s^2",
+            "múltiplos de 9,80665 m/s^2 y no gramos, pues el nombre es el de una aceleración: la columna se convirtió a m/s^2",
+        ),
+        UnitReading::Gravity { thousandth: true } => (
+            "thousandths of 9.80665 m/s^2 and not milligram, as the name is that of an acceleration: the column was converted to m/s^2",
+            "milésimas de 9,80665 m/s^2 y no miligramos, pues el nombre es el de una aceleración: la columna se convirtió a m/s^2",
+        ),
+        UnitReading::Seconds => (
+            "seconds and not siemens, as the name is that of a time",
+            "segundos y no siemens, pues el nombre es el de un tiempo",
+        ),
+    };
+    if language == Spanish { spanish } else { english }
 }

@@ -49,8 +49,11 @@ pub fn observation(
 
 fn in_si(table: &Table, index: usize, unit: &Unit) -> Result<Vec<f64>, BindError> {
     let Some(column) = table.columns.get(index) else { return Ok(Vec::new()) };
-    match &column.unit {
-        Some(own) if own.dimension != unit.dimension => Err(BindError {
+    let level = column.origin.conversion.filter(|conversion| conversion.is_level() && unit.dimension.is_none());
+    match (&column.unit, level) {
+        // A model whose temperatures are bare numbers has them in degrees, as the file.
+        (Some(_), Some(degrees)) => Ok(column.values.iter().map(|value| degrees.number(*value)).collect()),
+        (Some(own), None) if own.dimension != unit.dimension => Err(BindError {
             column: table.label(index),
             found: own.to_string(),
             expected: unit.dimension,

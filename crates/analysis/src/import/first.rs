@@ -5,6 +5,9 @@ use super::format::{Format, Kind, kind, sample};
 use super::refusal::{ImportError, Refusal};
 use super::{cells::Delimiter, rows};
 
+/// No header has more bytes. Where no row is full up to there, the first that could be one begins the table.
+const LONGEST_HEADER: usize = 1 << 20;
+
 /// Where the rows begin.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct First {
@@ -36,6 +39,9 @@ pub(super) fn row(text: &str, format: &Format) -> Result<First, ImportError> {
         }
         named |= kinds.iter().filter(|kind| **kind == Kind::Word).count() >= 2;
         offset += content.len();
+        if offset > LONGEST_HEADER {
+            break;
+        }
     }
     // No row is full.
     first_odd.filter(|_| numeric.iter().filter(|numeric| **numeric).count() >= 2).ok_or_else(|| none(text, format))
@@ -83,30 +89,39 @@ fn numeric_columns(text: &str, format: &Format) -> Vec<bool> {
             count.1 += usize::from(kind == Kind::Word);
         }
     }
-    counts.into_iter().map(|(numbers, words)| numbers > 0 && numbers >= words).collect()
+    // What stands in a line or two is part of a header: `Start,Increment` over `-0.006,0.002`.
+    let most = counts.iter().map(|(numbers, _)| *numbers).max().unwrap_or(0);
+    counts.into_iter().map(|(numbers, words)| numbers > 0 && numbers >= words && 20 * numbers >= most).collect()
 }
 
 /// Why there is no row.
 fn none(text: &str, format: &Format) -> ImportError {
-    let mut lonely = None;
-    for (line, content) in text.lines().enumerate() {
+    let lonely = text.lines().take(10_000).position(|line| kinds(line, format) == [Kind::Number]);
+    if let Some(line) = lonely {
+        return ImportError::new(Some(line + 1), Refusal::OneColumn);
+    }
+    let delimiters = [format.delimiter, Delimiter::Tab, Delimiter::Semicolon, Delimiter::Comma];
+    if let Some(error) = delimiters.into_iter().find_map(|delimiter| beside(text, &Format { delimiter, ..*format })) {
+        return error;
+    }
+    let (line, text) = text.lines().enumerate().find(|(_, text)| !text.trim().is_empty()).unwrap_or((0, ""));
+    ImportError::new(Some(line + 1), Refusal::NoNumbers { text: rows::excerpt(text.trim()) })
+}
+
+/// The first cell that is no number beside one, where most lines below the first have both.
+fn beside(text: &str, format: &Format) -> Option<ImportError> {
+    let (mut lines, mut found, mut first) = (0, 0, None);
+    for (line, content) in text.lines().enumerate().skip(1).take(200).filter(|(_, content)| !content.trim().is_empty())
+    {
+        lines += 1;
         let kinds = kinds(content, format);
-        if kinds == [Kind::Number] {
-            lonely = lonely.or(Some(line));
-        }
-        // One number with something beside it that is none.
-        let number = kinds.iter().position(|kind| *kind == Kind::Number);
-        let word = kinds.iter().position(|kind| *kind == Kind::Word);
-        if let (Some(_), Some(column), true) = (number, word, line > 0) {
+        let place = |wanted: Kind| kinds.iter().position(|kind| *kind == wanted);
+        let (Some(_), Some(column)) = (place(Kind::Number), place(Kind::Word)) else { continue };
+        found += 1;
+        first.get_or_insert_with(|| {
             let cell = Cells::of(content, format.delimiter).nth(column).unwrap_or_default();
-            return ImportError::new(Some(line + 1), Refusal::Cell { column: column + 1, text: rows::excerpt(cell) });
-        }
+            ImportError::new(Some(line + 1), Refusal::Cell { column: column + 1, text: rows::excerpt(cell) })
+        });
     }
-    match lonely {
-        Some(line) => ImportError::new(Some(line + 1), Refusal::OneColumn),
-        None => {
-            let (line, text) = text.lines().enumerate().find(|(_, text)| !text.trim().is_empty()).unwrap_or((0, ""));
-            ImportError::new(Some(line + 1), Refusal::NoNumbers { text: rows::excerpt(text.trim()) })
-        }
-    }
+    first.filter(|_| 2 * found > lines)
 }

@@ -179,6 +179,14 @@ pub(super) fn recognise(text: &str) -> (Delimiter, Signs) {
     let rows = |found: &[Candidate]| found.iter().map(Candidate::rows).max().unwrap_or(0);
     let clean = rows(&found);
     let with_numbers = found.iter().map(Candidate::with_numbers).max().unwrap_or(0);
+    if clean < with_numbers && lines.iter().any(|line| has_groups(line)) {
+        // `1,310.40` beside `885.40`.
+        let other = all(true, false);
+        if rows(&other) > clean {
+            found = other;
+        }
+    }
+    let clean = rows(&found);
     if 2 * clean < with_numbers {
         // Points and commas in one number, or units beside them, make words of numbers that are none.
         for (thousands, with_units) in [(true, false), (false, true), (true, true)] {
@@ -202,6 +210,16 @@ pub(super) fn recognise(text: &str) -> (Delimiter, Signs) {
         }
     }
     best.map_or((Delimiter::Blanks, Signs::plain(b'.')), |best| (best.delimiter, best.signs))
+}
+
+/// Whether a number in a line has groups of digits and decimals, `1,310.40`, or groups in quotation marks, `"1,310"`.
+fn has_groups(line: &str) -> bool {
+    line.as_bytes().windows(7).any(|bytes| {
+        let [before, sign, one, two, three, decimal, after] = bytes else { return false };
+        let digits = [before, one, two, three].into_iter().all(u8::is_ascii_digit);
+        let both = after.is_ascii_digit() && matches!((sign, decimal), (b',', b'.') | (b'.', b','));
+        digits && (both || (*sign == b',' && *decimal == b'"'))
+    }) || line.ends_with('"') && line.len() >= 6 && has_groups(&format!("{line} "))
 }
 
 /// How often the most frequent number occurs.

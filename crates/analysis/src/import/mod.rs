@@ -17,6 +17,8 @@ mod rows;
 mod runs;
 mod separators;
 mod settle;
+#[cfg(test)]
+mod slices;
 mod stamp;
 
 pub use cells::Delimiter;
@@ -245,8 +247,8 @@ impl<'a> Importer<'a> {
         let clocks = settle::columns(&mut rows, &mut heads, &mut findings);
         findings.truncate(FINDINGS);
         for (head, values) in heads.iter().zip(&mut rows.columns) {
-            if let Some(value) = head.converts() {
-                values.iter_mut().for_each(|number| *number = value(*number));
+            if let Some(conversion) = head.conversion() {
+                values.iter_mut().for_each(|number| *number = conversion.value(*number));
             }
         }
         rows.refuse_words(first.line)?;
@@ -350,7 +352,8 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
             findings.push(Finding::EmptyColumn(called(&head.name, index)));
         }
         kept.push(index);
-        let origin = Origin { heading: head.heading, unit: head.origin, words, first_word: rows.first_word(index) };
+        let (conversion, first_word) = (head.conversion(), rows.first_word(index));
+        let origin = Origin { heading: head.heading, unit: head.origin, conversion, words, first_word };
         columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values, origin });
     }
     (columns, kept)

@@ -6,6 +6,12 @@ const POWERS: [f64; 23] = [
     1e21, 1e22,
 ];
 
+#[cfg(test)]
+thread_local! {
+    /// How many numbers have been looked for.
+    pub(super) static SCANNED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+}
+
 /// What stands in a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cell {
@@ -118,6 +124,8 @@ pub(super) fn is_spreadsheet_error(text: &str) -> bool {
 /// the others are left to the standard library.
 #[inline]
 pub(super) fn scan(bytes: &[u8], decimal: u8) -> Option<(f64, usize)> {
+    #[cfg(test)]
+    SCANNED.with(|count| count.set(count.get() + 1));
     let mut at = 0;
     let negative = bytes.first() == Some(&b'-');
     if negative || bytes.first() == Some(&b'+') {

@@ -1,8 +1,8 @@
 //! What cells hold that are neither plain numbers nor gaps: words, times of day, numbers with a unit behind them.
 
 use super::clock::{self, Reading};
-use super::number::{self, Signs};
 use super::head;
+use super::number::{self, Signs};
 
 /// What the cells of a column hold besides plain numbers and gaps.
 #[derive(Debug, Default)]

@@ -50,13 +50,7 @@ fn common(unit: Option<(String, bool)>, name: &str) -> Option<(Meant, String)> {
 }
 
 /// Gives a column the unit of its cells, and says where the header has another one or some cells have none.
-fn take_units(
-    head: &mut Head,
-    index: usize,
-    (meant, text): (Meant, String),
-    bare: usize,
-    findings: &mut Vec<Finding>,
-) {
+fn take_units(head: &mut Head, index: usize, (meant, text): (Meant, String), bare: usize, findings: &mut Vec<Finding>) {
     let column = if head.name.is_empty() { (index + 1).to_string() } else { head.name.clone() };
     let same = head.is_in(&meant);
     if !same && let Some(header) = head.unit.as_ref().map(|unit| unit.text.clone()).filter(|text| !text.is_empty()) {

@@ -7,6 +7,7 @@ mod cycles;
 mod derivatives;
 mod estimate;
 mod fits;
+mod headings;
 mod import;
 mod import_limits;
 mod import_properties;

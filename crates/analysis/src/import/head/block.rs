@@ -1,8 +1,8 @@
 //! Which of the lines before the first row has the names, which the units, and which are comments.
 
+use super::below::Below;
 use super::cells_of::{bare_unit, split};
 use super::label::looks_like_unit;
-use super::below::Below;
 use super::{label, meant};
 use crate::import::cells::{Cells, Delimiter};
 use crate::import::roles::is_time;
@@ -50,6 +50,9 @@ pub(super) fn tell(lines: &[&str], delimiter: Delimiter, below: &Below) -> Optio
             (better.filter(|row| row.as_names() >= own + 3.0).map_or(last, |row| row.line), None)
         }
     };
+    // Where cells are merged downwards, the names are those of the line below, completed.
+    let completes = |row: &&Row| row.line > names && Some(row.line) != units && row.completes(&rows, names);
+    let names = rows.iter().find(completes).map_or(names, |row| row.line);
     let comment = |row: &&Row| row.own && row.line != names && Some(row.line) != units;
     let comments = rows.iter().filter(full).filter(comment).map(|row| row.line).collect();
     Some(Block { names, units, comments })
@@ -80,6 +83,18 @@ impl<'a> Row<'a> {
         self.cells.iter().filter(|cell| !cell.is_empty()).count()
     }
 
+    /// Whether this line has names exactly where the line of names, just above it, has none.
+    fn completes(&self, rows: &[Self], names: usize) -> bool {
+        let Some(above) = rows.iter().find(|row| row.line == names && row.line + 1 == self.line) else { return false };
+        let filled = |row: &Self, place: usize| row.cells.get(place).is_some_and(|cell| !cell.is_empty());
+        let places = self.cells.len().max(above.cells.len());
+        let missing = (0..places).any(|place| !filled(above, place));
+        missing
+            && (0..places).all(|place| filled(above, place) || filled(self, place))
+            && !filled(self, 0)
+            && filled(above, 0)
+    }
+
     /// How much speaks for units of these names; `None` if they cannot be.
     fn as_units_of(&self, names: &Self) -> Option<f64> {
         let name = |place: usize| names.cells.get(place).copied().unwrap_or_default();
@@ -96,7 +111,12 @@ impl<'a> Row<'a> {
         }
         let filled = self.filled();
         let all_in_brackets = bracketed == filled;
-        let believable = all_in_brackets || (over_time != Some(false) && (over_time == Some(true) || 2 * like > filled));
+        // One cell under several names can be anything but the unit of a time.
+        if filled == 1 && names.filled() > 1 && over_time != Some(true) && !all_in_brackets {
+            return None;
+        }
+        let believable =
+            all_in_brackets || (over_time != Some(false) && (over_time == Some(true) || 2 * like > filled));
         // Above the names only what is nothing else.
         let strict = self.line > names.line || (like == filled && (filled >= 2 || all_in_brackets));
         if known == 0 || filled > names.filled() || !believable || !strict {

@@ -27,6 +27,10 @@ pub(super) fn split(line: &str, delimiter: Delimiter, columns: usize) -> Vec<&st
     {
         return units;
     }
+    // Only a line without the delimiter of the rows has one of its own.
+    if own.len() > 1 && !matches!(delimiter, Delimiter::Blanks | Delimiter::Blank) {
+        return own;
+    }
     [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Comma, Delimiter::Blanks]
         .into_iter()
         .map(cells)
@@ -100,7 +104,8 @@ pub(super) fn bare_unit(cell: &str) -> &str {
     let word = ["in ", "en "].iter().find_map(|word| cell.strip_prefix(word)).or_else(|| cell.strip_prefix('/'));
     let bare = word.unwrap_or(cell).trim();
     let inside = |open, close| bare.strip_prefix(open).and_then(|rest| rest.strip_suffix(close));
-    let inside = inside('[', ']').or_else(|| inside('(', ')')).or_else(|| inside('<', '>')).or_else(|| inside('{', '}'));
+    let inside =
+        inside('[', ']').or_else(|| inside('(', ')')).or_else(|| inside('<', '>')).or_else(|| inside('{', '}'));
     let bare = inside.unwrap_or(bare).trim();
     ["in ", "en "].iter().find_map(|word| bare.strip_prefix(word)).unwrap_or(bare).trim()
 }

@@ -3,7 +3,7 @@
 use super::label::Label;
 use super::meant::Meant;
 use super::power::Sense;
-use crate::finding::UnitReading;
+use crate::conversion::{Conversion, UnitReading};
 use crate::import::clock;
 use crate::origin::UnitOrigin;
 use units::Unit;
@@ -39,16 +39,11 @@ impl Head {
         (self.unit, self.origin, self.tens) = (Some(meant.unit), origin, None);
     }
 
-    /// What its numbers become: nothing where they are the values.
-    pub fn converts(&self) -> Option<impl Fn(f64) -> f64 + use<>> {
+    /// What its numbers are converted by: nothing where they are the values.
+    pub fn conversion(&self) -> Option<Conversion> {
         let tens = self.tens.filter(|(_, sense)| *sense != Sense::Open).map_or(0, |(tens, _)| tens);
         let reading = self.reading.as_ref().map(|(reading, _)| *reading);
-        // A power of ten up to 22 is exact.
-        let power = (0..tens.unsigned_abs()).fold(1.0, |power, _| power * 10.0);
-        (tens != 0 || reading.is_some()).then_some(move |number: f64| {
-            let scaled = if tens < 0 { number / power } else { number * power };
-            reading.map_or(scaled, |reading| reading.value(scaled))
-        })
+        (tens != 0 || reading.is_some()).then_some(Conversion { tens, reading })
     }
 }
 

@@ -3,8 +3,8 @@
 use super::meant::{self, Meant};
 use super::power::{self, Sense};
 use super::unit_words;
+use crate::conversion::UnitReading;
 use crate::error_name;
-use crate::finding::UnitReading;
 use crate::import::clock;
 use crate::import::roles::is_time;
 use crate::origin::UnitOrigin;
@@ -50,8 +50,8 @@ pub(super) fn read(cell: &str) -> Label {
 /// A cell without run and power of ten.
 fn plain_label(rest: &str) -> Label {
     let mut label = bracketed(rest)
-        .or_else(|| divided(rest))
         .or_else(|| behind_word(rest))
+        .or_else(|| divided(rest))
         .or_else(|| behind_colon(rest))
         .or_else(|| suffix(rest))
         .or_else(|| last_word(rest))
@@ -126,8 +126,26 @@ fn bracketed(cell: &str) -> Option<Label> {
 /// Whether an unknown text in parentheses looks like a unit, and not like a remark.
 pub(super) fn looks_like_unit(text: &str) -> bool {
     const UNKNOWN: [&str; 20] = [
-        "db", "dba", "dbv", "dbm", "ph", "ppm", "a.u.", "a. u.", "arb", "arb.", "arb. units", "u.a.", "counts", "cuentas",
-        "ticks", "adc", "lsb", "sequence", "samples", "digits",
+        "db",
+        "dba",
+        "dbv",
+        "dbm",
+        "ph",
+        "ppm",
+        "a.u.",
+        "a. u.",
+        "arb",
+        "arb.",
+        "arb. units",
+        "u.a.",
+        "counts",
+        "cuentas",
+        "ticks",
+        "adc",
+        "lsb",
+        "sequence",
+        "samples",
+        "digits",
     ];
     let mark = |letter: char| matches!(letter, '°' | 'º' | '%' | '/' | '^' | '²' | '³' | '·' | '⁻' | 'µ' | 'Ω');
     UNKNOWN.contains(&text.to_lowercase().as_str())
@@ -265,7 +283,7 @@ mod tests {
     use super::*;
 
     /// The cell, and `run|name|unit` or `run|name|?what is not known`.
-    const CELLS: [(&str, &str); 56] = [
+    const CELLS: [(&str, &str); 57] = [
         ("t [s]", "|t|s"),
         ("Time (msec)", "|Time|ms"),
         ("Time (MS)", "|Time|ms"),
@@ -292,6 +310,7 @@ mod tests {
         ("y (left)", "|y|?left"),
         ("y (left) [cm]", "|y (left)|cm"),
         ("L (dB)", "|L|?dB"),
+        ("v in cm/s", "|v|cm/s"),
         ("V_in", "|V_in|"),
         ("V in", "|V in|"),
         ("T (°C)", "|T|K"),

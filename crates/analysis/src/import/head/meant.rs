@@ -1,7 +1,7 @@
 //! The unit that is meant by the text over a column of this name: `C` over a temperature, `g` over an acceleration.
 
 use super::unit_words::{self, Level};
-use crate::finding::UnitReading;
+use crate::conversion::UnitReading;
 use crate::import::roles::is_time;
 use units::{Dimension, Unit};
 
@@ -31,12 +31,14 @@ pub(in crate::import) fn unit(text: &str, name: &str) -> Option<Meant> {
         }
         "C" if !is_charge(name) => return None,
         "S" if !is_conductance(name) && !is_time(name) => return None,
+        "pH" if !is_letter(name, "L") => return None,
         "°K" | "ºK" => return plain("K"),
         _ => {}
     }
     let unit = unit_words::read(text)?;
     // Degrees over a temperature are no angle; of which scale is not stated.
-    if is_temperature(name) && unit.dimension.is_none() && Unit::parse("deg").is_ok_and(|deg| deg.factor == unit.factor) {
+    if is_temperature(name) && unit.dimension.is_none() && Unit::parse("deg").is_ok_and(|deg| deg.factor == unit.factor)
+    {
         return None;
     }
     if !is_time(name) || unit.dimension == Dimension::TIME {
@@ -70,7 +72,9 @@ fn temperature(level: Level, name: &str) -> Option<Meant> {
 fn is_letter(name: &str, letter: &str) -> bool {
     let Some(rest) = name.strip_prefix(letter) else { return false };
     let index = rest.trim_start_matches(['_', '.', ' ', '{', '(']);
-    rest.is_empty() || index.len() < rest.len() || rest.starts_with(|first: char| first.is_ascii_digit() || first == '₀')
+    rest.is_empty()
+        || index.len() < rest.len()
+        || rest.starts_with(|first: char| first.is_ascii_digit() || first == '₀')
 }
 
 fn has_word(name: &str, words: &[&str]) -> bool {
@@ -80,10 +84,16 @@ fn has_word(name: &str, words: &[&str]) -> bool {
 
 fn is_temperature(name: &str) -> bool {
     let lower = name.to_lowercase();
-    let short = lower == "temp" || lower.starts_with("temp ") || lower.starts_with("temp_") || lower.starts_with("temp.");
-    let numbered = lower.strip_prefix("temp").is_some_and(|rest| rest.starts_with(|first: char| first.is_ascii_digit()));
+    let short =
+        lower == "temp" || lower.starts_with("temp ") || lower.starts_with("temp_") || lower.starts_with("temp.");
+    let numbered =
+        lower.strip_prefix("temp").is_some_and(|rest| rest.starts_with(|first: char| first.is_ascii_digit()));
     let letter = name.trim_start_matches(['Δ', '∆', 'd']);
-    short || numbered || has_word(name, &["temperat", "thermo", "celsius"]) || is_letter(letter, "T") || lower.ends_with(" temp")
+    short
+        || numbered
+        || has_word(name, &["temperat", "thermo", "celsius"])
+        || is_letter(letter, "T")
+        || lower.ends_with(" temp")
 }
 
 fn is_difference(name: &str) -> bool {
@@ -91,7 +101,21 @@ fn is_difference(name: &str) -> bool {
     begins
         || has_word(
             name,
-            &["delta", "differen", "diferen", "differenz", "sigma", "err", "uncert", "incert", "unsicher", "excess", "exceso", "rise", "std"],
+            &[
+                "delta",
+                "differen",
+                "diferen",
+                "differenz",
+                "sigma",
+                "err",
+                "uncert",
+                "incert",
+                "unsicher",
+                "excess",
+                "exceso",
+                "rise",
+                "std",
+            ],
         )
 }
 

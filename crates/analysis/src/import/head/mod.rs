@@ -40,11 +40,11 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
     let mut titles = 0;
     for (number, line) in lines.iter().enumerate() {
         let bare = uncommented(line);
+        let of_tracker = bare.trim_start().to_ascii_lowercase().starts_with("multi:");
+        let of_excel = number == 0 && format::declared(line).is_some();
         if bare.trim().is_empty() {
             titles = filled.len();
-        } else if !bare.trim_start().to_ascii_lowercase().starts_with("multi:")
-            && !(number == 0 && format::declared(line).is_some())
-        {
+        } else if !of_tracker && !of_excel {
             filled.push(bare);
             numbers.push(number + 1);
             // Neither does a comment name one.
@@ -220,4 +220,3 @@ fn named(line: &str, delimiter: Delimiter, columns: usize) -> Vec<Head> {
     heads.resize(columns.max(heads.len()), Head::default());
     heads
 }
-

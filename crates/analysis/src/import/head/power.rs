@@ -188,7 +188,8 @@ fn unsigned(text: &str) -> (&str, bool) {
 fn token(cell: &str) -> Option<(usize, usize, i32, Form)> {
     let mut before = ' ';
     for (start, character) in cell.char_indices() {
-        let begins = matches!(character, '0' | '1') && !(before.is_numeric() || matches!(before, '.' | ',' | '^' | '_'));
+        let begins =
+            matches!(character, '0' | '1') && !(before.is_numeric() || matches!(before, '.' | ',' | '^' | '_'));
         // Behind a letter it is a name, `CH1000`, but for the x of a product.
         let apart = !before.is_alphabetic() || (matches!(before, 'x' | 'X') && is_product(cell, start));
         if begins

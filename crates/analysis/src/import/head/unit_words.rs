@@ -91,8 +91,9 @@ pub(in crate::import) fn level(text: &str) -> Option<Level> {
 pub(in crate::import) fn read(text: &str) -> Option<Unit> {
     let text = text.trim().trim_end_matches('.');
     // In a quotient degrees are differences: `°C/min`. Alone they are a level.
-    let kelvin = (text.contains(['°', 'º', '℃']) && text.contains(['/', ' ', '·', '*', '^', '⁻']) && level(text).is_none())
-        .then(|| text.replace(['º'], "°").replace("°C", "K").replace('℃', "K"));
+    let kelvin =
+        (text.contains(['°', 'º', '℃']) && text.contains(['/', ' ', '·', '*', '^', '⁻']) && level(text).is_none())
+            .then(|| text.replace(['º'], "°").replace("°C", "K").replace('℃', "K"));
     let text = kelvin.as_deref().unwrap_or(text);
     if text.len() > 60 {
         return None;

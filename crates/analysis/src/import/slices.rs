@@ -26,7 +26,7 @@ fn the_work_of_a_slice_does_not_grow_with_the_file() {
     let kinds: [(&str, Line); 6] = [
         ("points between commas", |row| format!("{row}.25,{}.5,{row}", row % 7)),
         ("commas in quotation marks", |row| format!("\"{row},25\",\"{},5\"", row % 7)),
-        ("both signs between tabs", |row| format!("{row}.25\t{},5", row % 7)),
+        ("both signs between tabs", |row| format!("{row}.25\t{},5\t{row}", row % 7)),
         ("groups between semicolons", |row| format!("{row};{},{:03}", 1 + row % 7, row % 900 + 100)),
         ("points between semicolons", |row| format!("{row}.25;{}.5", row % 7)),
         ("stamps", |row| format!("10:{:02}:{:02}.5 -> {row}.5,{}", row / 60 % 60, row % 60, row % 7)),

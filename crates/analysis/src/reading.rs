@@ -124,6 +124,15 @@ impl Reading {
         Ok(Self { stage, most, passed: None })
     }
 
+    /// Begins to read the sheets of an old workbook (XLS), as [`Reading::new`].
+    ///
+    /// # Errors
+    /// What cannot be read.
+    pub fn of_old_workbook(bytes: Vec<u8>, most: usize) -> Result<Self, ReadingError> {
+        let workbook = Workbook::open_old(bytes, most).map_err(ReadingError::Workbook)?;
+        Ok(Self { stage: Stage::Sheets(Box::new(workbook)), most, passed: None })
+    }
+
     /// Begins to read the project in an archive of which only some bytes were read, as [`Reading::new`]; `None` where there is none.
     pub fn of_gathered(gathering: Gathering, most: usize) -> Option<Self> {
         let project = Opening::of_archive(gathering.finish()?).ok()?;
@@ -162,7 +171,7 @@ impl Reading {
                 Progress::End => {
                     return Err(match self.passed.take() {
                         Some((name, error)) => ReadingError::Sheet { name, error },
-                        None => ReadingError::Workbook(WorkbookError::NoSheets),
+                        None => ReadingError::Workbook(WorkbookError::NoCells),
                     });
                 }
             },
@@ -177,6 +186,15 @@ impl Reading {
             Stage::Failed => return Ok(true),
         };
         Ok(matches!(self.stage, Stage::Finished(_)))
+    }
+
+    /// Reads to the end.
+    ///
+    /// # Errors
+    /// What is no table.
+    pub fn complete(mut self) -> Result<Contents, ReadingError> {
+        while !self.advance(usize::MAX)? {}
+        self.finish().ok_or(ReadingError::Workbook(WorkbookError::Damaged))
     }
 
     /// Which part has been read, from 0 to 1. A workbook or project takes most of its time before its text.
@@ -240,7 +258,5 @@ impl Reading {
 /// # Errors
 /// What is no table.
 pub fn read(bytes: Vec<u8>, most: usize) -> Result<Contents, ReadingError> {
-    let mut reading = Reading::new(bytes, most)?;
-    while !reading.advance(usize::MAX)? {}
-    reading.finish().ok_or(ReadingError::Workbook(WorkbookError::Damaged))
+    Reading::new(bytes, most)?.complete()
 }

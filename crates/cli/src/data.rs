@@ -3,23 +3,19 @@
 use crate::assignments::{Assignment, Observe};
 use crate::failure::{Failure, listed};
 use analysis::finding::Finding;
-use analysis::import::{self, Format, Import};
+use analysis::import::{self, Format};
 use analysis::inspection::{Derived, doubtful_times, inspect};
 use analysis::origin::UnitOrigin;
-use analysis::reading::{self, ReadingError};
+use analysis::reading::{Reading, ReadingError};
 use analysis::table::Table;
 use analysis::{tracker, workbook};
-use calamine::{Data, Range, Reader, Xls};
 use std::fs::File;
-use std::io::{Cursor, Read};
+use std::io::Read;
 use std::path::Path;
 use units::Language;
 
 /// No measurement is larger.
 const MOST_BYTES: u64 = 256 << 20;
-/// What old workbooks (XLS) begin with, and how large one may be: its reader is not ours and expands it in memory.
-const OLD_WORKBOOK: &[u8] = b"\xd0\xcf\x11\xe0";
-const LARGEST_OLD: usize = 32 << 20;
 
 /// A file of measured data.
 #[derive(Debug)]
@@ -52,11 +48,9 @@ pub fn read(path: &Path, units: &[Assignment]) -> Result<Measured, Failure> {
         }
         (path.display().to_string(), bounded(&mut File::open(path).map_err(failure)?, path)?)
     };
-    let import = if bytes.starts_with(OLD_WORKBOOK) {
-        old_workbook(&name, bytes)?
-    } else {
-        reading::read(bytes, MOST_BYTES as usize).map_err(|error| refused(&name, &error))?.import
-    };
+    let begin = if workbook::is_old_workbook(&bytes) { Reading::of_old_workbook } else { Reading::new };
+    let contents = begin(bytes, MOST_BYTES as usize).and_then(Reading::complete);
+    let import = contents.map_err(|error| refused(&name, &error))?.import;
     let mut table = import.table;
     state_units(&name, &mut table, units)?;
     let inspection = inspect(&table);
@@ -86,64 +80,13 @@ fn bounded(source: &mut dyn Read, path: &Path) -> Result<Vec<u8>, Failure> {
     let failure = |error: std::io::Error| Failure::file("read", path, &error);
     let mut bytes = Vec::new();
     source.take(8192).read_to_end(&mut bytes).map_err(failure)?;
-    if !bytes.starts_with(OLD_WORKBOOK) && !workbook::is_workbook(&bytes) && !tracker::is_project(&bytes) {
+    let is_workbook = workbook::is_old_workbook(&bytes) || workbook::is_workbook(&bytes);
+    if !is_workbook && !tracker::is_project(&bytes) {
         let refused = |error| refused(&path.display().to_string(), &ReadingError::Text(error));
         import::look(&bytes).map_err(refused)?;
     }
     source.take(MOST_BYTES).read_to_end(&mut bytes).map_err(failure)?;
     if bytes.len() as u64 > MOST_BYTES { Err(too_large(path)) } else { Ok(bytes) }
-}
-
-/// The first sheet of an old workbook that is a table.
-fn old_workbook(name: &str, bytes: Vec<u8>) -> Result<Import, Failure> {
-    let failure = |error: &dyn std::fmt::Display| {
-        Failure::with_hint(
-            format!("cannot read {name} as a workbook: {error}"),
-            "open it in a spreadsheet program and save it as XLSX, ODS or CSV, without a password",
-        )
-    };
-    if bytes.len() > LARGEST_OLD {
-        return Err(failure(&format_args!("an old workbook (XLS) of more than {} MB is not read", LARGEST_OLD >> 20)));
-    }
-    let mut workbook: Xls<_> = Xls::new(Cursor::new(bytes)).map_err(|error| failure(&error))?;
-    let sheets = workbook.sheet_names();
-    let mut first = None;
-    for sheet in &sheets {
-        let range = workbook.worksheet_range(sheet).map_err(|error| failure(&error))?;
-        match import::sheet(&as_text(&range)) {
-            Ok(mut import) => {
-                if sheets.len() > 1 {
-                    import.findings.insert(0, Finding::Sheet(sheet.clone()));
-                }
-                return Ok(import);
-            }
-            Err(error) => {
-                first.get_or_insert(ReadingError::Sheet { name: sheet.clone(), error });
-            }
-        }
-    }
-    Err(first.map_or_else(|| failure(&"it has no sheet"), |error| refused(name, &error)))
-}
-
-/// A sheet as text with tabs, so that it is read by the same rules as a text.
-fn as_text(range: &Range<Data>) -> String {
-    let (top, left) = range.start().unwrap_or_default();
-    let mut text = "\n".repeat(top as usize);
-    for row in range.rows() {
-        text.push_str(&"\t".repeat(left as usize));
-        for (index, value) in row.iter().enumerate() {
-            text.push_str(if index > 0 { "\t" } else { "" });
-            match value {
-                Data::Empty => {}
-                Data::Float(value) => text.push_str(&format!("{value:?}")),
-                Data::Int(value) => text.push_str(&value.to_string()),
-                Data::DateTime(value) => text.push_str(&workbook::moment(value.as_f64(), value.is_duration())),
-                other => text.push_str(&other.to_string().replace(['\t', '\n', '\r', '"'], " ")),
-            }
-        }
-        text.push('\n');
-    }
-    text
 }
 
 /// Gives columns the units that a person states: `t=ms`, `Run 2.Angle=deg`. A name without a body means all columns of that

@@ -108,6 +108,17 @@ impl Archive {
         self.files.iter().map(|file| file.name.as_str())
     }
 
+    /// The names of the first few files, for a message.
+    pub fn first_names(&self) -> Vec<String> {
+        const SHOWN: usize = 5;
+        let short = |name: &str| name.chars().take(60).collect::<String>();
+        let mut names: Vec<String> = self.names().take(SHOWN).map(short).collect();
+        if self.files.len() > SHOWN {
+            names.push("…".to_owned());
+        }
+        names
+    }
+
     /// Where a file is, unless it is encrypted.
     pub fn stored(&self, name: &str) -> Option<Stored> {
         let file = self.find(name).filter(|file| !file.encrypted)?;

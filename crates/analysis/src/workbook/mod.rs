@@ -1,5 +1,5 @@
-//! Workbooks as other programs write them, XLSX (Office Open XML) and ODS (OpenDocument), as text: the one reader of page
-//! and program.
+//! Workbooks as other programs write them, XLSX (Office Open XML), ODS (OpenDocument) and XLS (Excel 5 to 2003), as text: the
+//! one reader of page and program. The page reads no XLS yet.
 //!
 //! A workbook is read in slices and as a stream: what it expands to is never in memory, only the lines of one sheet. What it
 //! may expand to is bounded before anything is expanded, where a cell may be before anything is written.
@@ -8,38 +8,25 @@ mod moment;
 mod ods;
 mod refusal;
 mod sheet;
+mod source;
 mod styles;
+mod texts;
+mod xls;
 mod xlsx;
 
 pub use refusal::WorkbookError;
+pub use source::{Progress, SheetText};
 
 use crate::packed::{self, Archive, Xml};
-use moment::{Meaning, Moment};
-use ods::{SheetsReader, Step};
-use xlsx::{Book, Inside, SheetReader, Texts};
+use ods::SheetsReader;
+use source::SheetSource;
+use texts::Texts;
+use xlsx::{Book, Inside, SheetReader};
 
 /// A workbook that is being read, sheet after sheet: those that are shown before those that are hidden.
 #[derive(Debug)]
 pub struct Workbook {
-    form: Form,
-    /// No sheet may become a longer text, in bytes.
-    most: usize,
-}
-
-/// A sheet as text: a line for each row, tabs between the cells, numbers with a decimal point, dates and times as
-/// `2024-05-01T12:00:00.05` and `00:00:00.05`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SheetText {
-    /// The name on its tab.
-    pub name: String,
-    /// Its lines.
-    pub text: String,
-}
-
-#[derive(Debug)]
-enum Form {
-    Xlsx(Box<Xlsx>),
-    Ods(Box<SheetsReader>),
+    sheets: Box<dyn SheetSource>,
 }
 
 #[derive(Debug)]
@@ -52,23 +39,18 @@ struct Xlsx {
     /// The sheet that is being read, after how many others.
     sheet: Option<SheetReader>,
     passed: usize,
+    /// No sheet may become a longer text, in bytes.
+    most: usize,
 }
 
-/// Whether a file begins as a workbook of these forms does.
+/// True if a file begins as a workbook in an archive does: XLSX or ODS.
 pub fn is_workbook(start: &[u8]) -> bool {
     packed::is_archive(start)
 }
 
-/// A serial number that is shown as a date, a time or a duration, as it stands in a [`SheetText`]; the number itself where it
-/// is no day of any calendar.
-pub fn moment(serial: f64, is_duration: bool) -> String {
-    let meaning = if is_duration { Meaning::Time } else { Meaning::Date };
-    let mut text = String::new();
-    match Moment::of_serial(serial, meaning, false) {
-        Some(moment) => moment.write(&mut text),
-        None => text.push_str(&serial.to_string()),
-    }
-    text
+/// True if a file begins as an old workbook does: XLS.
+pub fn is_old_workbook(start: &[u8]) -> bool {
+    xls::begins(start)
 }
 
 impl Workbook {
@@ -80,18 +62,26 @@ impl Workbook {
         Self::of_archive(Archive::open(bytes)?, most)
     }
 
+    /// Begins to read an old workbook (XLS), as [`Workbook::open`]. Without a call the reader is not part of a program.
+    ///
+    /// # Errors
+    /// What is damaged, too large or too old, needs a password, or is no workbook.
+    pub fn open_old(bytes: Vec<u8>, most: usize) -> Result<Self, WorkbookError> {
+        Ok(Self { sheets: Box::new(xls::Sheets::open(bytes, most)?) })
+    }
+
     /// The same for an archive.
     pub(crate) fn of_archive(archive: Archive, most: usize) -> Result<Self, WorkbookError> {
         let is_xlsx = archive.has("[Content_Types].xml");
-        let form = if !is_xlsx && archive.has(ods::CONTENT) {
-            Form::Ods(Box::new(SheetsReader::new(Xml::new(archive.part(ods::CONTENT, None)?), most)))
-        } else {
-            let book = Book::open(&archive)?;
-            let texts = book.texts.as_deref().map(|path| archive.part(path, None)).transpose()?;
-            let reading = texts.map(|part| (Xml::new(part), Inside::default()));
-            Form::Xlsx(Box::new(Xlsx { archive, book, texts: Texts::default(), reading, sheet: None, passed: 0 }))
-        };
-        Ok(Self { form, most })
+        if !is_xlsx && archive.has(ods::CONTENT) {
+            let xml = Xml::new(archive.part(ods::CONTENT, None)?);
+            return Ok(Self { sheets: Box::new(SheetsReader::new(xml, most)) });
+        }
+        let book = Book::open(&archive)?;
+        let texts = book.texts.as_deref().map(|path| archive.part(path, None)).transpose()?;
+        let reading = texts.map(|part| (Xml::new(part), Inside::default()));
+        let xlsx = Xlsx { archive, book, texts: Texts::default(), reading, sheet: None, passed: 0, most };
+        Ok(Self { sheets: Box::new(xlsx) })
     }
 
     /// Reads on for about `budget` bytes of what the workbook expands to. The next sheet, once it is complete.
@@ -99,48 +89,29 @@ impl Workbook {
     /// # Errors
     /// What is damaged or too large.
     pub fn advance(&mut self, budget: u64) -> Result<Progress, WorkbookError> {
-        match &mut self.form {
-            Form::Ods(sheets) => Ok(match sheets.read(budget)? {
-                Step::More => Progress::More,
-                Step::Sheet(name, text) => Progress::Sheet(SheetText { name, text }),
-                Step::End => Progress::End,
-            }),
-            Form::Xlsx(xlsx) => xlsx.advance(budget, self.most),
-        }
+        self.sheets.advance(budget)
     }
 
-    /// Whether another sheet follows the one that was completed last.
+    /// True if another sheet follows the one that was completed last.
     pub fn has_more(&mut self) -> bool {
-        match &mut self.form {
-            Form::Ods(sheets) => sheets.has_more(),
-            Form::Xlsx(xlsx) => xlsx.passed < xlsx.book.sheets.len(),
-        }
+        self.sheets.has_more()
     }
 
-    /// Which part of the present sheet has been read, from 0 to 1.
+    /// Part of the present sheet that has been read, from 0 to 1.
     pub fn progress(&self) -> f64 {
-        match &self.form {
-            Form::Ods(sheets) => sheets.progress(),
-            Form::Xlsx(xlsx) => xlsx.sheet.as_ref().map_or(0.0, SheetReader::progress),
-        }
+        self.sheets.progress()
+    }
+
+    /// True if the workbook lists a sheet of this name.
+    pub(crate) fn lists(&self, name: &str) -> bool {
+        self.sheets.lists(name)
     }
 }
 
-/// What a slice of reading has come to.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Progress {
-    /// There is more to read.
-    More,
-    /// A sheet is complete.
-    Sheet(SheetText),
-    /// There are no more sheets.
-    End,
-}
-
-impl Xlsx {
-    fn advance(&mut self, budget: u64, most: usize) -> Result<Progress, WorkbookError> {
+impl SheetSource for Xlsx {
+    fn advance(&mut self, budget: u64) -> Result<Progress, WorkbookError> {
         if let Some((xml, inside)) = &mut self.reading {
-            if self.texts.read(xml, budget, inside)? {
+            if xlsx::read_texts(&mut self.texts, xml, budget, inside)? {
                 self.reading = None;
             }
             return Ok(Progress::More);
@@ -150,7 +121,7 @@ impl Xlsx {
             Some(sheet) => sheet,
             None => {
                 let xml = Xml::new(self.archive.part(&entry.part, None)?);
-                self.sheet.insert(SheetReader::new(xml, most))
+                self.sheet.insert(SheetReader::new(xml, self.most))
             }
         };
         if !sheet.read(budget, &self.book, &self.texts)? {
@@ -159,5 +130,17 @@ impl Xlsx {
         self.passed += 1;
         let text = self.sheet.take().map(SheetReader::finish).unwrap_or_default();
         Ok(Progress::Sheet(SheetText { name: entry.name.clone(), text }))
+    }
+
+    fn has_more(&mut self) -> bool {
+        self.passed < self.book.sheets.len()
+    }
+
+    fn progress(&self) -> f64 {
+        self.sheet.as_ref().map_or(0.0, SheetReader::progress)
+    }
+
+    fn lists(&self, name: &str) -> bool {
+        self.book.sheets.iter().any(|sheet| sheet.name == name)
     }
 }

@@ -3,6 +3,7 @@
 use super::moment::{Meaning, Moment};
 use super::refusal::WorkbookError;
 use super::sheet::{LONGEST_VALUE, Lines, MOST_COLUMNS};
+use super::source::{Progress, SheetSource, SheetText};
 use crate::packed::{Tag, Token, Xml};
 
 /// The part with the sheets.
@@ -42,28 +43,18 @@ struct Cell {
     in_paragraph: bool,
 }
 
-/// What a slice of work has come to.
-#[derive(Debug)]
-pub(super) enum Step {
-    /// There is more of the present sheet.
-    More,
-    /// A sheet, with its name.
-    Sheet(String, String),
-    /// There are no more sheets.
-    End,
-}
-
 impl SheetsReader {
     pub fn new(xml: Xml, most: usize) -> Self {
         Self { xml, most, sheet: None, skipping: 0 }
     }
+}
 
-    pub fn progress(&self) -> f64 {
+impl SheetSource for SheetsReader {
+    fn progress(&self) -> f64 {
         self.xml.progress()
     }
 
-    /// Whether another sheet follows.
-    pub fn has_more(&mut self) -> bool {
+    fn has_more(&mut self) -> bool {
         while self.sheet.is_none() {
             match self.xml.next() {
                 Ok(Token::End) | Err(_) => return false,
@@ -76,8 +67,7 @@ impl SheetsReader {
         true
     }
 
-    /// Reads on until about so many bytes more have been read, or a sheet is finished.
-    pub fn read(&mut self, budget: u64) -> Result<Step, WorkbookError> {
+    fn advance(&mut self, budget: u64) -> Result<Progress, WorkbookError> {
         let end = self.xml.position().saturating_add(budget);
         while self.xml.position() < end {
             let token = self.xml.next()?;
@@ -85,13 +75,13 @@ impl SheetsReader {
                 match token {
                     Token::Open(_) => self.skipping += 1,
                     Token::Close(_) => self.skipping -= 1,
-                    Token::End => return Ok(Step::End),
+                    Token::End => return Ok(Progress::End),
                     _ => {}
                 }
                 continue;
             }
             match (&token, &mut self.sheet) {
-                (Token::End, _) => return Ok(Step::End),
+                (Token::End, _) => return Ok(Progress::End),
                 (Token::Open(tag), None) if tag.name() == "table" => {
                     self.sheet = Some(Sheet::new(tag.attribute("name").unwrap_or_default(), self.most));
                 }
@@ -100,14 +90,15 @@ impl SheetsReader {
                 }
                 (Token::Close(_), Some(_)) if token.closes("table") => {
                     if let Some(sheet) = self.sheet.take() {
-                        return Ok(Step::Sheet(sheet.name, sheet.lines.finish()));
+                        let text = SheetText { name: sheet.name, text: sheet.lines.finish() };
+                        return Ok(Progress::Sheet(text));
                     }
                 }
                 (_, Some(sheet)) => sheet.take(&token)?,
                 _ => {}
             }
         }
-        Ok(Step::More)
+        Ok(Progress::More)
     }
 }
 
@@ -208,7 +199,8 @@ impl Cell {
         };
         match (moment, self.kind.as_str()) {
             (Some(moment), _) => lines.moment(moment),
-            (None, "float" | "percentage" | "currency") if !self.value.is_empty() => lines.number(&self.value),
+            (None, "percentage") if !self.value.is_empty() => lines.percent(&self.value),
+            (None, "float" | "currency") if !self.value.is_empty() => lines.number(&self.value),
             (None, "boolean") => lines.word(if self.value == "true" { "TRUE" } else { "FALSE" }),
             _ if self.text.is_empty() => lines.word(&self.value),
             _ => lines.word(&self.text),

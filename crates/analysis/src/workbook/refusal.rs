@@ -10,8 +10,15 @@ pub enum WorkbookError {
     Damaged,
     /// It needs a password.
     Protected,
-    /// It is an archive, but holds no sheets.
-    NoSheets,
+    /// It is an archive without a sheet or a table.
+    NoSheets {
+        /// The names of its files, those of the first few.
+        found: Vec<String>,
+    },
+    /// It has no sheet with cells, or is a text or a presentation and no workbook.
+    NoCells,
+    /// It was written by Excel 4 or an older version.
+    TooOld,
     /// A part of it would expand to too much.
     Expands {
         /// Its size in the file, in bytes.
@@ -38,9 +45,27 @@ impl WorkbookError {
         match self {
             Self::Damaged => say("the workbook is damaged or incomplete", "el libro está dañado o incompleto"),
             Self::Protected => say("the workbook is protected by a password", "el libro está protegido por contraseña"),
-            Self::NoSheets => {
-                say("this is a ZIP archive without a spreadsheet", "es un archivo ZIP sin hoja de cálculo")
+            Self::NoSheets { found } if found.is_empty() => {
+                say("this is an empty ZIP archive", "es un archivo ZIP vacío")
             }
+            Self::NoSheets { found } => {
+                let list = |open: &str, close: &str| {
+                    let names: Vec<String> = found.iter().map(|name| format!("{open}{name}{close}")).collect();
+                    names.join(", ")
+                };
+                say(
+                    &format!("this ZIP archive holds no spreadsheet and no table, but {}", list("`", "`")),
+                    &format!("este archivo ZIP no contiene hojas de cálculo ni tablas, sino {}", list("«", "»")),
+                )
+            }
+            Self::NoCells => say(
+                "this is an Office file without a sheet of cells",
+                "es un archivo de Office sin hojas con celdas",
+            ),
+            Self::TooOld => say(
+                "the workbook is of a format before Excel 5 (1993), which is not read",
+                "el libro tiene un formato anterior a Excel 5 (1993), que no se lee",
+            ),
             Self::Expands { packed, expanded } => {
                 let (packed, expanded) = (size(*packed), size(*expanded));
                 say(
@@ -64,16 +89,20 @@ impl WorkbookError {
     /// What to do.
     pub fn hint(&self, language: Language) -> &'static str {
         match (self, language) {
-            (Self::Damaged | Self::Place { .. }, English) => {
+            (Self::Damaged | Self::Place { .. } | Self::TooOld, English) => {
                 "open it in the spreadsheet program and save it again, or save the sheet as CSV"
             }
-            (Self::Damaged | Self::Place { .. }, Spanish) => {
+            (Self::Damaged | Self::Place { .. } | Self::TooOld, Spanish) => {
                 "ábrelo en la hoja de cálculo y guárdalo de nuevo, o guarda la hoja como CSV"
             }
             (Self::Protected, English) => "save it without a password, or save the sheet as CSV",
             (Self::Protected, Spanish) => "guárdalo sin contraseña, o guarda la hoja como CSV",
-            (Self::NoSheets, English) => "measured data can be text, XLSX, ODS, or a project of Tracker (TRK, TRZ)",
-            (Self::NoSheets, Spanish) => "los datos pueden ser texto, XLSX, ODS o un proyecto de Tracker (TRK, TRZ)",
+            (Self::NoSheets { .. } | Self::NoCells, English) => {
+                "measured data can be text, XLSX, ODS, a ZIP archive of text files as phyphox writes it, or a project of Tracker (TRK, TRZ)"
+            }
+            (Self::NoSheets { .. } | Self::NoCells, Spanish) => {
+                "los datos pueden ser texto, XLSX, ODS, un archivo ZIP de textos como los de phyphox o un proyecto de Tracker (TRK, TRZ)"
+            }
             (Self::Expands { .. } | Self::TooLarge { .. }, English) => {
                 "save the sheet with the measurement alone, or save it as CSV"
             }

@@ -3,6 +3,7 @@
 
 use super::moment::Moment;
 use super::refusal::WorkbookError;
+use super::styles::NumberFormat;
 
 /// What a sheet can have (ECMA-376, 18.3.1.73; LibreOffice has as many).
 pub(super) const MOST_ROWS: u32 = 1_048_576;
@@ -55,6 +56,32 @@ impl Lines {
         self.text.extend(text.chars().map(kept));
     }
 
+    /// Writes a number as a cell of this format shows it.
+    pub fn formatted(&mut self, digits: &str, format: NumberFormat, from_1904: bool) {
+        let moment = match format {
+            NumberFormat::Plain => None,
+            NumberFormat::Percent => return self.percent(digits),
+            NumberFormat::Moment(meaning) => {
+                digits.trim().parse().ok().and_then(|serial| Moment::of_serial(serial, meaning, from_1904))
+            }
+        };
+        match moment {
+            Some(moment) => self.moment(moment),
+            None => self.number(digits),
+        }
+    }
+
+    /// Writes a fraction as a percentage with its sign: 0.05 as `5%`.
+    pub fn percent(&mut self, digits: &str) {
+        match digits.trim().parse::<f64>() {
+            Ok(fraction) if fraction.is_finite() => {
+                self.text.push_str(&hundredfold(fraction));
+                self.text.push('%');
+            }
+            _ => self.number(digits),
+        }
+    }
+
     /// Writes a date, a time or a duration.
     pub fn moment(&mut self, moment: Moment) {
         moment.write(&mut self.text);
@@ -77,5 +104,50 @@ impl Lines {
     /// The text.
     pub fn finish(self) -> String {
         self.text
+    }
+}
+
+/// The digits of a number with the decimal point two places further right, so that none of them changes.
+fn hundredfold(number: f64) -> String {
+    let digits = format!("{number:e}");
+    let (mantissa, exponent) = digits.split_once('e').unwrap_or((&digits, "0"));
+    let exponent = exponent.parse::<i32>().unwrap_or_default() + 2;
+    let behind = mantissa.split_once('.').map_or("", |(_, behind)| behind);
+    match usize::try_from(exponent) {
+        Ok(shift @ 0..=15) => {
+            let before = mantissa.split('.').next().unwrap_or_default();
+            let (moved, rest) = behind.split_at(shift.min(behind.len()));
+            let zeros = "0".repeat(shift - moved.len());
+            let point = if rest.is_empty() { "" } else { "." };
+            format!("{before}{moved}{zeros}{point}{rest}")
+        }
+        _ => format!("{mantissa}e{exponent}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percentages_keep_the_digits_of_their_fractions() {
+        for (fraction, shown) in [
+            (0.05, "5"),
+            (0.0525, "5.25"),
+            (0.29, "29"),
+            (0.07, "7"),
+            (-0.123_456_789, "-12.3456789"),
+            (1.0, "100"),
+            (12.5, "1250"),
+            (0.0, "0"),
+            (1e-4, "1e-2"),
+            (0.1 + 0.2, "30.000000000000004"),
+            (1e300, "1e302"),
+        ] {
+            assert_eq!(hundredfold(fraction), shown, "{fraction}");
+            let mut lines = Lines::new(100);
+            lines.formatted(&format!("{fraction:?}"), NumberFormat::Percent, false);
+            assert_eq!(lines.finish(), format!("{shown}%"));
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! Number formats of Office Open XML: which of them show a number as a date or time.
+//! Number formats of Excel: which of them show a number as a date, a time or a percentage.
 
 use super::moment::Meaning;
 use super::refusal::WorkbookError;
@@ -8,9 +8,21 @@ use std::collections::BTreeMap;
 /// Excel allows 65490 cell formats.
 const MOST_STYLES: usize = 70_000;
 
-/// What a number means in each of the workbook's cell formats (`cellXfs`), in their order.
-pub(super) fn read(mut xml: Xml) -> Result<Vec<Option<Meaning>>, WorkbookError> {
-    let mut formats: BTreeMap<u32, Option<Meaning>> = BTreeMap::new();
+/// How a cell shows its number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum NumberFormat {
+    /// As it is, perhaps rounded.
+    #[default]
+    Plain,
+    /// Times a hundred, with a percent sign.
+    Percent,
+    /// As a date or time.
+    Moment(Meaning),
+}
+
+/// The formats of the workbook's cells (`cellXfs`), in their order.
+pub(super) fn read(mut xml: Xml) -> Result<Vec<NumberFormat>, WorkbookError> {
+    let mut formats: BTreeMap<u32, NumberFormat> = BTreeMap::new();
     let mut styles = Vec::new();
     let mut in_cells = false;
     loop {
@@ -35,16 +47,17 @@ pub(super) fn read(mut xml: Xml) -> Result<Vec<Option<Meaning>>, WorkbookError> 
 }
 
 /// The formats that every spreadsheet has (ECMA-376, 18.8.30), those of East Asia included.
-fn of_builtin(id: u32) -> Option<Meaning> {
+pub(super) fn of_builtin(id: u32) -> NumberFormat {
     match id {
-        14..=17 | 22 | 27..=31 | 36 | 50..=58 => Some(Meaning::Date),
-        18..=21 | 32..=35 | 45..=47 => Some(Meaning::Time),
-        _ => None,
+        9 | 10 => NumberFormat::Percent,
+        14..=17 | 22 | 27..=31 | 36 | 50..=58 => NumberFormat::Moment(Meaning::Date),
+        18..=21 | 32..=35 | 45..=47 => NumberFormat::Moment(Meaning::Time),
+        _ => NumberFormat::Plain,
     }
 }
 
 /// A format such as `yyyy-mm-dd h:mm:ss` or `[h]:mm:ss;@`.
-fn of_code(code: &str) -> Option<Meaning> {
+pub(super) fn of_code(code: &str) -> NumberFormat {
     let mut letters = String::new();
     let mut rest = code.chars();
     while let Some(character) = rest.next() {
@@ -57,7 +70,7 @@ fn of_code(code: &str) -> Option<Meaning> {
                 let elapsed =
                     |unit: char| !inside.is_empty() && inside.chars().all(|one| one.eq_ignore_ascii_case(&unit));
                 if ['h', 'm', 's'].into_iter().any(elapsed) {
-                    return Some(Meaning::Time);
+                    return NumberFormat::Moment(Meaning::Time);
                 }
             }
             // What follows is for other signs.
@@ -66,12 +79,16 @@ fn of_code(code: &str) -> Option<Meaning> {
         }
     }
     let letters = letters.replace("general", "");
-    if letters.contains(['y', 'd']) {
-        Some(Meaning::Date)
+    if letters.contains('%') {
+        NumberFormat::Percent
+    } else if letters.contains(['y', 'd']) {
+        NumberFormat::Moment(Meaning::Date)
     } else if letters.contains(['h', 's']) || letters.contains("am/pm") {
-        Some(Meaning::Time)
+        NumberFormat::Moment(Meaning::Time)
+    } else if letters.contains('m') {
+        NumberFormat::Moment(Meaning::Date)
     } else {
-        letters.contains('m').then_some(Meaning::Date)
+        NumberFormat::Plain
     }
 }
 
@@ -80,31 +97,34 @@ mod tests {
     use super::*;
 
     #[test]
-    fn formats_of_dates_and_times_are_told_from_those_of_numbers() {
+    fn formats_of_dates_times_and_percentages_are_told_from_those_of_numbers() {
         let cases = [
-            ("yyyy-mm-dd h:mm:ss", Some(Meaning::Date)),
-            ("[$-409]d/m/yy h:mm AM/PM;@", Some(Meaning::Date)),
-            ("mmm\\-yy", Some(Meaning::Date)),
-            ("mmm", Some(Meaning::Date)),
-            ("h:mm:ss.000", Some(Meaning::Time)),
-            ("mm:ss.0", Some(Meaning::Time)),
-            ("[hh]:mm:ss", Some(Meaning::Time)),
-            ("[s].00", Some(Meaning::Time)),
-            ("General", None),
-            ("0.00%", None),
-            ("0.00E+00", None),
-            ("#,##0.00 \"s\"", None),
-            ("0.0\\ \\m\\s", None),
-            ("[Red]0.00;[Blue]-0.00", None),
-            ("_-* #,##0.00 [$€-407]_-;-* \"d\"", None),
-            ("@", None),
-            ("", None),
-            ("[", None),
-            ("\"", None),
+            ("yyyy-mm-dd h:mm:ss", NumberFormat::Moment(Meaning::Date)),
+            ("[$-409]d/m/yy h:mm AM/PM;@", NumberFormat::Moment(Meaning::Date)),
+            ("mmm\\-yy", NumberFormat::Moment(Meaning::Date)),
+            ("mmm", NumberFormat::Moment(Meaning::Date)),
+            ("h:mm:ss.000", NumberFormat::Moment(Meaning::Time)),
+            ("mm:ss.0", NumberFormat::Moment(Meaning::Time)),
+            ("[hh]:mm:ss", NumberFormat::Moment(Meaning::Time)),
+            ("[s].00", NumberFormat::Moment(Meaning::Time)),
+            ("General", NumberFormat::Plain),
+            ("0.00%", NumberFormat::Percent),
+            ("#,##0 %;[Red]-0%", NumberFormat::Percent),
+            ("0\\%", NumberFormat::Plain),
+            ("0\"%\"", NumberFormat::Plain),
+            ("0.00E+00", NumberFormat::Plain),
+            ("#,##0.00 \"s\"", NumberFormat::Plain),
+            ("0.0\\ \\m\\s", NumberFormat::Plain),
+            ("[Red]0.00;[Blue]-0.00", NumberFormat::Plain),
+            ("_-* #,##0.00 [$€-407]_-;-* \"d\"", NumberFormat::Plain),
+            ("@", NumberFormat::Plain),
+            ("", NumberFormat::Plain),
+            ("[", NumberFormat::Plain),
+            ("\"", NumberFormat::Plain),
         ];
         for (code, expected) in cases {
             assert_eq!(of_code(code), expected, "{code}");
         }
-        assert_eq!((of_builtin(0), of_builtin(10), of_builtin(49)), (None, None, None));
+        assert_eq!((of_builtin(0), of_builtin(10), of_builtin(49)), (None, None, NumberFormat::Plain));
     }
 }

@@ -1,17 +1,16 @@
 //! Office Open XML (ECMA-376): which sheets there are, their texts, and the cells of a sheet.
 
-use super::moment::{Meaning, Moment};
+use super::moment::Moment;
 use super::refusal::WorkbookError;
 use super::sheet::{LONGEST_VALUE, Lines, MOST_ROWS};
-use super::styles;
+use super::styles::{self, NumberFormat};
+use super::texts::Texts;
 use crate::packed::Archive;
 use crate::packed::{Tag, Token, Xml};
 use std::collections::BTreeMap;
 
 /// The parts that say how a workbook is made are small.
 const SMALL: Option<u64> = Some(16 << 20);
-/// Texts of a workbook, in bytes. A measurement has a header and some remarks.
-const MOST_TEXT: usize = 32 << 20;
 /// More sheets than anybody has.
 const MOST_SHEETS: usize = 1000;
 
@@ -28,7 +27,7 @@ pub(super) struct SheetEntry {
 #[derive(Debug)]
 pub(super) struct Book {
     pub sheets: Vec<SheetEntry>,
-    styles: Vec<Option<Meaning>>,
+    styles: Vec<NumberFormat>,
     from_1904: bool,
     /// The part with the texts, if there is one.
     pub texts: Option<String>,
@@ -41,7 +40,7 @@ impl Book {
         let document = of_package.into_values().find(|target| target.kind == "officeDocument");
         let path = document.map_or_else(|| "xl/workbook.xml".to_owned(), |target| target.path);
         if !archive.has(&path) {
-            return Err(WorkbookError::NoSheets);
+            return Err(WorkbookError::NoSheets { found: archive.first_names() });
         }
         let (folder, file) = path.rsplit_once('/').unwrap_or(("", &path));
         let targets = relations(archive, &format!("{folder}/_rels/{file}.rels"))?;
@@ -76,7 +75,7 @@ impl Book {
         }
         // What a person sees comes before what is hidden.
         book.sheets.sort_by_key(|sheet| sheet.hidden);
-        if book.sheets.is_empty() { Err(WorkbookError::NoSheets) } else { Ok(book) }
+        if book.sheets.is_empty() { Err(WorkbookError::NoCells) } else { Ok(book) }
     }
 }
 
@@ -124,39 +123,25 @@ fn resolved(folder: &str, path: &str) -> String {
     parts.join("/")
 }
 
-/// The texts that cells share, one behind the other.
-#[derive(Debug, Default)]
-pub(super) struct Texts {
-    text: String,
-    ends: Vec<u32>,
-}
-
-impl Texts {
-    fn get(&self, index: usize) -> Option<&str> {
-        let start = match index.checked_sub(1) {
-            Some(before) => *self.ends.get(before)?,
-            None => 0,
-        };
-        self.text.get(start as usize..*self.ends.get(index)? as usize)
-    }
-
-    /// Reads on until about so many bytes more of the part have been read; whether it has come to the end.
-    pub fn read(&mut self, xml: &mut Xml, budget: u64, inside: &mut Inside) -> Result<bool, WorkbookError> {
-        let end = xml.position().saturating_add(budget);
-        while xml.position() < end {
-            let token = xml.next()?;
-            match &token {
-                Token::End => return Ok(true),
-                Token::Text(text) if inside.is_text() => self.text.push_str(text),
-                _ if token.closes("si") => self.ends.push(self.text.len() as u32),
-                _ => inside.follow(&token),
-            }
-            if self.text.len() + 4 * self.ends.len() > MOST_TEXT {
-                return Err(WorkbookError::TooLarge { most: MOST_TEXT >> 20 });
-            }
+/// Reads on until about so many bytes more of the part with the texts have been read. True if it has come to the end.
+pub(super) fn read_texts(
+    texts: &mut Texts,
+    xml: &mut Xml,
+    budget: u64,
+    inside: &mut Inside,
+) -> Result<bool, WorkbookError> {
+    let end = xml.position().saturating_add(budget);
+    while xml.position() < end {
+        let token = xml.next()?;
+        match &token {
+            Token::End => return Ok(true),
+            Token::Text(text) if inside.is_text() => texts.open().push_str(text),
+            _ if token.closes("si") => texts.close(),
+            _ => inside.follow(&token),
         }
-        Ok(false)
+        texts.check()?;
     }
+    Ok(false)
 }
 
 /// Whether the stream is inside a text that is shown: not in one that says how it is pronounced.
@@ -287,21 +272,17 @@ impl Cell {
         }
         let (row, column) = self.place;
         lines.go_to(row, column, &|| self.called.clone())?;
-        let moment = match self.kind.as_str() {
-            "" | "n" => book
-                .styles
-                .get(self.style)
-                .copied()
-                .flatten()
-                .and_then(|meaning| Moment::of_serial(value.trim().parse().ok()?, meaning, book.from_1904)),
-            "d" => Moment::of_iso(value),
-            _ => None,
-        };
-        match (moment, self.kind.as_str()) {
-            (Some(moment), _) => lines.moment(moment),
-            (None, "" | "n") => lines.number(value),
-            (None, "b") => lines.word(if value.trim() == "1" { "TRUE" } else { "FALSE" }),
-            (None, _) => lines.word(value),
+        match self.kind.as_str() {
+            "" | "n" => {
+                let format = book.styles.get(self.style).copied().unwrap_or_default();
+                lines.formatted(value, format, book.from_1904);
+            }
+            "d" => match Moment::of_iso(value) {
+                Some(moment) => lines.moment(moment),
+                None => lines.word(value),
+            },
+            "b" => lines.word(if value.trim() == "1" { "TRUE" } else { "FALSE" }),
+            _ => lines.word(value),
         }
         Ok(())
     }

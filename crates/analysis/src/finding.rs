@@ -3,6 +3,7 @@
 mod heading;
 mod words;
 
+use crate::data_sets;
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
 use crate::tracker::Remark;
@@ -18,6 +19,8 @@ pub enum Finding {
     Sheet(String),
     /// What the positions of a project of Tracker are.
     Project(Remark),
+    /// What was noticed about data sets that were exported together.
+    DataSets(data_sets::Remark),
     /// A word, or a number too large for a double, stands where a number should; the cell became a gap.
     Word {
         /// The line of the file.
@@ -177,6 +180,7 @@ impl Finding {
                 format!("el libro tiene varias hojas; se leyó la primera con una tabla: «{name}»"),
             ),
             Self::Project(remark) => remark.text(language),
+            Self::DataSets(remark) => remark.text(language),
             Self::Word { line, column, text } => word(*line, column, text, language),
             Self::MoreWords(count) => say(
                 format!("{count} more cells are not numbers and became gaps"),

@@ -4,6 +4,7 @@
 pub mod conversion;
 pub mod csv;
 pub mod cycles;
+pub mod data_sets;
 pub mod derivative;
 mod error_name;
 pub mod finding;

@@ -1,11 +1,12 @@
-//! A file of measured data, text, workbook or project of Tracker, read in slices: the page never stands still, and the
+//! A file of measured data, text, workbook, archive of texts or project of Tracker, read in slices: the page never stands still, and the
 //! program reads by the same rules.
 
+use crate::data_sets::DataSets;
 use crate::finding::Finding;
 use crate::import::{self, Import, ImportError, Importer};
 use crate::packed::{self, Archive};
 use crate::tracker::{self, Gathering, Opening, Project, TrackerError};
-use crate::workbook::{Progress, Workbook, WorkbookError};
+use crate::workbook::{Progress, SheetText, Workbook, WorkbookError};
 use std::borrow::Cow;
 use units::Language::{self, Spanish};
 
@@ -17,12 +18,14 @@ pub struct Reading {
     most: usize,
     /// The first sheet that was no table, and why.
     passed: Option<(String, ImportError)>,
+    /// The sheets that have been read, where each is a data set.
+    sets: DataSets,
 }
 
 #[derive(Debug)]
 enum Stage {
-    /// Bytes of a text.
-    Bytes(Vec<u8>),
+    /// Bytes of a text, and what it was made of.
+    Bytes(Vec<u8>, Source),
     /// A text of which nothing is known yet, and what it was made of.
     Text(String, Source),
     Rows(Box<Importer<'static>>, Source),
@@ -56,7 +59,8 @@ struct Sheet {
 pub struct Contents {
     /// The table and what was noticed.
     pub import: Import,
-    /// The text it was read from; that of a workbook's sheet or of a project can be read again by [`import::text`].
+    /// The text it was read from; that of a workbook's sheet or of a project can be read again by [`import::text`]. Empty where
+    /// the table has several data sets.
     pub text: String,
     /// The project of Tracker that it was made of, if its film is in the archive with it.
     pub project: Option<Box<Project>>,
@@ -119,9 +123,9 @@ impl Reading {
         } else if tracker::is_project(&bytes) {
             Stage::Project(Box::new(Opening::of_xml(bytes)))
         } else {
-            Stage::Bytes(bytes)
+            Stage::Bytes(bytes, Source::File)
         };
-        Ok(Self { stage, most, passed: None })
+        Ok(Self { stage, most, passed: None, sets: DataSets::default() })
     }
 
     /// Begins to read the sheets of an old workbook (XLS), as [`Reading::new`].
@@ -130,13 +134,13 @@ impl Reading {
     /// What cannot be read.
     pub fn of_old_workbook(bytes: Vec<u8>, most: usize) -> Result<Self, ReadingError> {
         let workbook = Workbook::open_old(bytes, most).map_err(ReadingError::Workbook)?;
-        Ok(Self { stage: Stage::Sheets(Box::new(workbook)), most, passed: None })
+        Ok(Self { stage: Stage::Sheets(Box::new(workbook)), most, passed: None, sets: DataSets::default() })
     }
 
     /// Begins to read the project in an archive of which only some bytes were read, as [`Reading::new`]; `None` where there is none.
     pub fn of_gathered(gathering: Gathering, most: usize) -> Option<Self> {
         let project = Opening::of_archive(gathering.finish()?).ok()?;
-        Some(Self { stage: Stage::Project(Box::new(project)), most, passed: None })
+        Some(Self { stage: Stage::Project(Box::new(project)), most, passed: None, sets: DataSets::default() })
     }
 
     /// Reads on for about `budget` bytes. Whether it has come to the end.
@@ -145,12 +149,18 @@ impl Reading {
     /// What is no table. There is nothing more to read then.
     pub fn advance(&mut self, budget: usize) -> Result<bool, ReadingError> {
         self.stage = match std::mem::replace(&mut self.stage, Stage::Failed) {
-            Stage::Bytes(bytes) => Stage::Text(import::decode(bytes).map_err(ReadingError::Text)?, Source::File),
+            Stage::Bytes(bytes, source) => match import::decode(bytes) {
+                Ok(text) => Stage::Text(text, source),
+                Err(error) => self.next_sheet(error, source)?,
+            },
             Stage::Text(text, source) => {
                 let text = Cow::Owned(text);
-                let importer =
-                    if matches!(source, Source::File) { Importer::new(text) } else { Importer::of_sheet(text) };
-                match importer {
+                let is_text = match &source {
+                    Source::File => true,
+                    Source::Sheet(sheet) => sheet.workbook.holds_texts(),
+                    Source::Project(..) => false,
+                };
+                match if is_text { Importer::new(text) } else { Importer::of_sheet(text) } {
                     Ok(importer) => Stage::Rows(Box::new(importer), source),
                     Err(error) => self.next_sheet(error, source)?,
                 }
@@ -164,9 +174,22 @@ impl Reading {
             }
             Stage::Sheets(mut workbook) => match workbook.advance(budget as u64).map_err(ReadingError::Workbook)? {
                 Progress::More => Stage::Sheets(workbook),
-                Progress::Sheet(sheet) => {
+                Progress::Sheet(sheet)
+                    if workbook.holds_data_sets() && self.sets.describe(&sheet.name, &sheet.text) =>
+                {
+                    Stage::Sheets(workbook)
+                }
+                Progress::Sheet(SheetText { name, text }) => {
                     let others = self.passed.is_some();
-                    Stage::Text(sheet.text, Source::Sheet(Sheet { name: sheet.name, others, workbook }))
+                    let is_text = workbook.holds_texts();
+                    let source = Source::Sheet(Sheet { name, others, workbook });
+                    if is_text { Stage::Bytes(text.into_bytes(), source) } else { Stage::Text(text, source) }
+                }
+                Progress::End if !self.sets.is_empty() => {
+                    let (import, text) = std::mem::take(&mut self.sets)
+                        .join()
+                        .ok_or(ReadingError::Workbook(WorkbookError::Damaged))?;
+                    Stage::Finished(Box::new(Contents { import, text, project: None }))
                 }
                 Progress::End => {
                     return Err(match self.passed.take() {
@@ -204,8 +227,8 @@ impl Reading {
             Stage::Sheets(workbook) => BEFORE * workbook.progress(),
             Stage::Project(project) => BEFORE * project.progress(),
             Stage::Rows(importer, Source::File) => importer.progress(),
-            Stage::Bytes(_) | Stage::Text(_, Source::File) | Stage::Failed => 0.0,
-            Stage::Text(..) => BEFORE,
+            Stage::Bytes(_, Source::File) | Stage::Text(_, Source::File) | Stage::Failed => 0.0,
+            Stage::Bytes(..) | Stage::Text(..) => BEFORE,
             Stage::Rows(importer, _) => BEFORE + (1.0 - BEFORE) * importer.progress(),
             Stage::Finished(_) => 1.0,
         }
@@ -227,6 +250,9 @@ impl Reading {
     /// The rest of the workbook, after a sheet that is no table.
     fn next_sheet(&mut self, error: ImportError, source: Source) -> Result<Stage, ReadingError> {
         let Source::Sheet(Sheet { name, workbook, .. }) = source else { return Err(ReadingError::Text(error)) };
+        if workbook.holds_data_sets() {
+            self.sets.pass_over(&name);
+        }
         self.passed.get_or_insert((name, error));
         Ok(Stage::Sheets(workbook))
     }
@@ -239,6 +265,10 @@ impl Reading {
         let mut project = None;
         match source {
             Source::File => {}
+            Source::Sheet(sheet) if sheet.workbook.holds_data_sets() => {
+                self.sets.add(sheet.name, import, text.into_owned());
+                return Ok(Stage::Sheets(sheet.workbook));
+            }
             Source::Sheet(mut sheet) => {
                 if sheet.others || sheet.workbook.has_more() {
                     import.findings.insert(0, Finding::Sheet(sheet.name));

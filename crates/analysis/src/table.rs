@@ -12,6 +12,8 @@ pub struct Table {
     pub columns: Vec<Column>,
     /// The relative standard error that all lengths share, where the file states it: that of the ruler in a film.
     pub scale_error: Option<f64>,
+    /// True if each body is a data set that was exported with the others: a record of its own.
+    pub sets: bool,
 }
 
 /// One column of measured data.
@@ -118,12 +120,12 @@ impl Table {
         times.next().is_some_and(|first| times.any(|time| time != first))
     }
 
-    /// The runs of a logger, by name, with their columns, if the table has several and each has a clock of its own. Other bodies,
-    /// as those of a film, belong together.
+    /// The runs of a logger, by name, with their columns, if the table has several and each has a clock of its own, or its data
+    /// sets. Other bodies, as those of a film, belong together.
     pub fn runs(&self) -> Vec<(String, Vec<usize>)> {
         let mut runs: Vec<(String, Vec<usize>)> = Vec::new();
         for (index, column) in self.columns.iter().enumerate() {
-            let Some(name) = column.body.as_ref().filter(|body| run_name::name(body).is_some()) else {
+            let Some(name) = column.body.as_ref().filter(|body| self.sets || run_name::name(body).is_some()) else {
                 return Vec::new();
             };
             match runs.iter_mut().find(|(run, _)| run == name) {
@@ -132,7 +134,7 @@ impl Table {
             }
         }
         let own_clock = |(_, columns): &(String, Vec<usize>)| columns.iter().any(|index| self.is_independent(*index));
-        if runs.len() > 1 && runs.iter().all(own_clock) { runs } else { Vec::new() }
+        if self.sets || runs.len() > 1 && runs.iter().all(own_clock) { runs } else { Vec::new() }
     }
 
     /// The column with the standard errors of another one: `sigma_y`, `y_err`, `u(y)`, `±` for `y`, of the same body and clock. `dy` and

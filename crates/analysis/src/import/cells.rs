@@ -96,6 +96,14 @@ impl<'a> Iterator for Cells<'a> {
     }
 }
 
+/// The cells of each line. They are divided by what stands behind the first cell if that is in quotation marks, else by tabs.
+pub(crate) fn cells_of(text: &str) -> impl Iterator<Item = Vec<&str>> {
+    let quoted = text.trim_start_matches('\u{feff}').strip_prefix('"');
+    let behind = quoted.and_then(|rest| rest.split_once('"')).and_then(|(_, rest)| rest.bytes().next());
+    let delimiter = behind.filter(|byte| matches!(byte, b',' | b';')).map_or(Delimiter::Tab, Delimiter::Other);
+    text.lines().map(move |line| Cells::of(line, delimiter).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

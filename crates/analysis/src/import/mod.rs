@@ -22,6 +22,7 @@ mod slices;
 mod stamp;
 
 pub use cells::Delimiter;
+pub(crate) use cells::cells_of;
 pub(crate) use decode::characters;
 pub use decode::look;
 pub use format::Format;
@@ -266,7 +267,7 @@ impl<'a> Importer<'a> {
         roles::assign(&mut columns);
         let scale_error = scale_line::read(head_lines.iter().copied());
         findings.extend(scale_error.map(Finding::Scale));
-        let mut table = Table { columns, scale_error };
+        let mut table = Table { columns, scale_error, sets: false };
         findings.extend(errors(&table).into_iter().take(FINDINGS).map(Finding::Heading));
         runs::side_by_side(&mut table, &rows.repeats);
         let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));

@@ -108,6 +108,11 @@ impl Archive {
         self.files.iter().map(|file| file.name.as_str())
     }
 
+    /// Its length in bytes.
+    pub fn size(&self) -> u64 {
+        self.size
+    }
+
     /// The names of the first few files, for a message.
     pub fn first_names(&self) -> Vec<String> {
         const SHOWN: usize = 5;

@@ -4,6 +4,7 @@
 //! A workbook is read in slices and as a stream: what it expands to is never in memory, only the lines of one sheet. What it
 //! may expand to is bounded before anything is expanded, where a cell may be before anything is written.
 
+mod files;
 mod moment;
 mod ods;
 mod refusal;
@@ -17,7 +18,9 @@ mod xlsx;
 pub use refusal::WorkbookError;
 pub use source::{Progress, SheetText};
 
+use crate::data_sets::{DEVICE, EVENTS};
 use crate::packed::{self, Archive, Xml};
+use files::Files;
 use ods::SheetsReader;
 use source::SheetSource;
 use texts::Texts;
@@ -70,12 +73,15 @@ impl Workbook {
         Ok(Self { sheets: Box::new(xls::Sheets::open(bytes, most)?) })
     }
 
-    /// The same for an archive.
+    /// The same for an archive, also one of text files.
     pub(crate) fn of_archive(archive: Archive, most: usize) -> Result<Self, WorkbookError> {
         let is_xlsx = archive.has("[Content_Types].xml");
         if !is_xlsx && archive.has(ods::CONTENT) {
             let xml = Xml::new(archive.part(ods::CONTENT, None)?);
             return Ok(Self { sheets: Box::new(SheetsReader::new(xml, most)) });
+        }
+        if !is_xlsx && !archive.has("_rels/.rels") && !archive.has(xlsx::BOOK) {
+            return Ok(Self { sheets: Box::new(Files::open(archive, most)?) });
         }
         let book = Book::open(&archive)?;
         let texts = book.texts.as_deref().map(|path| archive.part(path, None)).transpose()?;
@@ -102,9 +108,14 @@ impl Workbook {
         self.sheets.progress()
     }
 
-    /// True if the workbook lists a sheet of this name.
-    pub(crate) fn lists(&self, name: &str) -> bool {
-        self.sheets.lists(name)
+    /// True if each sheet is a text in any form, and not one that was made of cells.
+    pub(crate) fn holds_texts(&self) -> bool {
+        self.sheets.holds_texts()
+    }
+
+    /// True if each sheet is a data set that was exported together with the others.
+    pub(crate) fn holds_data_sets(&self) -> bool {
+        self.sheets.holds_texts() || [DEVICE, EVENTS].into_iter().any(|name| self.sheets.lists(name))
     }
 }
 

@@ -13,6 +13,11 @@ pub(super) trait SheetSource: std::fmt::Debug {
     /// Part of the present sheet that has been read, from 0 to 1.
     fn progress(&self) -> f64;
 
+    /// True if each sheet is a text in any form, and not one that was made of cells.
+    fn holds_texts(&self) -> bool {
+        false
+    }
+
     /// True if there is a sheet of this name, as far as the workbook lists its sheets before they are read.
     fn lists(&self, _name: &str) -> bool {
         false

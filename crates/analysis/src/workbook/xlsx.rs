@@ -14,6 +14,9 @@ const SMALL: Option<u64> = Some(16 << 20);
 /// More sheets than anybody has.
 const MOST_SHEETS: usize = 1000;
 
+/// The part with the list of sheets, unless the archive names another one.
+pub(super) const BOOK: &str = "xl/workbook.xml";
+
 /// A sheet in the list of the workbook.
 #[derive(Clone, Debug)]
 pub(super) struct SheetEntry {
@@ -38,7 +41,7 @@ impl Book {
     pub fn open(archive: &Archive) -> Result<Self, WorkbookError> {
         let of_package = relations(archive, "_rels/.rels")?;
         let document = of_package.into_values().find(|target| target.kind == "officeDocument");
-        let path = document.map_or_else(|| "xl/workbook.xml".to_owned(), |target| target.path);
+        let path = document.map_or_else(|| BOOK.to_owned(), |target| target.path);
         if !archive.has(&path) {
             return Err(WorkbookError::NoSheets { found: archive.first_names() });
         }

@@ -48,7 +48,7 @@ fn cells_of_office_open_xml_are_read_as_they_are_shown() {
             r#"<row r="1"><c r="A1" s="1"><v>45413.5000005787</v></c><c r="B1" s="2"><v>1.5</v></c></row>"#,
             "2024-05-01T12:00:00.05\t36:00:00",
         ),
-        (r#"<row r="1"><c r="A1" s="3"><v>0.05</v></c><c r="B1" s="4"><v>0.5</v></c></row>"#, "0.05\t12:00:00"),
+        (r#"<row r="1"><c r="A1" s="3"><v>0.05</v></c><c r="B1" s="4"><v>0.5</v></c></row>"#, "5%\t12:00:00"),
         (
             r#"<row r="1"><c r="A1" t="d"><v>2024-05-01T12:00:00</v></c><c r="B1" s="1" t="s"><v>0</v></c></row>"#,
             "2024-05-01T12:00:00\tt [s]",
@@ -91,7 +91,7 @@ fn cells_of_open_document_are_read_as_they_are_shown() {
         ),
         (
             r#"<table:table-row><table:table-cell office:value-type="percentage" office:value="0.05"/><table:table-cell office:value-type="boolean" office:boolean-value="false"/></table:table-row>"#,
-            "0.05\tFALSE",
+            "5%\tFALSE",
         ),
         // A remark is no content of its cell, and what a merged cell covers is empty.
         (
@@ -175,7 +175,7 @@ fn what_would_expand_too_much_is_refused_before_it_is_expanded() {
     let kind = |bytes: Vec<u8>| sheets(bytes, u64::MAX).expect_err("refused");
     assert_eq!(kind(xlsx_with("", &[("Film", TABLE)], Pack::WrongChecksum)), WorkbookError::Damaged);
     assert_eq!(kind(xlsx_with("", &[("Film", TABLE)], Pack::Encrypted)), WorkbookError::Protected);
-    assert_eq!(kind(xlsx(&[])), WorkbookError::NoSheets);
+    assert_eq!(kind(xlsx(&[])), WorkbookError::NoCells);
     // Tags without end, and tags within tags.
     assert_eq!(kind(xlsx(&[("Film", &format!("<row {}>", "a='b' ".repeat(190_000)))])), WorkbookError::Damaged);
     assert_eq!(kind(xlsx(&[("Film", &"<x>".repeat(300))])), WorkbookError::Damaged);

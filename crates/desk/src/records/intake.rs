@@ -91,7 +91,7 @@ impl Desk {
         Ok(None)
     }
 
-    /// Reads a file, text or workbook, as a record, all at once; the runs of a logger become records of their own, the first of
+    /// Reads a file, text or workbook, as a record, all at once; the runs of a logger and data sets become records of their own, the first of
     /// which is the answer. Nothing is lost when it cannot be read.
     ///
     /// # Errors
@@ -123,7 +123,7 @@ impl Desk {
         reading::read(bytes.to_vec(), LONGEST_TEXT).map_err(|error| unreadable(name, &error, self.play.language()))
     }
 
-    /// Adds what was read as a record, or each run of a logger as one.
+    /// Adds what was read as a record, or each run of a logger or data set as one.
     pub(crate) fn take_contents(
         &mut self,
         name: &str,
@@ -141,8 +141,14 @@ impl Desk {
             return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
         }
         let mut first = None;
+        let remarks: Vec<Finding> =
+            contents.import.findings.into_iter().filter(|finding| matches!(finding, Finding::DataSets(_))).collect();
         for (run, text) in runs {
             let id = self.insert_record(&format!("{name}: {run}"), text.as_bytes(), None)?;
+            if let Some(record) = self.data.records.last_mut() {
+                let own = |finding: &&Finding| matches!(finding, Finding::DataSets(remark) if remark.is_about(&run));
+                record.findings.splice(0..0, remarks.iter().filter(own).cloned());
+            }
             first.get_or_insert(id);
         }
         first.ok_or(Refusal::unknown(name))

@@ -31,7 +31,7 @@ pub(in crate::import) struct Label {
 
 /// Reads `y [cm]`, `Time (ms) Run #1`, `Run 2: Angle (deg)`, `t / s`, `t in ms`, `Time: ms`, `time_ms`, `v_{y}`.
 pub(super) fn read(cell: &str) -> Label {
-    let cell = cell.trim();
+    let cell = unguarded(cell.trim());
     // The stamp of a serial monitor before the names.
     if clock::read(cell).is_some() {
         return Label::default();
@@ -58,6 +58,11 @@ fn plain_label(rest: &str) -> Label {
         .unwrap_or_else(|| own_name(rest));
     label.name = plain(&label.name);
     label
+}
+
+/// A name without the apostrophe that keeps spreadsheets from taking it for a formula: `'-x (m)`.
+fn unguarded(cell: &str) -> &str {
+    cell.strip_prefix('\'').filter(|rest| rest.starts_with(['=', '+', '-', '@'])).unwrap_or(cell)
 }
 
 /// `v_{y}` is `v_y`.
@@ -283,8 +288,11 @@ mod tests {
     use super::*;
 
     /// The cell, and `run|name|unit` or `run|name|?what is not known`.
-    const CELLS: [(&str, &str); 57] = [
+    const CELLS: [(&str, &str); 60] = [
         ("t [s]", "|t|s"),
+        ("'-x (m)", "|-x|m"),
+        ("'=a (m/s^2)", "|=a|m/s^2"),
+        ("'t (s)", "|'t|s"),
         ("Time (msec)", "|Time|ms"),
         ("Time (MS)", "|Time|ms"),
         ("Time (milliseconds)", "|Time|ms"),

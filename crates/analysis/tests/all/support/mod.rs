@@ -1,6 +1,7 @@
 //! Noise from a seed, and the measured records outside the project.
 
 pub mod fitting;
+pub mod old_workbook;
 pub mod packed;
 
 use std::path::Path;

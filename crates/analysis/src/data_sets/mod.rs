@@ -1,0 +1,110 @@
+//! Data sets that were exported together, as phyphox does: each becomes a record of its own, all on the common clock.
+
+mod device;
+mod events;
+mod remark;
+
+pub use remark::Remark;
+
+use crate::finding::Finding;
+use crate::import::Import;
+use crate::table::{Column, Table};
+use device::Device;
+use events::Events;
+
+/// Sheets of phyphox's workbooks that describe the phone and the clock; its archives have files in their place.
+pub(crate) const DEVICE: &str = "Metadata Device";
+pub(crate) const EVENTS: &str = "Metadata Time";
+/// A joined table may have so many cells, and so many times those of the sets: sets of very different lengths would fill much
+/// memory with nothing.
+const ALWAYS_ALLOWED: usize = 1 << 20;
+const MOST_EXPANSION: usize = 10;
+
+/// Data sets, as far as they have been read.
+#[derive(Debug, Default)]
+pub(crate) struct DataSets {
+    sets: Vec<(String, Import, String)>,
+    device: Device,
+    events: Events,
+    remarks: Vec<Remark>,
+}
+
+impl DataSets {
+    /// Takes a sheet that describes the others. False if it is none of these.
+    pub fn describe(&mut self, name: &str, text: &str) -> bool {
+        match name {
+            DEVICE => self.device = Device::read(text),
+            EVENTS => self.events = Events::read(text),
+            _ => return false,
+        }
+        true
+    }
+
+    /// Adds a set with the text it was read from.
+    pub fn add(&mut self, name: String, import: Import, text: String) {
+        self.sets.push((name, import, text));
+    }
+
+    /// Notes that a sheet was no table.
+    pub fn pass_over(&mut self, name: &str) {
+        self.remarks.push(Remark::NoTable(name.to_owned()));
+    }
+
+    /// True if no set has been read.
+    pub fn is_empty(&self) -> bool {
+        self.sets.is_empty()
+    }
+
+    /// One table of all sets, in which each is a body, and the text of a set that is alone.
+    pub fn join(mut self) -> Option<(Import, String)> {
+        let mut findings: Vec<Finding> = Vec::new();
+        let columns = self.sets.iter().map(|(_, import, _)| import.table.columns.len()).sum::<usize>();
+        let cells: usize = self.sets.iter().map(|(_, import, _)| import.table.columns.len() * import.table.rows()).sum();
+        let longest = self.sets.iter().map(|(_, import, _)| import.table.rows()).max()?;
+        if columns.saturating_mul(longest) > ALWAYS_ALLOWED + MOST_EXPANSION * cells {
+            let names = self.sets.drain(1..).map(|(name, ..)| name);
+            self.remarks.extend(names.map(Remark::TooMany));
+        }
+        let names: Vec<String> = self.sets.iter().map(|(name, ..)| name.clone()).collect();
+        let several = names.len() > 1;
+        let mut moved = false;
+        for (name, import, _) in &mut self.sets {
+            moved |= self.events.spread(&mut import.table);
+            findings.extend(self.device.sensor(name, &import.table).map(Finding::DataSets));
+        }
+        if several {
+            self.remarks.insert(0, Remark::Several(names));
+        }
+        self.remarks.extend(self.device.remark());
+        self.remarks.extend(self.events.remark(moved));
+        let remarks = self.remarks.into_iter().map(Finding::DataSets);
+        findings.splice(0..0, remarks);
+        let mut sets = self.sets.into_iter();
+        let (first, mut joined, mut text) = sets.next()?;
+        if several || moved {
+            // A single text no longer says what the table does.
+            text.clear();
+            name_columns(&mut joined.table, &first, 0, longest);
+            for (name, mut import, _) in sets {
+                name_columns(&mut import.table, &name, joined.table.columns.len(), longest);
+                joined.table.columns.append(&mut import.table.columns);
+                joined.findings.append(&mut import.findings);
+            }
+            joined.table.sets = true;
+        }
+        joined.findings.splice(0..0, findings);
+        Some((joined, text))
+    }
+}
+
+/// Makes the columns of a set those of a body, behind so many columns of other sets.
+fn name_columns(table: &mut Table, set: &str, before: usize, rows: usize) {
+    for Column { body, independent, values, .. } in &mut table.columns {
+        *body = Some(match body.take() {
+            Some(run) => format!("{set} {run}"),
+            None => set.to_owned(),
+        });
+        *independent += before;
+        values.resize(rows, f64::NAN);
+    }
+}

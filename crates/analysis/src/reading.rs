@@ -186,9 +186,8 @@ impl Reading {
                     if is_text { Stage::Bytes(text.into_bytes(), source) } else { Stage::Text(text, source) }
                 }
                 Progress::End if !self.sets.is_empty() => {
-                    let (import, text) = std::mem::take(&mut self.sets)
-                        .join()
-                        .ok_or(ReadingError::Workbook(WorkbookError::Damaged))?;
+                    let (import, text) =
+                        std::mem::take(&mut self.sets).join().ok_or(ReadingError::Workbook(WorkbookError::Damaged))?;
                     Stage::Finished(Box::new(Contents { import, text, project: None }))
                 }
                 Progress::End => {

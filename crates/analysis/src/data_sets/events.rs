@@ -68,7 +68,8 @@ impl Events {
             let Some(column) = table.columns.get_mut(index) else { continue };
             let Some(unit) = column.unit.as_ref().filter(|unit| unit.dimension == Dimension::TIME) else { continue };
             // A delay or a period is no time of the experiment.
-            let end = column.values.iter().rev().find(|time| time.is_finite()).map_or(f64::NAN, |time| unit.to_si(*time));
+            let end =
+                column.values.iter().rev().find(|time| time.is_finite()).map_or(f64::NAN, |time| unit.to_si(*time));
             if end.is_nan() || end <= last {
                 continue;
             }

@@ -59,7 +59,8 @@ impl DataSets {
     pub fn join(mut self) -> Option<(Import, String)> {
         let mut findings: Vec<Finding> = Vec::new();
         let columns = self.sets.iter().map(|(_, import, _)| import.table.columns.len()).sum::<usize>();
-        let cells: usize = self.sets.iter().map(|(_, import, _)| import.table.columns.len() * import.table.rows()).sum();
+        let cells: usize =
+            self.sets.iter().map(|(_, import, _)| import.table.columns.len() * import.table.rows()).sum();
         let longest = self.sets.iter().map(|(_, import, _)| import.table.rows()).max()?;
         if columns.saturating_mul(longest) > ALWAYS_ALLOWED + MOST_EXPANSION * cells {
             let names = self.sets.drain(1..).map(|(name, ..)| name);

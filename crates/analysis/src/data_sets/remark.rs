@@ -116,7 +116,10 @@ impl Remark {
                         format!("la medición se pausó a los {from} s del tiempo del experimento{}", long(", durante ")),
                     ),
                     _ => say(
-                        format!("measuring was paused {count}×, first at {from} s of the experiment time{}", long(", for ")),
+                        format!(
+                            "measuring was paused {count}×, first at {from} s of the experiment time{}",
+                            long(", for ")
+                        ),
                         format!(
                             "la medición se pausó {count}×, la primera vez a los {from} s del tiempo del experimento{}",
                             long(", durante ")

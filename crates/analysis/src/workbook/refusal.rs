@@ -58,10 +58,9 @@ impl WorkbookError {
                     &format!("este archivo ZIP no contiene hojas de cálculo ni tablas, sino {}", list("«", "»")),
                 )
             }
-            Self::NoCells => say(
-                "this is an Office file without a sheet of cells",
-                "es un archivo de Office sin hojas con celdas",
-            ),
+            Self::NoCells => {
+                say("this is an Office file without a sheet of cells", "es un archivo de Office sin hojas con celdas")
+            }
             Self::TooOld => say(
                 "the workbook is of a format before Excel 5 (1993), which is not read",
                 "el libro tiene un formato anterior a Excel 5 (1993), que no se lee",

@@ -4,13 +4,13 @@
 
 mod cycle_errors;
 mod cycles;
+mod data_sets;
 mod derivatives;
 mod estimate;
 mod fits;
 mod headings;
 mod import;
 mod import_limits;
-mod data_sets;
 mod import_properties;
 mod old_workbooks;
 mod percentages;

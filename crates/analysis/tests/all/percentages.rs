@@ -7,14 +7,8 @@ use analysis::reading::{self, Reading};
 
 const MOST: usize = 1 << 20;
 /// Headings of a column of percentages, and a factor for plain numbers below them.
-const HEADINGS: [(&str, f64); 6] = [
-    ("eff (%)", 0.01),
-    ("eff [%]", 0.01),
-    ("eff / %", 0.01),
-    ("eff in %", 0.01),
-    ("eff_%", 0.01),
-    ("eff", 1.0),
-];
+const HEADINGS: [(&str, f64); 6] =
+    [("eff (%)", 0.01), ("eff [%]", 0.01), ("eff / %", 0.01), ("eff in %", 0.01), ("eff_%", 0.01), ("eff", 1.0)];
 /// Fractions of one: that of the cells, from a thousandth to a hundredfold.
 const FRACTIONS: [f64; 5] = [0.05, 0.0525, 0.29, 1.0, 12.5];
 

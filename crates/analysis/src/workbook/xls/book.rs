@@ -47,10 +47,13 @@ pub(super) struct SheetEntry {
 impl Book {
     /// Reads the first part of the stream.
     pub fn read(stream: &[u8]) -> Result<Self, WorkbookError> {
+        if is_too_old(stream) {
+            return Err(WorkbookError::TooOld);
+        }
         let first = Record::at(stream, 0).ok_or(WorkbookError::Damaged)?;
         let version = word(first.content(stream), 0).unwrap_or_default();
         if first.kind != BOF || !matches!(version, VERSION_5 | VERSION_8) {
-            return Err(if is_too_old(stream) { WorkbookError::TooOld } else { WorkbookError::Damaged });
+            return Err(WorkbookError::Damaged);
         }
         let mut book = Self { unicode: version == VERSION_8, ..Self::default() };
         let mut formats: BTreeMap<u16, NumberFormat> = BTreeMap::new();

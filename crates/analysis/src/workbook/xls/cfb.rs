@@ -51,8 +51,14 @@ impl<'a> CompoundFile<'a> {
             first if first < LARGEST_SECTOR => numbers(&sectors.chain(first)?),
             _ => Vec::new(),
         };
-        let mut file =
-            Self { sectors, small: Vec::new(), small_table, small_size, cutoff: double(bytes, 56)? as usize, directory };
+        let mut file = Self {
+            sectors,
+            small: Vec::new(),
+            small_table,
+            small_size,
+            cutoff: double(bytes, 56)? as usize,
+            directory,
+        };
         // The first entry is the root, whose content are the small streams.
         let root = double(file.directory.get(..ENTRY)?, 116)?;
         if root < LARGEST_SECTOR && !file.small_table.is_empty() {

@@ -131,7 +131,6 @@ impl<'a> Content<'a> {
 /// A number as 30 bits of an integer or of a floating-point number, perhaps a hundredth of it.
 pub(super) fn rk(bytes: &[u8], at: usize) -> Option<f64> {
     let bits = double(bytes, at)?;
-    let number =
-        if bits & 2 != 0 { f64::from(bits as i32 >> 2) } else { f64::from_bits(u64::from(bits & !3) << 32) };
+    let number = if bits & 2 != 0 { f64::from(bits as i32 >> 2) } else { f64::from_bits(u64::from(bits & !3) << 32) };
     Some(if bits & 1 != 0 { number / 100.0 } else { number })
 }

@@ -3,10 +3,10 @@
 mod heading;
 mod words;
 
-use crate::data_sets;
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
 use crate::tracker::Remark;
+use crate::{data_sets, roles};
 pub use heading::{Certainty, Heading};
 use units::Language::{self, Spanish};
 pub(crate) use words::readings;
@@ -110,6 +110,8 @@ pub enum Finding {
     },
     /// The runs of a logger, each with its own clock.
     Runs(Vec<String>),
+    /// The role of columns, where it is not plain.
+    Role(roles::Remark),
     /// No unit is stated for a time; it is taken for seconds, or in a fit for the unit of the model's time.
     AssumedSeconds(String),
     /// The times of these columns are all the same, or there are none.
@@ -267,6 +269,7 @@ impl Finding {
                 ),
             ),
             Self::Runs(names) => runs(names, language),
+            Self::Role(remark) => remark.text(language),
             Self::AssumedSeconds(column) => {
                 let column = called(column, language);
                 say(

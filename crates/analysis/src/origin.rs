@@ -16,6 +16,62 @@ pub struct Origin {
     pub words: usize,
     /// The first of these words, and its line.
     pub first_word: Option<(usize, String)>,
+    /// Which column of the file it is, from 1, counting also those of words; 0 for what is in no file.
+    pub number: usize,
+    /// Its role, and what has decided it.
+    pub role: Role,
+}
+
+/// The role of a column in its table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Role {
+    /// A measured quantity, or something about one.
+    #[default]
+    Measured,
+    /// The independent variable of other columns.
+    Independent(Reason),
+    /// It numbers rows or frames, and nothing is measured against it.
+    Counter,
+}
+
+/// The reason why a column is an independent variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// It is called a time.
+    Name,
+    /// It is in a unit of time.
+    Unit,
+    /// It comes first.
+    First,
+    /// It increases or decreases throughout, and the column before it numbers the rows.
+    Increases,
+    /// Nothing else can be it.
+    Alone,
+    /// The document has an independent variable of this name or unit.
+    Document,
+    /// A person has chosen it.
+    Person,
+}
+
+impl Role {
+    /// It in a few words, in English or Spanish; empty for a measured quantity.
+    pub fn text(self, language: Language) -> &'static str {
+        let reason = match self {
+            Self::Measured => return "",
+            Self::Counter => return language.pick("counts the rows", "cuenta las filas"),
+            Self::Independent(reason) => reason,
+        };
+        match reason {
+            Reason::Name => language.pick("independent: named as a time", "independiente: se llama como un tiempo"),
+            Reason::Unit => language.pick("independent: in a unit of time", "independiente: en una unidad de tiempo"),
+            Reason::First => language.pick("independent: the first column", "independiente: la primera columna"),
+            Reason::Increases => language
+                .pick("independent: increases or decreases throughout", "independiente: crece o decrece siempre"),
+            Reason::Alone => language.pick("independent: nothing else can be it", "independiente: no puede serlo otra"),
+            Reason::Document => language.pick("independent: that of the document", "independiente: la del documento"),
+            Reason::Person => language.pick("independent: chosen by you", "independiente: elegida por ti"),
+        }
+    }
 }
 
 /// Where the unit of a column comes from.

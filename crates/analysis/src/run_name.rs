@@ -1,11 +1,16 @@
 //! The names of the runs of a logger: `Run 2`, `Data Set 1`.
 
 /// Words for a run of a logger, in small letters, the longer ones first.
-const RUNS: [&str; 20] = [
+const RUNS: [&str; 25] = [
     "conjunto de datos",
     "data set",
     "datensatz",
     "messreihe",
+    "ejecución",
+    "ejecucion",
+    "recording",
+    "exécution",
+    "execução",
     "dataset",
     "medición",
     "medicion",
@@ -32,7 +37,11 @@ pub(crate) fn name(text: &str) -> Option<String> {
         return Some(text.to_owned());
     }
     let word = RUNS.iter().find(|word| lower.starts_with(**word))?;
-    let number = lower[word.len()..].trim_start_matches([' ', '#', '_', '.']);
+    let blanks = [' ', '#', '_', '.', '°', 'º'];
+    let number = lower[word.len()..].trim_start_matches(blanks);
+    // `Ejecución n.º 2`, `Run No. 2`.
+    let sign = ["nr.", "nr ", "no.", "no ", "núm.", "num.", "nº", "n°", "n.º", "n.°"];
+    let number = sign.iter().find_map(|sign| number.strip_prefix(sign)).unwrap_or(number).trim_start_matches(blanks);
     let is_number = !number.is_empty() && number.len() <= 6 && number.bytes().all(|byte| byte.is_ascii_digit());
     // The word as it is written: small letters can be of another length.
     let written: String = text.chars().take(word.chars().count()).collect();

@@ -14,6 +14,9 @@ pub struct Table {
     pub scale_error: Option<f64>,
     /// True if each body is a data set that was exported with the others: a record of its own.
     pub sets: bool,
+    /// The columns that can be the independent variables, for each way in which the table can be read; empty where there is only one.
+    /// Until one is chosen, [`Column::independent`] is that of the first.
+    pub readings: Vec<Vec<usize>>,
 }
 
 /// One column of measured data.
@@ -66,29 +69,6 @@ impl Table {
     /// How many rows there are.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
-    }
-
-    /// The column that is called `which`: by its name (`y`), the body's and its name (`mass_A.y`), else by its number,
-    /// from 1; a
-    /// whole cell of the header (`time_ms`) will do too. Where several have the name it is the first of them; capitals matter
-    /// only if there is a choice.
-    pub fn column(&self, which: &str) -> Option<usize> {
-        let which = which.trim();
-        let named = |same: &dyn Fn(&str, &str) -> bool| {
-            self.columns.iter().position(|column| {
-                same(&column.name, which)
-                    || column.body.as_deref().is_some_and(|body| is_in_body(which, body, &column.name, same))
-            })
-        };
-        if which.is_empty() {
-            return None;
-        }
-        let headed = || self.columns.iter().position(|column| column.origin.heading == which);
-        named(&|name, wanted| name == wanted)
-            .or_else(headed)
-            .or_else(|| named(&|name, wanted| name.to_lowercase() == wanted.to_lowercase()))
-            .or_else(|| which.parse().ok().and_then(|number: usize| number.checked_sub(1)))
-            .filter(|index| *index < self.columns.len())
     }
 
     /// The columns of independent variables.
@@ -159,21 +139,23 @@ impl Table {
         self.columns.iter().enumerate().position(belongs)
     }
 
-    /// What a column is called for a person: its name; `body.name` where that is not enough; its number without a name.
+    /// The number of a column, from 1: that in its file, which counts columns of words too.
+    pub fn number(&self, index: usize) -> usize {
+        self.columns.get(index).map(|column| column.origin.number).filter(|number| *number > 0).unwrap_or(index + 1)
+    }
+
+    /// The name of a column for a person: its name, or its number without one; with its body where that is not enough.
     pub fn label(&self, index: usize) -> String {
         let Some(column) = self.columns.get(index) else { return String::new() };
-        let same = |other: &&Column| other.name == column.name;
+        let number = self.number(index);
+        let name = if column.name.is_empty() { number.to_string() } else { column.name.clone() };
+        let same = |(other, _): &(usize, &Column)| {
+            self.columns.get(*other).is_some_and(|other| other.name == column.name)
+                && (!column.name.is_empty() || self.number(*other) == number)
+        };
         match &column.body {
-            _ if column.name.is_empty() => (index + 1).to_string(),
-            Some(body) if self.columns.iter().filter(same).count() > 1 => format!("{body}.{}", column.name),
-            _ => column.name.clone(),
+            Some(body) if self.columns.iter().enumerate().filter(same).count() > 1 => format!("{body}.{name}"),
+            _ => name,
         }
     }
-}
-
-/// Whether `which` is `body.name`.
-fn is_in_body(which: &str, body: &str, name: &str, same: &dyn Fn(&str, &str) -> bool) -> bool {
-    // `Run #2.Angle` as well as `Run 2.Angle`.
-    let is_body = |first: &str| same(first, body) || run_name::name(first).is_some_and(|run| same(&run, body));
-    which.match_indices('.').any(|(dot, _)| is_body(&which[..dot]) && same(name, &which[dot + 1..]))
 }

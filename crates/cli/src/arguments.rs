@@ -260,6 +260,10 @@ pub struct Cycles {
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe)]
     pub observe: Option<Observe>,
 
+    /// The independent variable [default: the time, or the first column]; of several, each for its own columns
+    #[arg(long, value_name = "COLUMN", value_delimiter = ',')]
+    pub against: Vec<String>,
+
     /// State the unit of a column that the file does not, such as t=ms
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
     pub unit: Vec<Assignment>,
@@ -303,6 +307,10 @@ pub struct Derivatives {
     /// What is differentiated, and its column by name, body.name or number
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe)]
     pub observe: Observe,
+
+    /// The independent variable [default: the time, or the first column]; of several, each for its own columns
+    #[arg(long, value_name = "COLUMN", value_delimiter = ',')]
+    pub against: Vec<String>,
 
     /// State the unit of a column that the file does not, such as t=ms
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]

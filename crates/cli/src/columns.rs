@@ -27,7 +27,13 @@ pub fn as_text(data: &Measured) -> String {
             let noun = if count == 1 { "word" } else { "words" };
             let _ = write!(cells, ", {count} {noun} (first `{word}` in line {line})");
         }
-        let role = if column.independent == index { ", independent" } else { "" };
+        let mut role = column.origin.role.text(Language::English).to_owned();
+        if let Some(own) = (0..table.columns.len().min(SHOWN)).find(|other| table.errors_of(*other) == Some(index)) {
+            role = format!("standard errors of {}", table.label(own));
+        } else if role.is_empty() && table.readings.is_empty() {
+            role = format!("against {}", data.called(column.independent));
+        }
+        let role = if role.is_empty() { role } else { format!("; {role}") };
         let _ = writeln!(
             text,
             "  {:wide$}  {:unit_wide$}  {}; {cells}{role}",
@@ -48,14 +54,15 @@ pub fn as_json(data: &Measured) -> Value {
     let column = |(index, column): (usize, &Column)| {
         let first = column.origin.first_word.as_ref().map(|(line, text)| json!({"line": line, "text": text}));
         json!({
-            "number": index + 1,
+            "number": table.number(index),
             "name": column.name,
             "heading": column.origin.heading,
             "body": column.body,
             "unit": column.unit.as_ref().map(|unit| unit.text.clone()),
             "unit_from": column.origin.unit.code(),
             "unknown_unit": column.origin.unit.unknown(),
-            "independent": column.independent + 1,
+            "independent": table.number(column.independent),
+            "role": column.origin.role.text(Language::English),
             "values": column.filled(),
             "empty": gaps(column),
             "words": column.origin.words,

@@ -10,6 +10,7 @@ use crate::data;
 use crate::failure::Failure;
 use crate::output;
 use crate::terminal::Terminal;
+use crate::variable::Stated;
 use analysis::csv::{self, Dialect};
 use analysis::cycles;
 use record::{Record, record};
@@ -18,7 +19,10 @@ use units::Language;
 
 /// Reads the data, measures the cycles and writes them.
 pub fn run(arguments: &Cycles, terminal: Terminal) -> Result<(), Failure> {
-    let data = data::read(&arguments.data, &arguments.unit)?;
+    let data = data::read(
+        &arguments.data,
+        Stated { units: &arguments.unit, against: &arguments.against, ..Stated::default() },
+    )?;
     let record = record(&data, arguments)?;
     let format = format(arguments);
     let text = match format {
@@ -74,7 +78,7 @@ fn as_json(record: &Record) -> String {
     let object = json!({
         "file": record.data.name,
         "observed": record.name,
-        "column": record.column + 1,
+        "column": record.data.table.number(record.column),
         "unit": record.unit,
         "time_unit": "s",
         "rows": record.times.len(),

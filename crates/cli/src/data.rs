@@ -1,7 +1,8 @@
 //! Files of measured data: text in any form, spreadsheets, and projects of Tracker.
 
 use crate::assignments::{Assignment, Observe};
-use crate::failure::{Failure, listed};
+use crate::failure::Failure;
+use crate::variable::{Stated, choices, choose, find, quoted};
 use analysis::finding::Finding;
 use analysis::import::{self, Format};
 use analysis::inspection::{Derived, doubtful_times, inspect};
@@ -32,8 +33,8 @@ pub struct Measured {
     pub format: Format,
 }
 
-/// Reads a file of measured data; `-` is the standard input. `units` are those that a person states for columns.
-pub fn read(path: &Path, units: &[Assignment]) -> Result<Measured, Failure> {
+/// Reads a file of measured data; `-` is the standard input.
+pub fn read(path: &Path, stated: Stated) -> Result<Measured, Failure> {
     let (name, bytes) = if path == Path::new("-") {
         let name = "the standard input";
         (name.to_owned(), bounded(&mut std::io::stdin().lock(), Path::new(name))?)
@@ -52,9 +53,10 @@ pub fn read(path: &Path, units: &[Assignment]) -> Result<Measured, Failure> {
     let contents = begin(bytes, MOST_BYTES as usize).and_then(Reading::complete);
     let import = contents.map_err(|error| refused(&name, &error))?.import;
     let mut table = import.table;
-    state_units(&name, &mut table, units)?;
-    let inspection = inspect(&table);
+    state_units(&name, &mut table, stated.units)?;
     let mut findings = import.findings;
+    findings.extend(choose(&name, &mut table, stated)?.map(Finding::Role));
+    let inspection = inspect(&table);
     findings.extend(inspection.findings);
     findings.extend(doubtful_times(&table));
     Ok(Measured { name, table, findings, derived: inspection.derived, format: import.format })
@@ -96,14 +98,8 @@ fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<()
         let unit = import::unit(value.trim_matches(['[', ']'])).ok_or_else(|| {
             Failure::with_hint(format!("--unit {name}={value}: `{value}` is not a known unit"), "write --unit t=ms")
         })?;
-        let Some(found) = table.column(name) else {
-            let labels = (0..table.columns.len()).map(|index| table.label(index));
-            return Err(Failure::with_hint(
-                format!("--unit {name}={value}: {file} has no column `{name}`"),
-                format!("its columns are {}", listed(labels)),
-            ));
-        };
-        let called = table.columns[found].name.clone();
+        let found = find(file, table, name, &|name| format!("--unit {name}={value}"))?;
+        let called = table.columns.get(found).map(|column| column.name.clone()).unwrap_or_default();
         let all_bodies = called.to_lowercase() == name.to_lowercase() && !called.is_empty();
         for (index, column) in table.columns.iter_mut().enumerate() {
             if index != found && !(all_bodies && column.name == called) {
@@ -138,22 +134,33 @@ impl Measured {
                     format!("choose one with --observe {}=COLUMN", observe.quantity),
                 )
             })?;
+            self.check_roles(column)?;
             self.check_times(column)?;
             return Ok(column);
         }
-        let column = table.column(which).ok_or_else(|| {
-            let labels = (0..table.columns.len()).map(|index| table.label(index));
-            Failure::with_hint(
-                format!("{} has no column `{which}`", self.name),
-                format!("its columns are {}; choose one with --observe {}=COLUMN", listed(labels), observe.quantity),
-            )
-        })?;
+        let column = find(&self.name, table, which, &|name| format!("--observe {}={name}", observe.quantity))?;
+        self.check_roles(column)?;
         if table.columns.get(column).is_some_and(|found| found.independent == column) {
             let label = table.label(column);
-            return Err(Failure::request(format!("{}: {label} is what the others are measured against", self.name)));
+            return Err(Failure::with_hint(
+                format!("{}: {label} is what the others are measured against", self.name),
+                "choose another independent variable with --against COLUMN",
+            ));
         }
         self.check_times(column)?;
         Ok(column)
+    }
+
+    /// Refuses a column for which several independent variables are possible, and shows how each is chosen.
+    pub fn check_roles(&self, column: usize) -> Result<(), Failure> {
+        let table = &self.table;
+        if !table.is_open(column) {
+            return Ok(());
+        }
+        Err(Failure::with_hint(
+            format!("{}: it is open what {} is measured against", self.name, self.called(column)),
+            choices(table),
+        ))
     }
 
     /// Refuses a column whose times are in an unknown unit, or of no use.
@@ -196,15 +203,6 @@ impl Measured {
     /// A name for messages and headers: `y`, or `column 2` where the file gives no name.
     pub fn called(&self, column: usize) -> String {
         let unnamed = self.table.columns.get(column).is_some_and(|column| column.name.is_empty());
-        if unnamed { format!("column {}", column + 1) } else { self.table.label(column) }
-    }
-}
-
-/// A name as an argument of a shell.
-fn quoted(name: &str) -> String {
-    if name.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.')) {
-        name.to_owned()
-    } else {
-        format!("'{name}'")
+        if unnamed { format!("column {}", self.table.number(column)) } else { self.table.label(column) }
     }
 }

@@ -7,6 +7,7 @@ use crate::data;
 use crate::failure::Failure;
 use crate::output;
 use crate::terminal::Terminal;
+use crate::variable::Stated;
 use analysis::csv::{self, Dialect};
 use analysis::derivative::{self, Differentiation};
 use analysis::smoothing::WIDEST;
@@ -14,7 +15,10 @@ use units::Unit;
 
 /// Reads the data, differentiates the column and writes a table.
 pub fn run(arguments: &Derivatives, terminal: Terminal) -> Result<(), Failure> {
-    let data = data::read(&arguments.data, &arguments.unit)?;
+    let data = data::read(
+        &arguments.data,
+        Stated { units: &arguments.unit, against: &arguments.against, ..Stated::default() },
+    )?;
     let Observe { quantity, .. } = &arguments.observe;
     let column = data.column(&arguments.observe, &[])?;
     let table = &data.table;

@@ -4,6 +4,7 @@ use crate::assignments::Assignment;
 use crate::data;
 use crate::failure::Failure;
 use crate::settings::unknown;
+use crate::variable::Stated;
 use document::Document;
 use program::{Drawn, Interpolation, Table};
 use std::path::Path;
@@ -32,7 +33,7 @@ pub fn draw(document: &mut Document, assignments: &[Assignment]) -> Result<(), F
 
 /// The values of the points of a curve from a file.
 fn read(table: &Table, drawn: &Drawn, path: &Path) -> Result<Vec<f64>, Failure> {
-    let measured = data::read(path, &[])?;
+    let measured = data::read(path, Stated::default())?;
     let what = format!("--draw {}: {}", table.name, measured.name);
     let [arguments, values] = measured.table.columns.as_slice() else {
         return Err(Failure::request(format!(

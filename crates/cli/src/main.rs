@@ -30,6 +30,7 @@ mod site;
 mod terminal;
 mod track;
 mod unfinished;
+mod variable;
 mod visible;
 
 use arguments::{Arguments, Command};

@@ -51,7 +51,7 @@ pub use fits::{
 };
 pub use records::{
     ColumnView, LONGEST_RECORD, MEASUREMENT_FIELDS, MOST_RECORDS, MeasurementForm, RecordProgress, RecordView, SAMPLES,
-    Sample,
+    Sample, VariableView,
 };
 pub use refusal::Refusal;
 pub use saved::{Change, Item, Left, Shelf, own_document_key};

@@ -67,10 +67,36 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
         .attr("aria-labelledby", format!("record-{id}-name"))
         .when(events::animationend, move |_| app.new_record.set(None))
         .child(head)
+        .child(variable(app, &record))
         .child(preview(app, records, &record))
         .child(derivatives::view(app, &record, choice))
         .maybe(findings)
         .child(exports(app, &record))
+}
+
+/// The choice of the independent variable; where several readings hold, a question.
+fn variable(app: App, record: &RecordView) -> HtmlLabel {
+    let words = app.words();
+    let (record, choices) = (record.id, record.variables.clone());
+    let open = choices.iter().all(|choice| !choice.chosen);
+    let id = format!("variable-{record}");
+    let again = id.clone();
+    let shown = choices.clone().into_iter().enumerate();
+    let choose = move |event| {
+        let place = value_of(&event).parse::<usize>().ok();
+        if let Some(choice) = place.and_then(|place| choices.get(place)) {
+            app.act_on_desk(|desk| desk.set_record_variable(record, &choice.columns));
+            browser::focus_later(again.clone());
+        }
+    };
+    let asked = open.then(|| option().value("").selected(true).child(words.variable_asked));
+    let select = select()
+        .id(id)
+        .attr("aria-invalid", open.then_some("true"))
+        .when(events::change, choose)
+        .maybe(asked)
+        .each(shown, |(place, choice)| option().value(place.to_string()).selected(choice.chosen).child(choice.text));
+    label().class("field").child(span().child(words.variable)).child(select)
 }
 
 /// The files as which a record can be saved.

@@ -40,6 +40,8 @@ table_of_words! {
     column_unit: "Unit", "Unidad";
     save_record: "Download", "Descargar";
     column_unit_asked: "which unit?", "¿qué unidad?";
+    variable: "Measured against", "Se mide frente a";
+    variable_asked: "which? The file can be read in several ways", "¿qué? El archivo se puede entender de varias maneras";
     column_fitted: "Fit it", "Ajustarla";
     column_off: "not used", "no se usa";
     findings: "Data quality", "Calidad de los datos";

@@ -85,6 +85,8 @@ impl DataSets {
         if several || moved {
             // A single text no longer says what the table does.
             text.clear();
+            let readings =
+                joined_readings(std::iter::once(&joined.table).chain(sets.as_slice().iter().map(|set| &set.1.table)));
             name_columns(&mut joined.table, &first, 0, longest);
             for (name, mut import, _) in sets {
                 name_columns(&mut import.table, &name, joined.table.columns.len(), longest);
@@ -92,10 +94,33 @@ impl DataSets {
                 joined.findings.append(&mut import.findings);
             }
             joined.table.sets = true;
+            joined.table.readings = readings;
+            for (index, column) in joined.table.columns.iter_mut().enumerate() {
+                column.origin.number = index + 1;
+            }
         }
         joined.findings.splice(0..0, findings);
         Some((joined, text))
     }
+}
+
+/// The readings of all sets together: of a set with fewer of them its last one goes with the rest.
+fn joined_readings<'a>(tables: impl Iterator<Item = &'a Table>) -> Vec<Vec<usize>> {
+    let mut of_sets: Vec<Vec<Vec<usize>>> = Vec::new();
+    let mut before = 0;
+    for table in tables {
+        let mut readings = table.readings.clone();
+        if readings.is_empty() {
+            readings.push(table.clocks().collect());
+        }
+        readings.iter_mut().flatten().for_each(|clock| *clock += before);
+        of_sets.push(readings);
+        before += table.columns.len();
+    }
+    let most = of_sets.iter().map(Vec::len).max().unwrap_or(0);
+    let one =
+        |place: usize| of_sets.iter().filter_map(|own| own.get(place).or(own.last())).flatten().copied().collect();
+    if most > 1 { (0..most).map(one).collect() } else { Vec::new() }
 }
 
 /// Makes the columns of a set those of a body, behind so many columns of other sets.

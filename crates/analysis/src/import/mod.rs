@@ -12,7 +12,6 @@ mod mixed;
 mod number;
 mod others;
 mod refusal;
-mod roles;
 mod rows;
 mod runs;
 mod separators;
@@ -31,8 +30,8 @@ pub use refusal::{ImportError, Refusal};
 use crate::error_name::{self, Belongs};
 use crate::finding::{Finding, Heading};
 use crate::origin::Origin;
-use crate::scale_line;
 use crate::table::{Column, Table};
+use crate::{roles, scale_line};
 use clock::Form;
 use first::First;
 use head::Head;
@@ -262,14 +261,17 @@ impl<'a> Importer<'a> {
             && let Some(unit) = stamp::prefer_own_times(&mut columns)
         {
             kept.remove(0);
+            columns.iter_mut().for_each(|column| column.origin.number = column.origin.number.saturating_sub(1));
             findings.push(Finding::Stamps { unit: unit.text });
         }
-        roles::assign(&mut columns);
         let scale_error = scale_line::read(head_lines.iter().copied());
         findings.extend(scale_error.map(Finding::Scale));
-        let mut table = Table { columns, scale_error, sets: false };
+        let mut table = Table { columns, scale_error, sets: false, readings: Vec::new() };
+        let roles = roles::assign(&mut table);
         findings.extend(errors(&table).into_iter().take(FINDINGS).map(Finding::Heading));
-        runs::side_by_side(&mut table, &rows.repeats);
+        if table.readings.is_empty() {
+            runs::side_by_side(&mut table, &rows.repeats);
+        }
         let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));
         findings.extend(clocks.iter().filter_map(|clock| Some(clock_finding(clock, label(clock.column)?))));
         let other_sign =
@@ -277,6 +279,7 @@ impl<'a> Importer<'a> {
         findings.extend(rows.mixed.iter().filter_map(other_sign));
         findings.extend(rows.findings(label));
         findings.extend(runs_finding(&table));
+        findings.extend(roles.into_iter().map(Finding::Role));
         Ok((Import { table, findings, format }, original.unwrap_or(text)))
     }
 }
@@ -354,7 +357,15 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
         }
         kept.push(index);
         let (conversion, first_word) = (head.conversion(), rows.first_word(index));
-        let origin = Origin { heading: head.heading, unit: head.origin, conversion, words, first_word };
+        let origin = Origin {
+            heading: head.heading,
+            unit: head.origin,
+            words,
+            first_word,
+            conversion,
+            number: index + 1,
+            ..Origin::default()
+        };
         columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values, origin });
     }
     (columns, kept)

@@ -1,7 +1,7 @@
 //! Runs that stand below each other, with a clock that begins again.
 
 use super::cells::COLUMNS;
-use super::roles;
+use crate::roles;
 use crate::table::{Column, Table};
 use units::Dimension;
 
@@ -50,7 +50,7 @@ pub(super) fn side_by_side(table: &mut Table, repeats: &[usize]) {
     table.columns = columns;
 }
 
-/// The rows at which the only clock of a table begins again at its first time, within a step; none unless the times of every run
+/// The rows at which the only clock of a table begins again at its first time, within the least step; none unless the times of every run
 /// between them increase.
 fn restarts(table: &Table) -> Vec<usize> {
     let independent: Vec<usize> = table.independent().collect();
@@ -65,7 +65,9 @@ fn restarts(table: &Table) -> Vec<usize> {
     }
     let starts: Vec<usize> = (1..times.len()).filter(|row| times[*row] <= times[*row - 1]).collect();
     let ends = starts.iter().copied().skip(1).chain([times.len()]);
-    let again = |(start, end): (&usize, usize)| end - start >= SHORTEST && (times[*start] - first).abs() <= step;
+    let steps = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0);
+    let least = steps.fold(step, f64::min);
+    let again = |(start, end): (&usize, usize)| end - start >= SHORTEST && (times[*start] - first).abs() <= least;
     let all = times.iter().all(|time| time.is_finite()) && starts.first().is_some_and(|start| *start >= SHORTEST);
     if all && starts.iter().zip(ends).all(again) { starts } else { Vec::new() }
 }

@@ -125,6 +125,9 @@ mod tests {
         for (code, expected) in cases {
             assert_eq!(of_code(code), expected, "{code}");
         }
-        assert_eq!((of_builtin(0), of_builtin(10), of_builtin(49)), (None, None, NumberFormat::Plain));
+        assert_eq!(
+            (of_builtin(0), of_builtin(10), of_builtin(49)),
+            (NumberFormat::Plain, NumberFormat::Percent, NumberFormat::Plain)
+        );
     }
 }

@@ -184,7 +184,8 @@ const CASES: &[Case] = &[
 *1.t=0 1
 1:1.y=1 2
 *2.t=0 1
-3:2.y=3 4",
+3:2.y=3 4
+! there are 2 independent variables, each with its own columns: 1.t for 1.y; 2.t for 2.y",
     ),
     (
         "bodies whose times have their names",
@@ -193,7 +194,8 @@ const CASES: &[Case] = &[
 *1.t_A=0 1
 1:1.y_A=1 2
 *2.t_B=0 1
-3:2.y_B=3 4",
+3:2.y_B=3 4
+! there are 2 independent variables, each with its own columns: t_A for y_A; t_B for y_B",
     ),
     (
         "a quantity that is a time",
@@ -201,7 +203,9 @@ const CASES: &[Case] = &[
         "semicolons, decimal point, 1 header line
 *t=0 1
 1:t_half=1 2
-1:time_of_flight=2 3",
+1:time_of_flight=2 3
+! t_half is taken for a measured quantity against t, not for the clock of other columns
+! time_of_flight is taken for a measured quantity against t, not for the clock of other columns",
     ),
     (
         "a counter of frames",

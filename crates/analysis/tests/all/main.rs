@@ -14,6 +14,7 @@ mod import_limits;
 mod import_properties;
 mod old_workbooks;
 mod percentages;
+mod roles;
 mod runs_and_clocks;
 mod spreadsheets;
 mod support;

@@ -80,6 +80,7 @@ fn widest(data: &Measured) -> Result<usize, Failure> {
     let most =
         measured.iter().filter(comparable).copied().rev().max_by(|one, other| range(*one).total_cmp(&range(*other)));
     let widest = most.unwrap_or(first);
+    data.check_roles(widest)?;
     data.check_times(widest)?;
     Ok(widest)
 }

@@ -36,6 +36,10 @@ pub struct Common {
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe, required = true)]
     pub observe: Vec<Observe>,
 
+    /// The independent variable [default: the time, or what suits the document]; of several, each for its own columns
+    #[arg(long, value_name = "COLUMN", value_delimiter = ',')]
+    pub against: Vec<String>,
+
     /// State the unit of a column that the file does not, such as t=ms
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
     pub unit: Vec<Assignment>,

@@ -10,6 +10,7 @@ use crate::data::{self, Measured};
 use crate::failure::Failure;
 use crate::output;
 use crate::terminal::Terminal;
+use crate::variable::Stated;
 use analysis::fit::{Fit, FitError, Task, profiles};
 use base64::Engine as _;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -31,8 +32,8 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
             "leave out --profile, or --loss",
         ));
     }
-    let data = read(&arguments.data, &arguments.common, terminal)?;
     let mut theory = prepare::theory(&arguments.document, terminal)?;
+    let data = read(&arguments.data, &arguments.common, &theory, terminal)?;
     let task = prepare::task(&mut theory.document, &data, &arguments.common, terminal)?;
     let fitted = complete(theory, task, arguments.profile)?;
     let notes = notes(&data, &fitted.theory);
@@ -47,9 +48,21 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     output::print(&shown)
 }
 
-/// Reads the data. What was understood of their columns is printed where the result has no place for it.
-pub fn read(paths: &[PathBuf], arguments: &Common, terminal: Terminal) -> Result<Vec<Measured>, Failure> {
-    let data: Vec<Measured> = paths.iter().map(|path| data::read(path, &arguments.unit)).collect::<Result<_, _>>()?;
+/// Reads the data for a theory. What was understood of their columns is printed where the result has no place for it.
+pub fn read(
+    paths: &[PathBuf],
+    arguments: &Common,
+    theory: &Theory,
+    terminal: Terminal,
+) -> Result<Vec<Measured>, Failure> {
+    let variable = &theory.document.program.model.independent;
+    let stated = Stated {
+        units: &arguments.unit,
+        against: &arguments.against,
+        variable: Some((&variable.name, variable.unit.dimension)),
+        observed: &arguments.observe,
+    };
+    let data: Vec<Measured> = paths.iter().map(|path| data::read(path, stated)).collect::<Result<_, _>>()?;
     if arguments.format == Form::Text {
         for one in &data {
             terminal.print(&columns::as_text(one));

@@ -8,7 +8,9 @@ use crate::limits::nothing_between;
 use crate::load::{self, Loaded, Sources};
 use crate::settings::{Reader, positive, unknown};
 use crate::terminal::Terminal;
+use crate::variable::find;
 use analysis::fit::{Observation, Record, Target, Task, Varied, observation};
+use analysis::lookup::LookupError;
 use document::Document;
 use program::{Compiled, Kind};
 use std::path::Path;
@@ -282,7 +284,13 @@ fn errors(
     let unit = observed[place].1.unit.clone();
     for ((record, measured), columns) in task.records.iter_mut().zip(data).zip(columns) {
         let observation: &mut Observation = &mut record.observations[place];
-        let column = error.value.parse::<f64>().err().and_then(|_| measured.table.column(&error.value));
+        let called = |value: &String| match measured.table.column(value) {
+            Err(LookupError::Unknown) => Ok(None),
+            _ => {
+                find(&measured.name, &measured.table, value, &|name| format!("--error {}={name}", error.name)).map(Some)
+            }
+        };
+        let column = if error.value.parse::<f64>().is_ok() { None } else { called(&error.value)? };
         let errors = match column {
             Some(column) => column_errors(measured, column, columns[place], &unit)?,
             None => {

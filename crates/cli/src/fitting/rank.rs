@@ -3,7 +3,7 @@
 use super::arguments::{Form, Rank as Arguments};
 use super::fit::{FileKind, complete, kind, notes, read, with_font};
 use super::fitted::Fitted;
-use super::prepare;
+use super::prepare::{self, Theory};
 use super::text::{Columns, beginnings, searches};
 use crate::data::Measured;
 use crate::failure::Failure;
@@ -35,15 +35,21 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     if kind == Some(FileKind::Svg) {
         return Err(Failure::with_hint("a ranking is no figure", "end --output in .html, .xlsx or .csv"));
     }
-    let data = read(&arguments.data, &arguments.common, terminal)?;
+    let theories: Vec<Theory> =
+        arguments.models.iter().map(|path| prepare::theory(path, terminal)).collect::<Result<_, _>>()?;
+    let Some(first) = theories.first() else { return Err(Failure::request("there is no theory")) };
+    let data = read(&arguments.data, &arguments.common, first, terminal)?;
     if arguments.common.format == Form::Text {
         // The table of theories has no place for these.
         for finding in data.iter().flat_map(|one| &one.findings) {
             terminal.note(finding);
         }
     }
-    let contenders: Vec<Contender> =
-        arguments.models.iter().map(|path| contend(path, &data, arguments, terminal)).collect::<Result<_, _>>()?;
+    let contenders: Vec<Contender> = theories
+        .into_iter()
+        .zip(&arguments.models)
+        .map(|(theory, path)| contend(theory, path, &data, arguments, terminal))
+        .collect::<Result<_, _>>()?;
     let outcomes: Vec<&Outcome> = contenders.iter().map(|one| &one.fitted.outcome).collect();
     let ranked = order(&outcomes);
     if let (Some(path), Some(kind)) = (&arguments.output, kind) {
@@ -66,12 +72,12 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
 }
 
 fn contend(
+    mut theory: Theory,
     path: &std::path::Path,
     data: &[Measured],
     arguments: &Arguments,
     terminal: Terminal,
 ) -> Result<Contender, Failure> {
-    let mut theory = prepare::theory(path, terminal)?;
     let mut task = prepare::task(&mut theory.document, data, &arguments.common, terminal)?;
     let Some(text) = &arguments.predict_from else {
         return Ok(Contender { fitted: complete(theory, task, false)?, parts: None });

@@ -200,8 +200,8 @@ fn what_was_understood_of_the_columns_is_said() {
     let (_directory, path) = directory_with("run.txt", text("time_s\ty [cm]", false).as_bytes());
     let out = cycles(&path, &[]).stdout;
     for line in [
-        "  time  [s]   from the end of the name; 120 values, independent\n",
-        "  y     [cm]  from the header; 120 values\n",
+        "  time  [s]   from the end of the name; 120 values; independent: named as a time\n",
+        "  y     [cm]  from the header; 120 values; against time\n",
     ] {
         assert!(out.contains(line), "{out}");
     }

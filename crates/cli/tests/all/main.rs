@@ -17,6 +17,7 @@ mod office;
 mod pages;
 mod projects;
 mod rank;
+mod roles;
 mod run;
 mod strangers;
 mod track;

@@ -76,6 +76,7 @@ impl Desk {
             used.offset = if kept.offsets { used.offset } else { 0.0 };
         }
         let offsets: Vec<f64> = record.uses.iter().map(|used| used.offset).collect();
+        (record.said, record.settled) = (contents.import.findings.clone(), false);
         record.findings = contents.import.findings.into_iter().chain(inspection.findings).collect();
         record.computed = inspection.derived.iter().map(|derived| (derived.column, derived.of)).collect();
         record.text = if contents.text.len() <= LONGEST_SAVED { contents.text } else { String::new() };

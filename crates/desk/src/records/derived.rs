@@ -85,7 +85,7 @@ impl Record {
         }
     }
 
-    fn forget_made(&mut self) {
+    pub(crate) fn forget_made(&mut self) {
         let read = self.read_columns();
         self.table.columns.truncate(read);
         self.uses.truncate(read);

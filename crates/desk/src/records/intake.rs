@@ -147,7 +147,9 @@ impl Desk {
             let id = self.insert_record(&format!("{name}: {run}"), text.as_bytes(), None)?;
             if let Some(record) = self.data.records.last_mut() {
                 let own = |finding: &&Finding| matches!(finding, Finding::DataSets(remark) if remark.is_about(&run));
-                record.findings.splice(0..0, remarks.iter().filter(own).cloned());
+                let own: Vec<Finding> = remarks.iter().filter(own).cloned().collect();
+                record.said.splice(0..0, own.iter().cloned());
+                record.findings.splice(0..0, own);
             }
             first.get_or_insert(id);
         }
@@ -165,6 +167,7 @@ impl Desk {
         let id = self.data.issued;
         self.data.issued += 1;
         let mut findings = import.findings;
+        let said = findings.clone();
         findings.extend(inspection.findings);
         // That a unit is assumed stands beside the column.
         let doubtful = doubtful_times(&import.table).into_iter();
@@ -177,6 +180,9 @@ impl Desk {
             uses: Vec::new(),
             table: import.table,
             findings,
+            said,
+            against: Vec::new(),
+            settled: false,
             computed: inspection.derived.iter().map(|derived| (derived.column, derived.of)).collect(),
             made: Vec::new(),
             shown: true,

@@ -2,6 +2,7 @@
 
 use crate::records::derived::differentiation;
 use crate::records::record::{Record, Use};
+use crate::records::variable::VariableView;
 use crate::removed::Removed;
 use crate::{Announcement, Desk, number};
 use units::sentence;
@@ -25,6 +26,8 @@ pub struct RecordView {
     pub columns: Vec<ColumnView>,
     /// What the text hides, in the chosen language.
     pub findings: Vec<String>,
+    /// The choices of the independent variable.
+    pub variables: Vec<VariableView>,
 }
 
 /// A column of a record.
@@ -69,7 +72,8 @@ impl Desk {
         let independent = &self.play.model().independent.name;
         let column = |(index, (column, used)): (usize, (&analysis::table::Column, &Use))| {
             let unit = column.unit.as_ref().map(|unit| number::unit_text(&unit.text)).unwrap_or_default();
-            let name = if column.name.is_empty() { (index + 1).to_string() } else { column.name.clone() };
+            let name =
+                if column.name.is_empty() { record.table.number(index).to_string() } else { column.name.clone() };
             let body = column.body.as_ref().map(|body| format!("{body}: ")).unwrap_or_default();
             let understood = self.understood(record, index);
             ColumnView {
@@ -98,6 +102,7 @@ impl Desk {
             shown: record.shown,
             synthetic: record.truth.is_some(),
             lasting: self.is_lasting(record.id),
+            variables: record.variables(self.play.language()),
             columns: record.table.columns.iter().zip(&record.uses).enumerate().map(column).collect(),
             findings: record.findings.iter().map(|finding| sentence(&finding.text(self.play.language()))).collect(),
         }

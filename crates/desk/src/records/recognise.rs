@@ -1,5 +1,6 @@
 //! Which quantity of the document a column of data measures.
 
+use analysis::origin::Role;
 use analysis::table::{Column, Table};
 use document::Document;
 use program::{Kind, Model};
@@ -99,8 +100,8 @@ pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str
     for (names, how) in [by_exact_name, by_name, by_custom, by_letter, by_place].into_iter().enumerate() {
         for (index, column) in table.columns.iter().enumerate() {
             let independent = column.independent == index;
-            // Standard errors of another column measure nothing.
-            if errors.contains(&index) {
+            // Standard errors of another column and numbers of rows measure nothing.
+            if errors.contains(&index) || column.origin.role == Role::Counter {
                 continue;
             }
             // Every body has its own clock.

@@ -33,6 +33,12 @@ pub(crate) struct Record {
     pub table: Table,
     /// What the text hides.
     pub findings: Vec<Finding>,
+    /// What was said of the text as it was read.
+    pub said: Vec<Finding>,
+    /// The columns that a person has made independent variables; empty where none was chosen.
+    pub against: Vec<usize>,
+    /// Whether the independent variable is another one than the text suggests.
+    pub settled: bool,
     /// Columns that were computed from others: which, and from which.
     pub computed: Vec<(usize, usize)>,
     /// The last columns, which a person had made of others.
@@ -99,9 +105,15 @@ impl Record {
     /// Takes the columns for what they seem to measure, except where a person has said what they do.
     pub fn take_for(&mut self, document: &Document, labels: &dyn Fn(&str) -> Vec<String>) {
         let model = &document.program.model;
+        let differentiated: Vec<_> = self.differentiated().collect();
+        let settled = self.settle_variable(document);
         // What was made follows its source and takes no quantity from another column.
         let made = self.table.columns.split_off(self.read_columns());
         let mut meanings = recognise(&self.table, document, labels);
+        if !self.table.readings.is_empty() {
+            // Until a person has chosen the independent variable nothing is measured.
+            meanings.iter_mut().for_each(|meaning| meaning.quantity.clear());
+        }
         self.table.columns.extend(made);
         // A fit follows the first column that was not computed from another one.
         let independent = |(column, meaning): (usize, &Meaning)| {
@@ -116,6 +128,10 @@ impl Record {
             _ => Use { meaning, fitted: Some(column) == independent, offset: 0.0, chosen: false, stated: false },
         });
         self.uses = fresh.collect();
-        self.settle_made(document);
+        if settled {
+            self.restore_made(differentiated.into_iter(), document);
+        } else {
+            self.settle_made(document);
+        }
     }
 }

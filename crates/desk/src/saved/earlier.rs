@@ -62,6 +62,7 @@ fn record(rest: &str) -> Option<(Record, &str)> {
         hidden: shown != "shown",
         truth: (kind == "virtual").then(|| values(truth)),
         known: values(known),
+        against: Vec::new(),
         columns: columns(chosen),
         derivatives: derivatives(made),
         found: Some(FoundOfRecord {

@@ -33,6 +33,9 @@ pub(crate) struct Record {
     /// Values that parameters have in this record, by name.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub known: Vec<(String, Number)>,
+    /// The columns that a person has made independent variables.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub against: Vec<usize>,
     /// What a person has said of columns.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub columns: Vec<Column>,

@@ -63,6 +63,9 @@ impl Desk {
         let Content::Record(saved) = &item.0 else { return None };
         let truth = saved.truth.as_deref().map(read_values);
         let id = self.insert_record(&saved.name, saved.text.as_bytes(), truth).ok();
+        if let Some(id) = id.filter(|_| !saved.against.is_empty()) {
+            self.set_record_variable(id, &saved.against);
+        }
         if let Some(record) = self.data.records.iter_mut().find(|record| Some(record.id) == id) {
             record.shown = !saved.hidden;
             let derivatives = saved.derivatives.iter();
@@ -107,6 +110,7 @@ fn saved(record: &Record, document: &str) -> format::Record {
         hidden: !record.shown,
         truth: record.truth.as_ref().map(|truth| write_values(truth.iter().map(|(name, value)| (name, *value)))),
         known: write_values(record.known.iter().map(|(name, value)| (name, *value))),
+        against: record.against.clone(),
         columns: write_uses(record.uses.iter().enumerate().filter(|(_, used)| used.chosen)),
         derivatives: record.differentiated().map(derivative).collect(),
         found,

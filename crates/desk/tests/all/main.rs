@@ -15,4 +15,5 @@ mod saved;
 mod support;
 mod understood;
 mod undo;
+mod variable;
 mod writing;

@@ -5,7 +5,7 @@ use super::cells_of::{bare_unit, split};
 use super::label::looks_like_unit;
 use super::{label, meant};
 use crate::import::cells::{Cells, Delimiter};
-use crate::import::roles::is_time;
+use crate::roles::is_time;
 use crate::run_name;
 
 /// So many lines above the rows can be names, units and comments.

@@ -6,8 +6,8 @@ use super::unit_words;
 use crate::conversion::UnitReading;
 use crate::error_name;
 use crate::import::clock;
-use crate::import::roles::is_time;
 use crate::origin::UnitOrigin;
+use crate::roles::is_time;
 use crate::run_name;
 use units::{Dimension, Unit};
 

@@ -2,7 +2,7 @@
 
 use super::unit_words::{self, Level};
 use crate::conversion::UnitReading;
-use crate::import::roles::is_time;
+use crate::roles::is_time;
 use units::{Dimension, Unit};
 
 /// A unit, and how the numbers are read where that is not plain.

@@ -1,0 +1,109 @@
+//! Columns by what a person calls them.
+
+use crate::run_name;
+use crate::table::Table;
+use std::fmt;
+
+/// The reason why a column is not found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LookupError {
+    /// No column is called so.
+    Unknown,
+    /// Several columns are; these.
+    Several(Vec<usize>),
+}
+
+impl fmt::Display for LookupError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Unknown => "no column is called so",
+            Self::Several(_) => "several columns are called so",
+        })
+    }
+}
+
+impl std::error::Error for LookupError {}
+
+impl Table {
+    /// The column called `which`: by its name (`y`), body and name (`mass_A.y`), whole heading (`time_ms`) or number in the file,
+    /// from 1 (`2` or `#2`). Capitals and a unit behind the name may be left out where only one name is meant. Of several bodies
+    /// with a column of this name it is that of the first.
+    ///
+    /// # Errors
+    /// No such column, and several: of one name in one body, of names that differ in capitals alone, and a name that is also
+    /// the number of another column.
+    pub fn column(&self, which: &str) -> Result<usize, LookupError> {
+        let which = which.trim();
+        if which.is_empty() {
+            return Err(LookupError::Unknown);
+        }
+        let same = |name: &str, wanted: &str| name == wanted;
+        let alike = |name: &str, wanted: &str| name.to_lowercase() == wanted.to_lowercase();
+        let headed = |index: &usize| self.columns.get(*index).is_some_and(|column| column.origin.heading == which);
+        let mut named = self.named(which, &same);
+        if let Some(number) = which.strip_prefix('#').or(Some(which)).and_then(|digits| digits.parse::<usize>().ok()) {
+            let numbered = (0..self.columns.len()).find(|index| self.number(*index) == number);
+            named.extend(numbered.filter(|index| !named.contains(index)));
+            // A name and a number of two columns are two readings, whatever their bodies.
+            return if named.len() > 1 && numbered.is_some() {
+                Err(LookupError::Several(named))
+            } else {
+                self.one(named)
+            };
+        }
+        for found in [
+            named,
+            (0..self.columns.len()).filter(headed).collect(),
+            self.named(which, &|name, wanted| bare(name) == Some(wanted)),
+            self.named(which, &alike),
+            self.named(which, &|name, wanted| bare(name).is_some_and(|name| alike(name, wanted))),
+        ] {
+            if !found.is_empty() {
+                return self.one(found);
+            }
+        }
+        Err(LookupError::Unknown)
+    }
+
+    /// What a person types for a column so that no other is meant: its label, or its number with `#`.
+    pub fn typed(&self, index: usize) -> String {
+        let label = self.label(index);
+        let plain = label.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.'));
+        if plain && self.column(&label) == Ok(index) { label } else { format!("#{}", self.number(index)) }
+    }
+
+    /// The columns whose name, or body and name, is `which`.
+    fn named(&self, which: &str, same: &dyn Fn(&str, &str) -> bool) -> Vec<usize> {
+        let is_named = |index: &usize| {
+            self.columns.get(*index).is_some_and(|column| {
+                let number = column.name.is_empty().then(|| self.number(*index).to_string());
+                let name = number.as_ref().unwrap_or(&column.name);
+                (number.is_none() && same(name, which))
+                    || column.body.as_deref().is_some_and(|body| is_in_body(which, body, name, same))
+            })
+        };
+        (0..self.columns.len()).filter(is_named).collect()
+    }
+
+    /// The first of these columns, if all others are those of other bodies.
+    fn one(&self, found: Vec<usize>) -> Result<usize, LookupError> {
+        let first = *found.first().ok_or(LookupError::Unknown)?;
+        let of = |index: &usize| self.columns.get(*index).map(|column| (&column.name, &column.body));
+        let other_body =
+            |index: &usize| of(index).zip(of(&first)).is_some_and(|(own, first)| own.0 == first.0 && own.1 != first.1);
+        if found.iter().skip(1).all(other_body) { Ok(first) } else { Err(LookupError::Several(found)) }
+    }
+}
+
+/// A name without what stands in brackets behind it: `T` of `T (°C)`.
+fn bare(name: &str) -> Option<&str> {
+    let (bare, _) = name.split_once(['(', '[', '<', '{'])?;
+    Some(bare.trim()).filter(|bare| !bare.is_empty())
+}
+
+/// True if `which` is `body.name`.
+fn is_in_body(which: &str, body: &str, name: &str, same: &dyn Fn(&str, &str) -> bool) -> bool {
+    // `Run #2.Angle` as well as `Run 2.Angle`.
+    let is_body = |first: &str| same(first, body) || run_name::name(first).is_some_and(|run| same(&run, body));
+    which.match_indices('.').any(|(dot, _)| is_body(&which[..dot]) && same(name, &which[dot + 1..]))
+}

@@ -1,0 +1,15 @@
+//! The roles of the columns of a table: which are independent variables, of which others, and which only count rows.
+
+mod assign;
+mod bodies;
+mod decide;
+mod layout;
+mod names;
+mod numbers;
+mod remark;
+mod variable;
+
+pub(crate) use assign::assign;
+pub(crate) use names::is_time;
+pub use remark::Remark;
+pub use variable::Suited;

@@ -1,0 +1,163 @@
+//! Sentences on the roles of columns, where these are not plain.
+
+use super::bodies::{is_in_time, is_number};
+use super::decide::Decision;
+use super::names::tag;
+use crate::origin::{Reason, Role};
+use crate::table::Table;
+use units::Language::{self, Spanish};
+
+/// Something that a person should know about the roles of columns. All names are labels.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Remark {
+    /// Several columns are clocks: each with the columns that belong to it.
+    Clocks(Vec<(String, Vec<String>)>),
+    /// A column numbers the rows, and another one is the independent variable.
+    RowNumbers {
+        /// The numbers of the rows.
+        counter: String,
+        /// The independent variable.
+        variable: String,
+    },
+    /// A column in a unit of time, or named as a time, is taken for a measured quantity.
+    Quantity {
+        /// The column.
+        column: String,
+        /// What it is measured against.
+        variable: String,
+    },
+    /// The columns that the document, or a person, has made the independent variables.
+    Chosen {
+        /// These.
+        columns: Vec<String>,
+        /// Whether it was the document.
+        by_document: bool,
+    },
+    /// Several readings hold: the independent variables of each.
+    Readings(Vec<Vec<String>>),
+}
+
+impl Remark {
+    /// It in a sentence, in English or Spanish.
+    pub fn text(&self, language: Language) -> String {
+        let say = |english: String, other: String| if language == Spanish { other } else { english };
+        match self {
+            Self::Clocks(clocks) => {
+                const SHOWN: usize = 8;
+                let of = |(clock, columns): &(String, Vec<String>)| {
+                    let (clock, columns) = (called(clock, language), listed(columns, language));
+                    say(format!("{clock} for {columns}"), format!("{clock} para {columns}"))
+                };
+                let mut list = clocks.iter().take(SHOWN).map(of).collect::<Vec<_>>().join("; ");
+                if clocks.len() > SHOWN {
+                    list.push_str("; …");
+                }
+                say(
+                    format!("there are {} independent variables, each with its own columns: {list}", clocks.len()),
+                    format!("hay {} variables independientes, cada una con sus columnas: {list}", clocks.len()),
+                )
+            }
+            Self::RowNumbers { counter, variable } => {
+                let (counter, variable) = (called(counter, language), called(variable, language));
+                say(
+                    format!("{counter} numbers the rows; the independent variable is {variable}"),
+                    format!("{counter} numera las filas; la variable independiente es {variable}"),
+                )
+            }
+            Self::Quantity { column, variable } => {
+                let (column, variable) = (called(column, language), called(variable, language));
+                say(
+                    format!(
+                        "{column} is taken for a measured quantity against {variable}, not for the clock of other columns"
+                    ),
+                    format!(
+                        "{column} se toma como una magnitud medida frente a {variable}, no como el reloj de otras columnas"
+                    ),
+                )
+            }
+            Self::Chosen { columns, by_document: true } => say(
+                format!("the independent variable is {}, as in the document", listed(columns, language)),
+                format!("la variable independiente es {}, como en el documento", listed(columns, language)),
+            ),
+            Self::Chosen { columns, by_document: false } => say(
+                format!("the independent variable is {}, as chosen", listed(columns, language)),
+                format!("la variable independiente es {}, según lo elegido", listed(columns, language)),
+            ),
+            Self::Readings(readings) => {
+                let list: Vec<String> = readings.iter().map(|clocks| reading(clocks, language)).collect();
+                say(
+                    format!("the independent variable can be read in {} ways: {}", list.len(), list.join("; or ")),
+                    format!(
+                        "la variable independiente se puede entender de {} maneras: {}",
+                        list.len(),
+                        list.join("; o ")
+                    ),
+                )
+            }
+        }
+    }
+}
+
+/// A label in a sentence: `column 2` for a number.
+fn called(label: &str, language: Language) -> String {
+    if label.bytes().all(|byte| byte.is_ascii_digit()) {
+        language.pick(format!("column {label}"), format!("la columna {label}"))
+    } else {
+        label.to_owned()
+    }
+}
+
+fn listed(labels: &[String], language: Language) -> String {
+    labels.iter().map(|label| called(label, language)).collect::<Vec<_>>().join(", ")
+}
+
+/// A reading in words: `all columns against t`, or `t and t2, each for its own columns`.
+pub(crate) fn reading(clocks: &[String], language: Language) -> String {
+    match clocks {
+        [clock] => {
+            let clock = called(clock, language);
+            language.pick(format!("all columns against {clock}"), format!("todas las columnas frente a {clock}"))
+        }
+        _ => language.pick(
+            format!("{}, each for its own columns", listed(clocks, language)),
+            format!("{}, cada una para sus columnas", listed(clocks, language)),
+        ),
+    }
+}
+
+/// What is to be said of a decision, once the roles are taken.
+pub(super) fn remarks(table: &Table, decision: &Decision) -> Vec<Remark> {
+    let label = |index: usize| table.label(index);
+    if !decision.readings.is_empty() {
+        let named = |clocks: &Vec<usize>| clocks.iter().map(|clock| label(*clock)).collect();
+        return vec![Remark::Readings(decision.readings.iter().map(named).collect())];
+    }
+    let mut remarks = Vec::new();
+    let is_of = |index: usize, clock: usize| {
+        index != clock
+            && table.columns.get(index).is_some_and(|column| column.independent == clock && column.filled() > 0)
+    };
+    let all = || 0..table.columns.len();
+    if decision.clocks.len() > 1 && table.columns.iter().all(|column| column.body.as_deref().is_none_or(is_number)) {
+        let of = |clock: &usize| (label(*clock), all().filter(|index| is_of(*index, *clock)).map(label).collect());
+        remarks.push(Remark::Clocks(decision.clocks.iter().map(of).collect()));
+    }
+    let [clock] = decision.clocks[..] else { return remarks };
+    if decision.reason == Reason::Increases {
+        let counters =
+            all().filter(|index| table.columns.get(*index).is_some_and(|column| column.origin.role == Role::Counter));
+        remarks.extend(counters.map(|counter| Remark::RowNumbers { counter: label(counter), variable: label(clock) }));
+    }
+    if !matches!(decision.reason, Reason::Name | Reason::Unit) {
+        return remarks;
+    }
+    let is_time = |index: &usize| {
+        table.columns.get(*index).is_some_and(|column| {
+            let named = tag(&column.name).is_some() && column.unit.is_none();
+            is_of(*index, clock) && (named || is_in_time(column))
+        })
+    };
+    remarks
+        .extend(all().filter(is_time).map(|index| Remark::Quantity { column: label(index), variable: label(clock) }));
+    remarks
+}

@@ -1,0 +1,84 @@
+//! The columns that a person names, and the choice of the independent variable.
+
+use crate::assignments::{Assignment, Observe};
+use crate::failure::{Failure, listed};
+use analysis::lookup::LookupError;
+use analysis::origin::Reason;
+use analysis::roles::Remark;
+use analysis::table::Table;
+use units::{Dimension, Language};
+
+/// What a person or a document says of the columns of a file.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Stated<'a> {
+    /// The units of columns.
+    pub units: &'a [Assignment],
+    /// The independent variables, as typed.
+    pub against: &'a [String],
+    /// Name and dimension of the document's independent variable, where there is a document.
+    pub variable: Option<(&'a str, Dimension)>,
+    /// What is observed.
+    pub observed: &'a [Observe],
+}
+
+/// Measures the columns against those that `--against` names, or else against the one that suits the document; says so.
+pub fn choose(file: &str, table: &mut Table, stated: Stated) -> Result<Option<Remark>, Failure> {
+    if !stated.against.is_empty() {
+        let named = |name: &String| find(file, table, name, &|name| format!("--against {name}"));
+        let clocks: Vec<usize> = stated.against.iter().map(named).collect::<Result<_, _>>()?;
+        return Ok(Some(table.against(&clocks, Reason::Person)));
+    }
+    let Some((name, dimension)) = stated.variable else { return Ok(None) };
+    let column = |observe: &Observe| table.column(observe.column.as_deref().unwrap_or(&observe.quantity)).ok();
+    let observed: Vec<usize> = stated.observed.iter().filter_map(column).collect();
+    Ok(table.suit(name, dimension, &observed))
+}
+
+/// The column of this name or number. `option` is what is typed for a column.
+pub fn find(file: &str, table: &Table, which: &str, option: &dyn Fn(&str) -> String) -> Result<usize, Failure> {
+    table.column(which).map_err(|error| match error {
+        LookupError::Unknown => {
+            let columns = 0..table.columns.len();
+            let gaps = columns.clone().any(|index| table.number(index) != index + 1);
+            let label = |index: usize| match table.columns.get(index) {
+                Some(column) if gaps && !column.name.is_empty() => {
+                    format!("{} (number {})", table.label(index), table.number(index))
+                }
+                _ => table.label(index),
+            };
+            Failure::with_hint(
+                format!("{file} has no column `{which}`"),
+                format!("its columns are {}; choose one with {}", listed(columns.map(label)), option("COLUMN")),
+            )
+        }
+        LookupError::Several(found) => {
+            let described = |index: &usize| format!("column {}, named `{}`", table.number(*index), table.label(*index));
+            let described: Vec<String> = found.iter().map(described).collect();
+            let typed: Vec<String> = found.iter().map(|index| option(&quoted(&table.typed(*index)))).collect();
+            Failure::with_hint(
+                format!("{file}: `{which}` can be {}", described.join(", or ")),
+                format!("write {}", typed.join(" or ")),
+            )
+        }
+    })
+}
+
+/// The options that choose each of the readings of a table.
+pub fn choices(table: &Table) -> String {
+    let option = |reading: &Vec<usize>| {
+        let typed: Vec<String> = reading.iter().map(|index| table.typed(*index)).collect();
+        let words = table.reading_in_words(reading, Language::English);
+        format!("--against {} ({words})", quoted(&typed.join(",")))
+    };
+    let options: Vec<String> = table.readings.iter().map(option).collect();
+    format!("write {}", options.join(", or "))
+}
+
+/// A name as an argument of a shell.
+pub fn quoted(name: &str) -> String {
+    if name.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.' | ',')) {
+        name.to_owned()
+    } else {
+        format!("'{name}'")
+    }
+}

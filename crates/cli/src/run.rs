@@ -63,7 +63,7 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     let rows = Rows::new(table, format(arguments));
     let mut writer = Writer { output, rows, text: String::new() };
     writer.rows.head(&mut writer.text);
-    let outcome = write_rows(&mut run, steps, &mut writer, &progress);
+    let outcome = write_rows(&mut run, (steps, until), &mut writer, &progress);
     progress.finish_and_clear();
     for notice in run.notices() {
         let (message, hint) = (notice.message(model), notice.hint());
@@ -90,16 +90,16 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
 
 /// How many steps lie between 0 and the end, which counts if it is a step but for rounding.
 fn steps(until: f64, step: f64) -> Result<u64, Failure> {
-    let steps = (until / step * (1.0 + 1e-12)).floor();
+    let steps = (until / step * (1.0 + engine::ROUNDING)).floor();
     // Beyond this the number of a step times the step is no longer exact.
     const MOST: f64 = (1_u64 << 53) as f64;
     if steps < MOST { Ok(steps as u64) } else { Err(Failure::request("--until is too many steps away")) }
 }
 
-/// Writes all rows; the error that ended the run, if one did.
+/// Writes all rows, so many steps and what happens up to the end (SI); the error that ended the run, if one did.
 fn write_rows(
     run: &mut engine::Run,
-    steps: u64,
+    (steps, until): (u64, f64),
     writer: &mut Writer,
     progress: &ProgressBar,
 ) -> Result<Option<RunError>, Failure> {
@@ -119,7 +119,12 @@ fn write_rows(
             return Ok(Some(error));
         }
     }
-    Ok(None)
+    let written = run.history().len();
+    let outcome = run.finish(until);
+    for row in written..run.history().len() {
+        writer.row(run.history(), row)?;
+    }
+    Ok(outcome.err())
 }
 
 /// Where a part of the model stands.

@@ -52,4 +52,4 @@ pub use record::{AfterJump, Record};
 pub use routine::Routine;
 pub use run::{Advance, CAPACITY, Run};
 pub use setup::Setup;
-pub use stepper::{Progress, Stepper};
+pub use stepper::{Progress, ROUNDING, Stepper};

@@ -105,6 +105,17 @@ impl Run {
         Ok(if events == 0 { Advance::Step } else { Advance::Event })
     }
 
+    /// Lets what happens at `end` (SI) happen, where the run has come so far that its next row lies behind that: events and
+    /// presses up to `end`, which may leave further rows. A longer run has the same rows.
+    ///
+    /// # Errors
+    /// An event that ends the run.
+    pub fn finish(&mut self, end: f64) -> Result<(), RunError> {
+        let outcome = self.stepper.finish(end, &mut self.history);
+        self.last_on_grid = self.history.len() - 1;
+        outcome
+    }
+
     /// About how many floating-point operations were made so far.
     pub fn work(&self) -> u64 {
         self.stepper.work()

@@ -2,10 +2,12 @@
 
 mod advance;
 mod count;
+mod finish;
 mod moment;
 mod presses;
 
 pub use advance::Progress;
+pub use finish::ROUNDING;
 pub(crate) use moment::{Moment, grid_index};
 use presses::Presses;
 

@@ -176,5 +176,7 @@ fn recorded(model: &program::Model, setup: Setup, end: f64) -> Result<Run, ()> {
             return Err(());
         }
     }
+    // An event that ends the run there takes nothing from it.
+    let _ = run.finish(end);
     Ok(run)
 }

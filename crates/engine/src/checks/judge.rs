@@ -188,7 +188,7 @@ fn within(off: f64, allowed: f64, strictly: bool) -> bool {
 
 /// How far a time can be off by rounding.
 pub(super) fn rounding(time: f64) -> f64 {
-    1e-12 * time.abs()
+    crate::ROUNDING * time.abs()
 }
 
 /// When a claim is judged: `end` is where the run ends, and `at` the value of a moment of its own.

@@ -64,8 +64,17 @@ impl Side {
         Some((history.time(row), self.readings.at_row(history, row)))
     }
 
-    /// What is read at a time up to the last row; between two rows from the interpolated state.
+    /// Lets what happens at a time up to the last row happen. An event that ends the run is met again by [`Self::advance`].
+    pub fn finish(&mut self, time: f64) {
+        let _ = self.run.finish(time);
+    }
+
+    /// What is read at a time up to the last row, behind the events of that moment; between two rows from the interpolated
+    /// state.
     pub fn at(&mut self, time: f64) -> &[f64] {
+        self.finish(time);
+        let last = self.time();
+        let time = if last <= time * (1.0 + crate::ROUNDING) { time.max(last) } else { time };
         self.run.interpolate(time, &mut self.state);
         let history = self.run.history();
         let parameters = history.parameters(history.len() - 1);

@@ -67,6 +67,10 @@ impl Trial {
             }
             self.compare(time);
             if time + rounding(self.last) >= self.last {
+                if let Ok(side) = &mut self.side {
+                    side.finish(self.last);
+                }
+                self.read();
                 self.over = true;
                 break;
             }

@@ -120,30 +120,36 @@ impl Stepper {
         }
         let begun = self.work();
         while self.time < target {
-            if self.press(record)? {
-                continue;
-            }
-            self.row.steps += 1;
-            let until = self.presses.next().map_or(target, |next| next.min(target));
-            self.on_grid &= until == target;
-            let early = match self.solver {
-                Solver::Fixed(_) => self.fixed(until)?,
-                Solver::Adaptive(_) if self.row.steps > Self::STEP_LIMIT => {
-                    return Err(self.error(Cause::TooManySteps(Self::STEP_LIMIT, self.method)));
-                }
-                Solver::Adaptive(_) => self.adaptive(until)?,
-            };
-            match early {
-                Some(early) if self.surfaces.events.first_due().is_some() => self.jump(early, record)?,
-                Some(early) => self.switch(early, record)?,
-                None if self.time == until => record.row(self.time, &self.state, false),
-                None => {}
-            }
+            self.advance_once(target, record)?;
             if self.time < target && self.work() - begun >= work {
                 return Ok(false);
             }
         }
         Ok(true)
+    }
+
+    /// Lets a press act, or makes one step towards `target`, to where something happens or to the next press.
+    pub(super) fn advance_once(&mut self, target: f64, record: &mut impl Record) -> Result<(), RunError> {
+        if self.press(record)? {
+            return Ok(());
+        }
+        self.row.steps += 1;
+        let until = self.presses.next().map_or(target, |next| next.min(target));
+        self.on_grid &= until == target;
+        let early = match self.solver {
+            Solver::Fixed(_) => self.fixed(until)?,
+            Solver::Adaptive(_) if self.row.steps > Self::STEP_LIMIT => {
+                return Err(self.error(Cause::TooManySteps(Self::STEP_LIMIT, self.method)));
+            }
+            Solver::Adaptive(_) => self.adaptive(until)?,
+        };
+        match early {
+            Some(early) if self.surfaces.events.first_due().is_some() => self.jump(early, record)?,
+            Some(early) => self.switch(early, record)?,
+            None if self.time == until => record.row(self.time, &self.state, false),
+            None => {}
+        }
+        Ok(())
     }
 
     /// One step to `target`, or to where something happens before.

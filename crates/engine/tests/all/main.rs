@@ -6,6 +6,7 @@ mod buttons;
 mod chance;
 mod closed_forms;
 mod drawn;
+mod ends;
 mod events;
 mod families;
 mod friction;

@@ -193,7 +193,7 @@ impl Swept {
     fn take(&mut self, going: &mut Going, row: usize) {
         let history = going.run.history();
         let time = history.time(row);
-        if time > self.sweep.until * (1.0 + 1e-12) {
+        if time > self.sweep.until * (1.0 + engine::ROUNDING) {
             return;
         }
         let values = self.readings.at_row(history, row).to_vec();
@@ -230,7 +230,7 @@ impl Swept {
 
     /// Goes on with a run to its end, or as far as the work allows.
     fn go_on(&mut self, mut going: Going, left: &mut u64) {
-        while going.run.time() < self.sweep.until * (1.0 - 1e-12) {
+        while going.run.time() < self.sweep.until * (1.0 - engine::ROUNDING) {
             if *left == 0 {
                 self.run = Some(going);
                 return;
@@ -250,6 +250,12 @@ impl Swept {
                 going.folds.iter_mut().for_each(|fold| fold.value = None);
                 break;
             }
+        }
+        let rows = going.run.history().len();
+        // Whether an event ends the run there makes no difference any more.
+        let _ = going.run.finish(self.sweep.until);
+        for row in rows..going.run.history().len() {
+            self.take(&mut going, row);
         }
         for (curve, (fold, taken)) in going.folds.iter().zip(&self.sweep.taken).enumerate() {
             let cell = self.y.get_mut(curve).and_then(|column| column.get_mut(self.done));

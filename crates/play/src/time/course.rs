@@ -3,7 +3,7 @@
 //! The run is computed a little ahead: the time shown lies inside the last step or on its end. What lies behind the
 //! *front*, the greatest time reached, can be shown again; what lies before it is not shown yet.
 
-use engine::{Advance, CAPACITY, History, Notice, Run, RunError, Setup};
+use engine::{Advance, CAPACITY, History, Notice, ROUNDING, Run, RunError, Setup};
 use program::Model;
 
 /// How far [`Course::proceed`] got.
@@ -175,9 +175,27 @@ impl Course {
                 }
             }
         }
-        self.front = self.front.max(to.min(self.last_time()));
+        let rows = self.rows_computed();
+        if outcome == Outcome::Reached && !self.finish(to) {
+            outcome = Outcome::Failed;
+        }
+        // What happens there can lie behind it by rounding.
+        let reached = if self.rows_computed() > rows { to * (1.0 + ROUNDING) } else { to };
+        self.front = self.front.max(reached.min(self.last_time()));
         self.show(self.front);
         outcome
+    }
+
+    /// Lets what happens at a time happen, where the last row stands there; false where that ends the run.
+    fn finish(&mut self, time: f64) -> bool {
+        let Ok(run) = &mut self.run else { return true };
+        match run.finish(time) {
+            Ok(()) => true,
+            Err(error) => {
+                self.error = Some(error);
+                false
+            }
+        }
     }
 
     /// The grid time after the one shown; one so near that a step to it would not be seen does not count.

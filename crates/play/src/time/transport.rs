@@ -181,7 +181,7 @@ impl Play {
             Status::Failed
         } else if self.full {
             Status::Full
-        } else if self.program.until == Some(self.course.time()) {
+        } else if self.program.until.is_some_and(|end| is_at(self.course.time(), end)) {
             Status::Ended
         } else {
             Status::Paused
@@ -216,7 +216,10 @@ impl Play {
         while horizon < self.end() {
             horizon *= 2.0;
         }
-        self.program.until.filter(|end| *end >= self.end()).map_or(horizon, |end| horizon.min(end))
+        self.program
+            .until
+            .filter(|end| *end >= self.end() || is_at(self.end(), *end))
+            .map_or(horizon, |end| horizon.min(end))
     }
 
     /// What a plot against the independent variable shows at least (SI).
@@ -340,4 +343,9 @@ impl Play {
         }
         self.frame_changed();
     }
+}
+
+/// True if a time is `end` but for rounding, as that of an event at the end can be.
+fn is_at(time: f64, end: f64) -> bool {
+    (end..=end * (1.0 + engine::ROUNDING)).contains(&time)
 }

@@ -57,6 +57,25 @@ pub fn capital(letter: char) -> char {
     }
 }
 
+/// A letter without the accent that it has in Spanish; every other character as it is.
+pub fn without_accent(letter: char) -> char {
+    match letter {
+        'á' => 'a',
+        'é' => 'e',
+        'í' => 'i',
+        'ó' => 'o',
+        'ú' | 'ü' => 'u',
+        'ñ' => 'n',
+        'Á' => 'A',
+        'É' => 'E',
+        'Í' => 'I',
+        'Ó' => 'O',
+        'Ú' | 'Ü' => 'U',
+        'Ñ' => 'N',
+        _ => letter,
+    }
+}
+
 /// How many primes a character stands for.
 pub fn primes(character: char) -> Option<u32> {
     match character {

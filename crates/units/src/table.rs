@@ -35,7 +35,8 @@ const fn symbol(text: &'static str, exponents: [i8; 7], scale: Scale, prefixes: 
 }
 
 /// Values of units outside the SI after the SI brochure, 9th edition (2019), table 8, and ISO 80000; the
-/// thermochemical calorie, the conventional millimetre of mercury.
+/// thermochemical calorie, the conventional millimetre of mercury, the Julian year of 365.25 days. A revolution per minute is an
+/// angular velocity, 2 pi rad in 60 s.
 #[rustfmt::skip]
 const SYMBOLS: &[Symbol] = &[
     symbol("m",   [0, 1, 0, 0, 0, 0, 0], Scale::ONE, true),
@@ -66,6 +67,13 @@ const SYMBOLS: &[Symbol] = &[
     symbol("min", [0, 0, 1, 0, 0, 0, 0], Scale::decimal(60, 0), false),
     symbol("h",   [0, 0, 1, 0, 0, 0, 0], Scale::decimal(3600, 0), false),
     symbol("d",   [0, 0, 1, 0, 0, 0, 0], Scale::decimal(86_400, 0), false),
+    symbol("week", [0, 0, 1, 0, 0, 0, 0], Scale::decimal(604_800, 0), false),
+    symbol("yr",  [0, 0, 1, 0, 0, 0, 0], Scale::decimal(31_557_600, 0), false),
+    symbol("year", [0, 0, 1, 0, 0, 0, 0], Scale::decimal(31_557_600, 0), false),
+    symbol("rpm", [0, 0, -1, 0, 0, 0, 0], Scale::irrational(PI, 1, 30), false),
+    symbol("au",  [0, 1, 0, 0, 0, 0, 0], Scale::decimal(149_597_870_700, 0), false),
+    symbol("u",   [1, 0, 0, 0, 0, 0, 0], Scale::decimal(166_053_906_660, -38), false),
+    symbol("M",   [0, -3, 0, 0, 0, 1, 0], Scale::decimal(1, 3), true),
     symbol("L",   [0, 3, 0, 0, 0, 0, 0], Scale::decimal(1, -3), true),
     symbol("l",   [0, 3, 0, 0, 0, 0, 0], Scale::decimal(1, -3), true),
     symbol("t",   [1, 0, 0, 0, 0, 0, 0], Scale::decimal(1, 3), false),
@@ -141,6 +149,30 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("hour", "h"),
     ("hr", "h"),
     ("day", "d"),
+    ("dia", "d"),
+    ("día", "d"),
+    ("hora", "h"),
+    ("minuto", "min"),
+    ("segundo", "s"),
+    ("wk", "week"),
+    ("semana", "week"),
+    ("a", "yr"),
+    ("y", "yr"),
+    ("año", "yr"),
+    ("annum", "yr"),
+    ("ua", "au"),
+    ("dalton", "u"),
+    ("da", "u"),
+    ("amu", "u"),
+    ("uma", "u"),
+    ("molar", "M"),
+    ("metro", "m"),
+    ("gramo", "g"),
+    ("kilogramo", "kg"),
+    ("litro", "L"),
+    ("grado", "deg"),
+    ("radián", "rad"),
+    ("radiane", "rad"),
     ("kph", "km/h"),
     ("kmh", "km/h"),
     ("mps", "m/s"),

@@ -51,6 +51,11 @@ impl Unit {
         Self { dimension, factor: multiplier / divisor, text, multiplier, divisor }
     }
 
+    /// True if a number in this unit is its SI value.
+    pub fn is_coherent(&self) -> bool {
+        self.multiplier == self.divisor
+    }
+
     /// The SI value of `value` in this unit. 40 in `cm` is 0.4 to the last bit.
     pub fn to_si(&self, value: f64) -> f64 {
         value * self.multiplier / self.divisor

@@ -168,8 +168,8 @@ pub struct Run {
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub until: Option<String>,
 
-    /// Which columns, in this order [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    /// Which columns, in this order, also constants and parameters [default: all that changes]
+    #[arg(long, value_name = "NAMES")]
     pub columns: Option<Vec<String>>,
 
     /// The form of the table [default: by the ending of FILE, or csv]

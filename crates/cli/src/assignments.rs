@@ -29,6 +29,25 @@ pub fn press(text: &str) -> Result<Assignment, String> {
     }
 }
 
+/// The names in a list with commas between them; those in brackets belong to a name, as in `T[30,30]`.
+pub fn names_in(text: &str) -> Vec<&str> {
+    let mut names = Vec::new();
+    let (mut start, mut depth) = (0, 0_usize);
+    for (at, letter) in text.char_indices() {
+        match letter {
+            '[' | '(' => depth += 1,
+            ']' | ')' => depth = depth.saturating_sub(1),
+            ',' if depth == 0 => {
+                names.push(text[start..at].trim());
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    names.push(text[start..].trim());
+    names
+}
+
 /// What `--observe y` or `--observe y=COLUMN` asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Observe {
@@ -63,6 +82,13 @@ fn is_body(body: &str, name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn commas_in_brackets_belong_to_a_name() {
+        assert_eq!(names_in("t"), ["t"]);
+        assert_eq!(names_in("t, T[30,30],u[1, 2]', maximum(x) ,y"), ["t", "T[30,30]", "u[1, 2]'", "maximum(x)", "y"]);
+        assert_eq!(names_in("a,,b]"), ["a", "", "b]"]);
+    }
 
     #[test]
     fn assignments_keep_their_unit() {

@@ -1,6 +1,7 @@
 //! `meniscus run`: a document's table, row by row as it is computed.
 
 use crate::arguments::{Format, Run};
+use crate::assignments::names_in;
 use crate::drawn;
 use crate::failure::Failure;
 use crate::load::{self, Loaded, Sources};
@@ -37,8 +38,8 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     setup.drawings = document.program.model.drawings();
     let model = &document.program.model;
     let table = match &arguments.columns {
-        Some(names) => {
-            Table::select(model, &names.iter().map(|name| name.trim()).collect::<Vec<_>>()).map_err(|unknown| {
+        Some(names) => Table::select(model, &names.iter().flat_map(|text| names_in(text)).collect::<Vec<_>>())
+            .map_err(|unknown| {
                 let message = format!("there is no column `{}`", unknown.name);
                 match unknown.near {
                     Some(near) => Failure::with_hint(message, format!("did you mean `{near}`?")),
@@ -47,8 +48,7 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
                         "columns are names of the document: states, quantities and parameters",
                     ),
                 }
-            })?
-        }
+            })?,
         None => Table::new(model),
     };
     let failed = |error: RunError| failed(&sources, &document, &error, terminal);

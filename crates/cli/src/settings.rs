@@ -189,12 +189,9 @@ impl Reader<'_> {
         for (&button, assignment) in buttons.iter().zip(assignments) {
             let what = format!("--press {}", assignment.name);
             let time = self.value(&what, &assignment.value, &unit, parameters)?;
-            if !(0.0..until).contains(&time) {
+            if !(0.0..=until).contains(&time) {
                 let end = format!("{} {unit}", unit.from_si(until));
-                return Err(Failure::request(format!(
-                    "{what} must be at 0 or later and before the end, {}",
-                    end.trim()
-                )));
+                return Err(Failure::request(format!("{what} must be between 0 and the end, {}", end.trim())));
             }
             presses.push(Press { time, button });
         }
@@ -204,6 +201,10 @@ impl Reader<'_> {
     /// The SI value of a bare number in `unit`, of a number with a unit, or of an expression in the parameters.
     pub fn value(&mut self, what: &str, text: &str, unit: &Unit, parameters: &[f64]) -> Result<f64, Failure> {
         if let Ok(number) = text.parse::<f64>() {
+            return finite(what, unit.to_si(number));
+        }
+        let (expression, stated, found) = model::parse_expression(text, 0..text.len());
+        if let Some(number) = expression.bare_number().filter(|_| stated.is_none() && found.is_empty()) {
             return finite(what, unit.to_si(number));
         }
         let compiled = self.expression(what, text)?;

@@ -120,7 +120,11 @@ impl<'a> Expressions<'a> {
                 }
                 continue;
             }
-            let Some(value) = self.place(assignment.value, assignment.unit.as_ref()) else {
+            let value = match assignment.unit {
+                Some(_) => assignment.value,
+                None => self.in_declared_unit(parameter, assignment.value),
+            };
+            let Some(value) = self.place(value, assignment.unit.as_ref()) else {
                 continue;
             };
             let Some(value) = self.expect_number(value) else {
@@ -136,6 +140,12 @@ impl<'a> Expressions<'a> {
             }
         }
         result
+    }
+
+    /// A value for a parameter, in whose unit a bare number is.
+    fn in_declared_unit(&mut self, parameter: usize, value: Expression) -> Expression {
+        let own = &self.compiler.model().parameters[parameter];
+        model::in_declared_unit(&own.name, value, &own.unit, &mut self.diagnostics)
     }
 
     /// The value of a switch, `on` or `off`, or of a choice, one of its texts.

@@ -4,7 +4,45 @@ use crate::block::{Block, BlockKind, Fence};
 use crate::source::{Line, lines};
 use model::{Diagnostic, Span};
 use std::ops::Range;
+use units::alphabet::without_accent;
 use units::{nearest, words};
+
+/// Other words that authors write for the kinds of blocks, in Spanish and in English, without accents.
+const OTHER_WORDS: [(&str, BlockKind); 33] = [
+    ("models", BlockKind::Model),
+    ("modelo", BlockKind::Model),
+    ("modelos", BlockKind::Model),
+    ("ecuaciones", BlockKind::Model),
+    ("equations", BlockKind::Model),
+    ("tables", BlockKind::Table),
+    ("tabla", BlockKind::Table),
+    ("tablas", BlockKind::Table),
+    ("scenes", BlockKind::Scene),
+    ("escena", BlockKind::Scene),
+    ("dibujo", BlockKind::Scene),
+    ("drawing", BlockKind::Scene),
+    ("plot", BlockKind::Plots),
+    ("figure", BlockKind::Plots),
+    ("figures", BlockKind::Plots),
+    ("graph", BlockKind::Plots),
+    ("graphs", BlockKind::Plots),
+    ("charts", BlockKind::Plots),
+    ("grafica", BlockKind::Plots),
+    ("graficas", BlockKind::Plots),
+    ("grafico", BlockKind::Plots),
+    ("graficos", BlockKind::Plots),
+    ("preset", BlockKind::Presets),
+    ("ajustes", BlockKind::Presets),
+    ("questions", BlockKind::Question),
+    ("pregunta", BlockKind::Question),
+    ("preguntas", BlockKind::Question),
+    ("checks", BlockKind::Check),
+    ("comprobacion", BlockKind::Check),
+    ("comprobaciones", BlockKind::Check),
+    ("translation", BlockKind::Translations),
+    ("traduccion", BlockKind::Translations),
+    ("traducciones", BlockKind::Translations),
+];
 
 /// The opening line of any fence.
 struct Opening<'a> {
@@ -41,7 +79,13 @@ impl<'a> Opening<'a> {
         if matches!(self.word, "smooth" | "steps") && self.second == "table" {
             return Some(BlockKind::Table);
         }
-        BlockKind::FENCED.into_iter().find(|kind| kind.word() == self.word)
+        BlockKind::FENCED.into_iter().find(|kind| kind.word() == self.word).or_else(|| self.meant())
+    }
+
+    /// The kind that another word means.
+    fn meant(&self) -> Option<BlockKind> {
+        let plain: String = self.word.to_lowercase().chars().map(without_accent).collect();
+        OTHER_WORDS.iter().find(|(word, _)| *word == plain).map(|(_, kind)| *kind)
     }
 
     fn is_closed_by(&self, line: &str) -> bool {
@@ -67,6 +111,9 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
             rest.next();
             continue;
         };
+        if opening.meant().is_some_and(|kind| kind.word() != opening.word) {
+            diagnostics.push(other_word(source, &opening, span, kind));
+        }
         if prose < line.start {
             blocks.push(Block::prose(Span::new(prose, line.start)));
         }
@@ -119,6 +166,20 @@ fn unclosed(opening: &Opening, span: Span, next: Option<&Line>) -> Diagnostic {
         None => diagnostic,
     }
     .with_hint(words!("end it with a line `{marks}`", "termínalo con una línea `{marks}`"))
+}
+
+/// Reports a block that another word names. It is read as it was meant, so that nothing else is said about it.
+fn other_word(source: &str, opening: &Opening, span: Span, kind: BlockKind) -> Diagnostic {
+    let (written, ours) = (opening.word, kind.word());
+    let message = words!(
+        "there is no block `{written}`: this one is called `{ours}`",
+        "no hay ningún bloque `{written}`: este se llama `{ours}`"
+    );
+    let at = span.start + source[span.range()].find(written).unwrap_or_default();
+    let place = Span::new(at, at + written.len());
+    Diagnostic::error("unknown-fence", message, place)
+        .with_hint(words!("write `{ours}`", "escribe `{ours}`"))
+        .with_fix(place, ours)
 }
 
 fn warn_of_near_kind(source: &str, opening: &Opening, span: Span, diagnostics: &mut Vec<Diagnostic>) {
@@ -175,8 +236,17 @@ mod tests {
     }
 
     #[test]
+    fn a_block_with_another_word_is_read_as_it_is_meant() {
+        for word in ["gráficas", "Gráficas", "graficas", "figures", "plot"] {
+            let (blocks, messages) = summary(&format!("```{word}\ny\n```"));
+            assert_eq!(blocks, ["plots \"y\\n\""], "{word}");
+            assert_eq!(messages, [format!("there is no block `{word}`: this one is called `plots`")]);
+        }
+    }
+
+    #[test]
     fn a_misspelt_kind_is_noticed() {
-        assert_eq!(summary("```preset\n```").1, ["a `preset` block is shown as code and means nothing else"]);
+        assert_eq!(summary("```presest\n```").1, ["a `presest` block is shown as code and means nothing else"]);
         assert_eq!(summary("```python\n```").1, [""; 0]);
     }
 }

@@ -10,6 +10,29 @@ use units::{nearest, words};
 const KEYS: [&str; 11] =
     ["title", "language", "summary", "topics", "translates", "method", "step", "until", "speed", "tolerance", "vary"];
 
+/// Keys in Spanish, and other words for them.
+const OTHER_KEYS: [(&str, &str); 19] = [
+    ("titulo", "title"),
+    ("nombre", "title"),
+    ("idioma", "language"),
+    ("lengua", "language"),
+    ("lang", "language"),
+    ("resumen", "summary"),
+    ("description", "summary"),
+    ("descripcion", "summary"),
+    ("temas", "topics"),
+    ("tags", "topics"),
+    ("keywords", "topics"),
+    ("traduce", "translates"),
+    ("metodo", "method"),
+    ("paso", "step"),
+    ("hasta", "until"),
+    ("fin", "until"),
+    ("end", "until"),
+    ("velocidad", "speed"),
+    ("tolerancia", "tolerance"),
+];
+
 /// A value of the front matter and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Value {
@@ -127,7 +150,9 @@ fn report(entry: &Entry, given: &mut BTreeMap<&'static str, Span>, diagnostics: 
             *key_span,
         );
         let begun = || KEYS.into_iter().find(|key| name.len() > 2 && key.starts_with(name.as_str()));
-        diagnostics.push(match nearest(name, KEYS).or_else(begun) {
+        let plain: String = name.to_lowercase().chars().map(units::alphabet::without_accent).collect();
+        let other = OTHER_KEYS.iter().find(|(other, _)| *other == plain).map(|(_, key)| *key);
+        diagnostics.push(match other.or_else(|| nearest(name, KEYS)).or_else(begun) {
             Some(near) => unknown.meaning(near),
             None => unknown.with_hint(words!("the keys are {}", "las claves son {}", KEYS.join(", "))),
         });

@@ -5,13 +5,13 @@ use crate::dimensions::check_dimensions;
 use crate::families::{declared, sizes, without_families};
 use crate::functions::{Functions, written_out};
 use crate::groups::warn_of_empty;
-use crate::lowering::{assemble, warn};
+use crate::lowering::{assemble, remark_on_degrees, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns, quotients};
 use crate::vectors::Vectors;
 use crate::{
     Diagnostic, Expression, ExpressionKind, Places, Span, Statement, StatementKind, has_errors, limits, parse,
 };
-use crate::{chance, choices, discrete_kinds, maps, moments, so_far, ticks};
+use crate::{bare_numbers, chance, choices, discrete_kinds, maps, moments, so_far, ticks};
 use program::{Model, Size};
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -91,6 +91,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
         let (single, functions) = without_vectors(&single, vectors, &sizes, diagnostics)?;
         (Cow::Owned(single), Some(functions))
     };
+    let single = bare_numbers::write_out(&single, diagnostics);
     let mapped = chance::write_out(maps::write_out(&single, diagnostics), diagnostics);
     let numbered = discrete_kinds::write_out(mapped, diagnostics);
     let scheduled = ticks::write_out(&numbered, diagnostics);
@@ -141,6 +142,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
             model.sizes = sizes;
             hide(&mut model, &statements, vectors);
             warn(&model, &places, &declarations, diagnostics);
+            remark_on_degrees(&declarations, diagnostics);
             warn_of_empty(&statements, diagnostics);
             Some(Checked { model, places, statements, functions })
         }

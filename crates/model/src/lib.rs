@@ -1,5 +1,6 @@
 //! The equation language: from text to a checked system of first-order equations.
 
+mod bare_numbers;
 mod chance;
 mod choices;
 mod compile;
@@ -29,6 +30,7 @@ mod ticks;
 mod typeset;
 mod vectors;
 
+pub use bare_numbers::in_declared_unit;
 pub use compile::{Checked, check, compile, refuse_length};
 pub use diagnostic::{Diagnostic, Edit, Fix, Label, Severity, Span, has_errors};
 pub use expression::Compiler;

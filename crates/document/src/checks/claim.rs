@@ -1,5 +1,6 @@
 //! One claim: what is said, and when.
 
+use super::identity::remark_on_identity;
 use super::tolerance::tolerance;
 use crate::expressions::{Expressions, Placed, dimension_error};
 use crate::scan::{find_word, top_level};
@@ -124,6 +125,7 @@ fn near(expressions: &mut Expressions, range: Range<usize>, within: Range<usize>
     }
     let tolerance = tolerance(expressions, trim(source, within.end..of.start), &value, zero)?;
     warn_if_constant(expressions, &[&value, &expected]);
+    remark_on_identity(expressions, &value, &expected);
     Some(Test::Near { value: value.value, expected: expected.value, tolerance })
 }
 

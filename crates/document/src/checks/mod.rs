@@ -1,6 +1,7 @@
 //! Checks: `"Energy is kept": E within 1e-6 of E(0) always`, in a block of their own.
 
 mod claim;
+mod identity;
 mod tolerance;
 
 use crate::expressions::Expressions;

@@ -5,6 +5,7 @@ use crate::tolerances::{self, Form};
 use model::{Diagnostic, Span};
 use program::Tolerance;
 use std::ops::Range;
+use units::number::shortest;
 use units::words;
 
 const FORM: Form = Form {
@@ -28,6 +29,7 @@ pub fn tolerance(
     of_zero: bool,
 ) -> Option<Tolerance> {
     let span = Span::new(range.start, range.end);
+    let is_percent = expressions.source[range.clone()].ends_with('%');
     let tolerance = tolerances::read(expressions, range, value, &FORM)?;
     if of_zero && matches!(tolerance, Tolerance::Relative(_)) {
         let unit = value.value.unit.text.as_str();
@@ -48,5 +50,36 @@ pub fn tolerance(
         );
         return None;
     }
+    if let (Tolerance::Relative(part), false, true) = (tolerance, is_percent, value.value.dimension().is_none()) {
+        expressions.diagnostics.push(bare(part, span));
+    }
     Some(tolerance)
+}
+
+/// Warns of `within 0.5` where both a fraction and a difference could be meant.
+fn bare(part: f64, span: Span) -> Diagnostic {
+    let percent = percent(part);
+    let message = words!(
+        "a tolerance without a unit is a fraction: {percent} % of what the value should be",
+        "una tolerancia sin unidad es una fracción: el {percent} % de lo que debería ser el valor"
+    );
+    Diagnostic::warning("bare-tolerance", message, span)
+        .with_hint(words!("for the fraction write `{percent} %`", "para la fracción escribe `{percent} %`"))
+        .with_hint(words!(
+            "for a difference write `{percent} [%]`, which is {}",
+            "para una diferencia escribe `{percent} [%]`, que es {}",
+            shortest(part)
+        ))
+        .with_fix(span, format!("{percent} %"))
+        .with_fix(span, format!("{percent} [%]"))
+}
+
+/// A hundred times a number, with the digits of the number.
+fn percent(part: f64) -> String {
+    let written = format!("{part:e}");
+    let moved = written.split_once('e').and_then(|(digits, exponent)| {
+        let exponent: i32 = exponent.parse().ok()?;
+        format!("{digits}e{}", exponent + 2).parse::<f64>().ok()
+    });
+    shortest(moved.unwrap_or(100.0 * part))
 }

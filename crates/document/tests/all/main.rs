@@ -22,6 +22,7 @@ mod outline;
 mod parts;
 mod plot_forms;
 mod reference;
+mod remedies;
 mod rename;
 mod repeats;
 mod scene;

@@ -30,6 +30,22 @@ impl Lexer<'_> {
         });
         self.push(TokenKind::Unknown, start);
     }
+
+    /// Reads the sign of a degree behind a number, as in `30°`. Whether it was one.
+    pub(super) fn degree_sign(&mut self, sign: char, start: usize) -> bool {
+        let number = self.tokens.last().filter(|token| matches!(token.kind, TokenKind::Number(_)));
+        let Some(number) = number.map(|token| token.span).filter(|_| matches!(sign, '°' | 'º')) else { return false };
+        let written = &self.source[number.range()];
+        let wrong =
+            words!("`{sign}` cannot stand directly after a number", "`{sign}` no puede ir justo después de un número");
+        let diagnostic =
+            Diagnostic::error("unit-without-brackets", wrong, Span::new(start, self.at)).with_hint(words!(
+                "a unit stands in square brackets: {written} [deg]",
+                "una unidad va entre corchetes: {written} [deg]"
+            ));
+        self.diagnostics.push(diagnostic.with_fix(Span::new(number.end, self.at), " [deg]"));
+        true
+    }
 }
 
 /// The length of the longest unit at the start of a text; the word `in` is not taken for inches.

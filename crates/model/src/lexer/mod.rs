@@ -5,6 +5,7 @@ mod brackets;
 mod component;
 mod derivative;
 mod foreign;
+mod spanish;
 mod token;
 
 pub(crate) use token::{Keyword, Symbol, Token, TokenKind};
@@ -104,6 +105,10 @@ impl<'a> Lexer<'a> {
             c if is_blank(c) => {
                 self.skip(is_blank);
             }
+            'º' if matches!(self.tokens.last(), Some(Token { kind: TokenKind::Number(_), .. })) => {
+                self.at += first.len_utf8();
+                self.degree_sign(first, start);
+            }
             c if c == '_' || c.is_alphabetic() && primes(c).is_none() && lowered(c).is_none() => self.name(),
             c if primes(c).is_some() => {
                 self.skip(|c| primes(c).is_some());
@@ -188,7 +193,7 @@ impl<'a> Lexer<'a> {
     }
 
     fn name(&mut self) {
-        if self.textbook_derivative() {
+        if self.textbook_derivative() || self.spanish() {
             return;
         }
         let start = self.at;
@@ -330,6 +335,9 @@ impl<'a> Lexer<'a> {
             return self.push(kind.clone(), start);
         }
         self.at += first.len_utf8();
+        if self.degree_sign(first, start) {
+            return;
+        }
         if !self.strange.contains(&first) {
             self.strange.push(first);
             self.diagnostics.push(strange_character(first, Span::new(start, self.at)));

@@ -1,6 +1,7 @@
 //! Lowering: from checked statements to the graph of a first-order system.
 
 mod affine;
+mod angles;
 mod assemble;
 mod collect;
 mod explain;
@@ -10,6 +11,7 @@ mod rank;
 mod solve;
 mod warnings;
 
+pub(crate) use angles::remark_on_degrees;
 pub(crate) use assemble::assemble;
 pub(crate) use expression::{Chain, Lowered, Lowering, TooManyNodes};
 pub(crate) use friction::frictions;

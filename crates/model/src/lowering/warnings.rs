@@ -17,16 +17,17 @@ pub(crate) fn warn(model: &Model, places: &Places, declarations: &Declarations, 
         let is_own = |name: &str| !moments::is_hidden(name) || discrete_kinds::quantity(name).is_some();
         let of_author = event.actions.iter().any(|action| is_own(&action.name.text));
         if !crosses && event.button.is_none() && (of_author || event.stops) {
-            written.push((&model.events[number], places.events[number]));
+            written.push((&model.events[number], places.events[number], event.condition.span));
         }
         number += if crosses { 2 } else { 1 };
     }
     true_at_the_start(model, &written, diagnostics);
+    let written: Vec<(&Event, Span)> = written.iter().map(|&(event, place, _)| (event, place)).collect();
     set_twice(model, &written, diagnostics);
 }
 
 /// Events whose conditions are true at the start, as far as the parameters' defaults tell: nothing becomes true there.
-fn true_at_the_start(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Diagnostic>) {
+fn true_at_the_start(model: &Model, events: &[(&Event, Span, Span)], diagnostics: &mut Vec<Diagnostic>) {
     let mut graph = model.graph.clone();
     let defaults = |nodes: &[NodeId], graph: &mut program::Graph, initial: &[NodeId]| {
         graph.substitute(nodes, |graph, input| match input {
@@ -38,8 +39,15 @@ fn true_at_the_start(model: &Model, events: &[(&Event, Span)], diagnostics: &mut
     };
     let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
     let initial = defaults(&initial, &mut graph, &[]);
-    for &(event, place) in events {
+    for &(event, _, place) in events {
         let truth = defaults(&[event.condition], &mut graph, &initial);
+        // An action that sets what is set already is not missed.
+        let values: Vec<NodeId> = event.actions.iter().map(|(_, value)| *value).collect();
+        let values = defaults(&values, &mut graph, &initial);
+        let is_set = |((state, _), value): (&(u32, NodeId), &NodeId)| initial.get(*state as usize) == Some(value);
+        if !event.stops && event.actions.iter().zip(&values).all(is_set) {
+            continue;
+        }
         if truth.iter().any(|&truth| graph.as_constant(truth).is_some_and(|truth| truth != 0.0)) {
             let message = words(
                 "the condition is true at the start already, and there the event does not fire",

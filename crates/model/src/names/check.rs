@@ -214,7 +214,7 @@ impl<'a> NameCheck<'a> {
             if let Some(derivative) = foreign::derivative_of(name, arguments) {
                 diagnostic = diagnostic.with_fix(span, derivative);
             }
-        } else if let Some(near) = self.scope.near_function(text) {
+        } else if let Some(near) = foreign::in_english(text).or_else(|| self.scope.near_function(text)) {
             diagnostic = diagnostic.meaning(near);
         }
         self.diagnostics.push(diagnostic);

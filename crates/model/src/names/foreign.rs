@@ -16,6 +16,38 @@ const REMEMBERED: [&str; 4] = ["maximum", "minimum", "mean", "integral"];
 /// What vectors are made with elsewhere.
 const VECTORS: [&str; 7] = ["vector", "vec", "Vector", "vec2", "vec3", "Vec2", "Vec3"];
 
+/// Functions in Spanish, without accents.
+const SPANISH: [(&str, &str); 22] = [
+    ("sen", "sin"),
+    ("seno", "sin"),
+    ("coseno", "cos"),
+    ("tg", "tan"),
+    ("tangente", "tan"),
+    ("arcsen", "asin"),
+    ("arcseno", "asin"),
+    ("arcos", "acos"),
+    ("arctg", "atan"),
+    ("senh", "sinh"),
+    ("raiz", "sqrt"),
+    ("absoluto", "abs"),
+    ("signo", "sign"),
+    ("suma", "sum"),
+    ("redondear", "round"),
+    ("piso", "floor"),
+    ("techo", "ceil"),
+    ("maximo", "maximum"),
+    ("minimo", "minimum"),
+    ("media", "mean"),
+    ("promedio", "mean"),
+    ("norma", "norm"),
+];
+
+/// The function that a Spanish word means.
+pub(super) fn in_english(function: &str) -> Option<&'static str> {
+    let plain: String = function.chars().map(units::alphabet::without_accent).collect();
+    SPANISH.iter().find(|(word, _)| *word == plain.to_lowercase()).map(|(_, ours)| *ours)
+}
+
 /// What to write instead of a function that does not exist.
 pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression]) -> Option<Words> {
     let text = &function.text;

@@ -85,6 +85,10 @@ pub(super) fn unknown_name(scope: &Scope, unknown: &Unknown, in_model: bool) -> 
             "la variable independiente es `{}`",
             scope.independent
         )),
+        "verdadero" | "cierto" => diagnostic.meaning("true"),
+        "falso" => diagnostic.meaning("false"),
+        "encendido" => diagnostic.meaning("on"),
+        "apagado" => diagnostic.meaning("off"),
         "on" | "off" | "true" | "false" => diagnostic.with_hint(words(
             "what is true or false stands alone: `if drag then ... else ...`, `not drag`",
             "lo que es verdadero o falso va solo: `if drag then ... else ...`, `not drag`",

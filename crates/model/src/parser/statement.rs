@@ -12,21 +12,7 @@ use units::{Words, words};
 const OTHER_WORDS: &[(&str, &[&str])] = &[
     (
         "parameter",
-        &[
-            "parameters",
-            "param",
-            "par",
-            "const",
-            "constant",
-            "let",
-            "var",
-            "input",
-            "int",
-            "float",
-            "double",
-            "real",
-            "parametro",
-        ],
+        &["parameters", "param", "par", "const", "constant", "let", "var", "input", "int", "float", "double", "real"],
     ),
     ("independent", &["variable"]),
     ("function", &["def", "func", "fn"]),

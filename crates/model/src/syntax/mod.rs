@@ -1,5 +1,6 @@
 //! The syntax tree: what the author wrote, with its places, before any name has a meaning.
 
+mod bare;
 mod expression;
 mod name;
 mod parts;

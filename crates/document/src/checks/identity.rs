@@ -1,0 +1,23 @@
+//! Claims that are true by definition, and so say nothing about a run.
+
+use crate::expressions::{Expressions, Placed};
+use model::Diagnostic;
+use units::words;
+
+/// Remarks on a claim that compares something with itself, or with its own definition.
+pub fn remark_on_identity(expressions: &mut Expressions, left: &Placed, right: &Placed) {
+    // Equal expressions are one node of the graph.
+    if left.value.node != right.value.node || !expressions.model().depends(left.value.node).varies() {
+        return;
+    }
+    let message = words(
+        "this claim is true by definition: both sides are the same whatever the run does",
+        "esta afirmación es verdadera por definición: ambos lados son iguales haga lo que haga la simulación",
+    );
+    expressions.diagnostics.push(
+        Diagnostic::warning("true-by-definition", message, left.span.to(right.span)).with_hint(words(
+            "compare what the run computes with what follows from something else",
+            "compara lo que calcula la simulación con lo que resulta de otra cosa",
+        )),
+    );
+}

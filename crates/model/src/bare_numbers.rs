@@ -1,0 +1,104 @@
+//! A bare number that is given to a quantity is in the unit in which that is declared, as in its range and on the command line.
+
+use crate::{Diagnostic, Expression, ExpressionKind, Span, Statement, StatementKind, UnaryOperator};
+use std::borrow::Cow;
+use std::collections::HashMap;
+use units::number::shortest;
+use units::{Unit, words};
+
+/// The expression that a value given to `name` stands for: a bare number gets the declared unit. Where a number in that unit is no
+/// SI value, a remark gives both meanings.
+pub fn in_declared_unit(
+    name: &str,
+    mut value: Expression,
+    unit: &Unit,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Expression {
+    let Some(number) = value.bare_number() else { return value };
+    if number != 0.0 && !unit.is_coherent() {
+        diagnostics.push(remark(name, &value, number, unit));
+    }
+    value.kind = ExpressionKind::Number { value: number, unit: Some(unit.clone()) };
+    value
+}
+
+fn remark(name: &str, value: &Expression, number: f64, unit: &Unit) -> Diagnostic {
+    let span = value.span;
+    let (declared, coherent) = (format!("{} [{unit}]", shortest(number)), si(number, unit));
+    let message = words!(
+        "a bare number is in the unit in which `{name}` is declared: here `{declared}`",
+        "un número sin unidad está en la unidad con la que se declara `{name}`: aquí `{declared}`"
+    );
+    let diagnostic = Diagnostic::warning("bare-number", message, span)
+        .with_note(words!(
+            "as a number in SI units it would be `{coherent}`",
+            "como número en unidades del SI sería `{coherent}`"
+        ))
+        .with_hint(words!("state the unit: `{declared}`", "indica la unidad: `{declared}`"))
+        .with_hint(words!(
+            "if the SI value is meant, write `{coherent}`",
+            "si es el valor en el SI, escribe `{coherent}`"
+        ));
+    let is_literal = match &value.kind {
+        ExpressionKind::Unary(UnaryOperator::Negate, operand) => matches!(operand.kind, ExpressionKind::Number { .. }),
+        kind => matches!(kind, ExpressionKind::Number { .. }),
+    };
+    match is_literal {
+        true => diagnostic.with_fix(span.after(), format!(" [{unit}]")),
+        false => diagnostic.with_fix(span, declared),
+    }
+    .with_fix(span, coherent)
+}
+
+/// A number as an SI value with its unit: in radians for an angle, in the declared unit for another pure number.
+fn si(number: f64, unit: &Unit) -> String {
+    if !unit.dimension.is_none() {
+        return format!("{} [{}]", shortest(number), Unit::si(unit.dimension));
+    }
+    if is_degree(unit) {
+        return format!("{} [rad]", shortest(number));
+    }
+    format!("{} [{unit}]", shortest(unit.from_si(number)))
+}
+
+/// True for degrees, however they are written.
+fn is_degree(unit: &Unit) -> bool {
+    matches!(unit.text.as_str(), "deg" | "°")
+}
+
+/// The statements in which each bare number that an event or a button gives to a pure number is in the unit that this is declared
+/// in: `theta = 90` where `theta(0) = 0 in [deg]`.
+pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
+    let declared: HashMap<(&str, u32), &Unit> = statements.iter().filter_map(declared).collect();
+    let is_given = |statement: &Statement| match &statement.kind {
+        StatementKind::Event { actions, .. } => {
+            actions.iter().any(|action| declared.contains_key(&(action.name.text.as_str(), action.order)))
+        }
+        _ => false,
+    };
+    if !statements.iter().any(is_given) {
+        return Cow::Borrowed(statements);
+    }
+    let mut written = statements.to_vec();
+    for statement in &mut written {
+        let StatementKind::Event { actions, .. } = &mut statement.kind else { continue };
+        for action in actions {
+            if let Some(unit) = declared.get(&(action.name.text.as_str(), action.order)) {
+                let value = std::mem::replace(&mut action.value, Expression::nothing(Span::default()));
+                action.value = in_declared_unit(&action.name.text, value, unit, diagnostics);
+            }
+        }
+    }
+    Cow::Owned(written)
+}
+
+/// Returns the name, the order and the unit that a statement declares, if that is a unit of pure numbers other than 1.
+fn declared(statement: &Statement) -> Option<((&str, u32), &Unit)> {
+    let (name, order, unit) = match &statement.kind {
+        StatementKind::InitialValue { name, order, unit, .. } => (name, *order, unit.as_ref()?),
+        StatementKind::Discrete { name, unit, .. } => (name, 0, unit.as_ref()?),
+        _ => return None,
+    };
+    let unit = &unit.unit;
+    (unit.dimension.is_none() && !unit.is_coherent()).then_some(((name.text.as_str(), order), unit))
+}

@@ -1,0 +1,125 @@
+//! Angles that look like degrees and are read as radians: `theta(0) = 45`, `parameter alpha = 30 in 0..90`.
+
+use crate::names::{Declarations, for_each};
+use crate::{BinaryOperator, Bounds, Diagnostic, Expression, ExpressionKind, ParameterForm, Span};
+use std::collections::HashSet;
+use std::f64::consts::TAU;
+use units::number::shortest;
+use units::words;
+
+/// Usual names of angles, without index and accents.
+const NAMES: [&str; 10] =
+    ["theta", "phi", "psi", "angle", "angulo", "inclination", "inclinacion", "latitude", "latitud", "grados"];
+
+/// Ends of ranges that are usual in degrees.
+const ENDS: [f64; 14] = [15.0, 30.0, 40.0, 45.0, 60.0, 70.0, 75.0, 80.0, 85.0, 89.0, 90.0, 180.0, 270.0, 360.0];
+
+/// Definitions and initial values lead so far from what stands in a sine to the number that decides it.
+const STEPS: usize = 4;
+
+/// A number turned by so much at most is a factor of an angle and no conversion: `2*theta`, `theta/2`.
+const GREATEST_FACTOR: f64 = 8.0;
+
+/// Adds a remark for each parameter and initial value without a unit that is an angle and looks like degrees.
+pub(crate) fn remark_on_degrees(declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) {
+    let angles = angles(declarations);
+    let is_angle = |name: &str| angles.contains(name) || is_called_angle(name);
+    for entry in &declarations.parameters {
+        let own = entry.statement;
+        let is_bare = own.unit.is_none() && own.form == ParameterForm::Number;
+        let range = own.range.as_ref();
+        if is_bare && is_angle(&own.name.text) && (own.value.abs() > TAU || range.is_some_and(looks_like_degrees)) {
+            diagnostics.push(remark(&own.name.text, own.value, own.value_span));
+        }
+    }
+    for entry in &declarations.initial_values {
+        let number = entry.value.bare_number().filter(|number| number.abs() > TAU);
+        if let Some(number) = number.filter(|_| entry.order == 0 && is_angle(&entry.name.text)) {
+            diagnostics.push(remark(&entry.name.text, number, entry.value.span));
+        }
+    }
+}
+
+fn looks_like_degrees(range: &Bounds) -> bool {
+    let is_end = |end: f64| ENDS.contains(&end.abs());
+    let greatest = range.low.abs().max(range.high.abs());
+    is_end(greatest) && (range.low == 0.0 || is_end(range.low) || range.low.abs() <= 10.0)
+}
+
+fn is_called_angle(name: &str) -> bool {
+    let stem = name.split('_').next().unwrap_or_default().trim_end_matches(|c: char| c.is_ascii_digit());
+    let plain: String = stem.chars().map(units::alphabet::without_accent).collect();
+    NAMES.contains(&plain.to_lowercase().as_str())
+}
+
+/// The names whose values are angles: what stands in a sine, cosine or tangent, and what that is computed from.
+fn angles<'a>(declarations: &Declarations<'a>) -> HashSet<&'a str> {
+    let definitions = || declarations.definitions.iter().map(|one| (one.name.text.as_str(), one.value));
+    let initial = || declarations.initial_values.iter().filter(|one| one.order == 0);
+    let mut found = HashSet::new();
+    let equations = declarations.equations.iter().flat_map(|equation| [equation.left, equation.right]);
+    let values = definitions().map(|(_, value)| value).chain(declarations.initial_values.iter().map(|one| one.value));
+    let events = declarations.events.iter();
+    let events = events.flat_map(|event| event.actions.iter().map(|action| &action.value).chain([event.condition]));
+    for expression in equations.chain(values).chain(events) {
+        for_each(expression, |part| {
+            if let ExpressionKind::Call { function, arguments } = &part.kind
+                && let ("sin" | "cos" | "tan", [argument]) = (function.text.as_str(), arguments.as_slice())
+            {
+                terms(argument, &mut found);
+            }
+        });
+    }
+    for _ in 0..STEPS {
+        let known = found.len();
+        let given = definitions().chain(initial().map(|one| (one.name.text.as_str(), one.value)));
+        let values: Vec<_> = given.filter(|(name, _)| found.contains(name)).map(|(_, value)| value).collect();
+        values.into_iter().for_each(|value| terms(value, &mut found));
+        if found.len() == known {
+            break;
+        }
+    }
+    found
+}
+
+/// The names that an angle is a sum of, with small factors: not those that something converts or multiplies.
+fn terms<'a>(angle: &'a Expression, found: &mut HashSet<&'a str>) {
+    let mut waiting = vec![angle];
+    while let Some(next) = waiting.pop() {
+        let is_factor = |one: &Expression| one.bare_number().is_some_and(|number| number.abs() <= GREATEST_FACTOR);
+        match &next.kind {
+            ExpressionKind::Name { name, order: 0 } | ExpressionKind::InitialValue { name, order: 0 } => {
+                found.insert(name.as_str());
+            }
+            ExpressionKind::Unary(_, operand) => waiting.push(operand),
+            ExpressionKind::Binary(BinaryOperator::Add | BinaryOperator::Subtract, left, right) => {
+                waiting.extend([&**left, &**right]);
+            }
+            ExpressionKind::Binary(BinaryOperator::Multiply, left, right) if is_factor(left) => waiting.push(right),
+            ExpressionKind::Binary(BinaryOperator::Multiply | BinaryOperator::Divide, left, right)
+                if is_factor(right) =>
+            {
+                waiting.push(left);
+            }
+            ExpressionKind::If(_, chosen, other) => waiting.extend([&**chosen, &**other]),
+            ExpressionKind::Expansion(expansion) => waiting.push(&expansion.body),
+            _ => {}
+        }
+    }
+}
+
+fn remark(name: &str, number: f64, span: Span) -> Diagnostic {
+    let number = shortest(number);
+    Diagnostic::warning(
+        "radians",
+        words!(
+            "`{name}` is an angle, and without a unit its numbers are radians",
+            "`{name}` es un ángulo, y sin unidad sus números son radianes"
+        ),
+        span,
+    )
+    .with_hint(words!("for degrees write `{number} [deg]`", "para grados escribe `{number} [deg]`"))
+    .with_hint(words!("if radians are meant, write `{number} [rad]`", "si son radianes, escribe `{number} [rad]`"))
+    .with_fix(span.after(), " [deg]")
+    .with_fix(span.after(), " [rad]")
+}

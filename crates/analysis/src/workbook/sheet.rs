@@ -116,6 +116,9 @@ fn hundredfold(number: f64) -> String {
     match usize::try_from(exponent) {
         Ok(shift @ 0..=15) => {
             let before = mantissa.split('.').next().unwrap_or_default();
+            if number == 0.0 {
+                return before.to_owned();
+            }
             let (moved, rest) = behind.split_at(shift.min(behind.len()));
             let zeros = "0".repeat(shift - moved.len());
             let point = if rest.is_empty() { "" } else { "." };

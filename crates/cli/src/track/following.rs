@@ -39,8 +39,8 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     following.advance(usize::MAX).map_err(refusal)?;
     let (count, of) = (following.repeated().len(), clock.frames.len());
     let note = words!(
-        "{count} of {of} frames repeat the picture before and are left out: the film was converted to another rate; use the original one if you have it",
-        "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: el vídeo se convirtió a otra frecuencia; usa el original si lo tienes"
+        "{count} of {of} frames repeat the picture before and are left out: their times are wrong; use the original one if you have it",
+        "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: sus tiempos son erróneos; usa el original si lo tienes"
     );
     let notes = if count > 0 { vec![note] } else { Vec::new() };
     let frames: Vec<usize> = following.frames().iter().map(|frame| frame.0).collect();

@@ -170,8 +170,8 @@ pub(super) fn work_notes(work: &Work) -> Vec<Words> {
     if let Some(found) = found.filter(|found| !found.repeated.is_empty()) {
         let (count, of) = (found.repeated.len(), found.repeated.len() + found.frames.len());
         notes.push(words!(
-            "{count} of {of} frames repeat the picture before and are left out: the film was converted to another rate",
-            "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: el vídeo se convirtió a otra frecuencia"
+            "{count} of {of} frames repeat the picture before and are left out: their times are wrong",
+            "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: sus tiempos son erróneos"
         ));
     }
     if let Subject::Points { sigma, .. } = &work.subject {

@@ -138,8 +138,8 @@ impl Finding {
                 factor = Words::each(|language| plain(1.0 / factor, 4, language.style()))
             ),
             Self::Repeated { count, of } => words!(
-                "{count} of {of} frames repeat the picture before: the film was converted to another rate; leave them out, or use the original film",
-                "{count} de {of} fotogramas repiten la imagen anterior: el vídeo se convirtió a otra frecuencia; exclúyelos o usa el vídeo original"
+                "{count} of {of} frames repeat the picture before, with wrong times; leave them out, or use the original film",
+                "{count} de {of} fotogramas repiten la imagen anterior, con tiempos erróneos; exclúyelos o usa el vídeo original"
             ),
         }
     }

@@ -5,6 +5,8 @@
 
 /// Frames that a sixth difference joins.
 const JOINED: usize = 7;
+/// The part of the range of nine values by which a swing of eight values a period, or more, leaves the cubic through the neighbours.
+const RANGE: f64 = 0.06;
 /// No position is better than this, in pixels: errors of interpolation follow the motion smoothly and vanish in differences, too.
 const LEAST: f64 = 0.005;
 
@@ -78,6 +80,23 @@ pub(crate) fn outliers(times: &[f64], values: &[f64], sigmas: &[f64], limit: f64
             }
         })
         .collect()
+}
+
+/// Values that do not lie on a smooth curve through the two before and the two behind, by more than `least` and a part of the range around;
+/// and those between two such values close to each other.
+pub(crate) fn jumps(values: &[f64], least: f64) -> Vec<bool> {
+    let mut jumps = vec![false; values.len()];
+    for (at, part) in values.windows(5).enumerate() {
+        let &[a, b, value, c, d] = part else { continue };
+        let around = values.get(at.saturating_sub(2)..(at + 7).min(values.len())).unwrap_or(part);
+        let (low, high) = around.iter().fold((f64::MAX, f64::MIN), |(low, high), one| (one.min(low), one.max(high)));
+        jumps[at + 2] = (value - (4.0 * (b + c) - a - d) / 6.0).abs() > least + RANGE * (high - low);
+    }
+    let found: Vec<usize> = (0..jumps.len()).filter(|at| jumps[*at]).collect();
+    for pair in found.windows(2).filter(|pair| pair[1] - pair[0] <= JOINED) {
+        jumps[pair[0]..pair[1]].fill(true);
+    }
+    jumps
 }
 
 #[cfg(test)]

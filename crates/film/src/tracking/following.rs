@@ -52,7 +52,7 @@ pub struct Surface {
 
 /// The tracking of everything in a film: it asks for frames one after the other and then computes in portions.
 ///
-/// A film that was converted to another rate repeats pictures, whose times are wrong. The frames are then asked for a second time,
+/// A film may repeat pictures, whose times are wrong. The frames are then asked for a second time,
 /// without the repeated ones.
 pub struct Following {
     plan: Plan,

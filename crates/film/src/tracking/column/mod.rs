@@ -7,14 +7,17 @@ mod align;
 mod bore;
 mod contrast;
 mod exposure;
+mod median;
 mod path;
 mod pattern;
 mod picture;
+mod regions;
+mod seeking;
 mod solving;
 mod strip;
 
 use crate::plane::Plane;
-use crate::tracking::errors::{outliers, scaled};
+use crate::tracking::errors::{jumps, outliers, scaled};
 use crate::tracking::readout;
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
@@ -42,6 +45,10 @@ const FEWEST: usize = 3;
 const SCORE: f64 = 0.6;
 /// So is one that lies more of its standard errors from what its neighbours predict.
 const DEVIATION: f64 = 6.0;
+/// So is one that a smooth motion misses by more pixels.
+const JUMP: f64 = 3.0;
+/// So is one with a larger standard error, in pixels.
+const UNCERTAIN: f64 = 3.0;
 
 /// Where the surface was clicked, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,7 +168,10 @@ impl Column {
         if self.strips.len() >= most {
             return Err(Refusal::Long { frames: most });
         }
-        let strip = Strip::read(frame, time, plane, &layout.line, camera, layout.grid);
+        let mut strip = Strip::read(frame, time, plane, &layout.line, camera, layout.grid);
+        if let Some(first) = self.strips.first() {
+            strip.even(first);
+        }
         layout.changes.take(&strip);
         self.strips.push(strip);
         (self.solving, self.track) = (None, None);
@@ -269,11 +279,12 @@ fn seen(strips: &[Strip], layout: &Layout, click: &Click) -> (usize, f64) {
 
 /// The track with times and errors.
 fn joined(settings: &Settings, layout: &Layout, strips: &[Strip], solving: &Solving) -> Track {
-    let found = strips.iter().zip(&solving.poses).zip(&solving.agreements);
+    let found = strips.iter().zip(&solving.poses).zip(solving.agreements.iter().zip(&solving.certainties));
     let mut points = Vec::with_capacity(strips.len());
     let (mut formal, mut read) = (Vec::new(), Vec::new());
-    for ((strip, pose), agreement) in found {
+    for ((strip, pose), (agreement, certainty)) in found {
         let seen = strip.line.at(pose.row);
+        let seen_there = agreement.settled && agreement.score >= SCORE;
         // By which part of a frame's height the row is read after that in the middle.
         read.push(seen[1] / layout.size.1 as f64 - 0.5);
         formal.push(agreement.variance.sqrt());
@@ -283,7 +294,7 @@ fn joined(settings: &Settings, layout: &Layout, strips: &[Strip], solving: &Solv
             position: strip.camera.undo(seen),
             sigma: [0.0; 2],
             score: agreement.score,
-            doubtful: agreement.score < SCORE || !agreement.settled,
+            doubtful: certainty.is_doubtful() || !(seen_there || certainty.is_clear()),
         });
     }
     let times: Vec<f64> = points.iter().map(|point| point.time).collect();
@@ -296,11 +307,12 @@ fn joined(settings: &Settings, layout: &Layout, strips: &[Strip], solving: &Solv
     let times: Vec<f64> = times.iter().zip(&read).map(|(time, part)| time + seconds * part).collect();
     let sigmas = scaled(&times, &along, &formal);
     let outliers = outliers(&times, &along, &sigmas, DEVIATION);
+    let jumps = jumps(&along, JUMP);
     let direction = layout.line.direction;
     for (at, point) in points.iter_mut().enumerate() {
         point.time = times[at];
         point.sigma = direction.map(|part| part.abs() * sigmas[at]);
-        point.doubtful |= outliers[at];
+        point.doubtful |= outliers[at] || jumps[at] || sigmas[at] > UNCERTAIN;
     }
     Track { points, exposure: solving.exposure, readout, direction: Some(direction), lost: None }
 }

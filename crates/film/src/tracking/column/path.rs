@@ -1,8 +1,10 @@
 //! The path of the surface through the space-time picture: the cheapest sequence of rows (A. J. Viterbi, *IEEE Trans. Inf.
 //! Theory* 13 (1967) 260).
 
-/// Cost of a step by one row, where complete disagreement of the profiles costs 1.
-const STEP: f32 = 0.004;
+use crate::tracking::column::median::median;
+
+/// The cost of rows in which a person has not seen the surface.
+const FORBIDDEN: f32 = 1e6;
 /// A profile weaker than this part of the median of the strongest ones counts as if it had this strength, so that noise in a
 /// uniform part does not resemble anything.
 const FLOOR: f64 = 0.3;
@@ -33,7 +35,7 @@ fn at(profile: &[f32], row: i64) -> f32 {
 }
 
 /// The clicked profile around a row, less its mean; `None` where it is uniform.
-pub(crate) fn template(profile: &[f32], row: f64, half: usize) -> Option<Vec<f32>> {
+fn template(profile: &[f32], row: f64, half: usize) -> Option<Vec<f32>> {
     let middle = row.round() as i64;
     let mut values: Vec<f32> = (-(half as i64)..=half as i64).map(|k| at(profile, middle + k)).collect();
     let mean = values.iter().sum::<f32>() / values.len() as f32;
@@ -46,10 +48,39 @@ pub(crate) fn template(profile: &[f32], row: f64, half: usize) -> Option<Vec<f32
     Some(values)
 }
 
+/// A profile that is sought in others.
+pub(crate) struct Template {
+    values: Vec<f32>,
+    floor: f64,
+}
+
+impl Template {
+    /// The clicked profile around a row; `None` where it is uniform. `strongest` is the greatest strength of each frame.
+    pub(crate) fn new(profile: &[f32], row: f64, half: usize, strongest: &[f64]) -> Option<Template> {
+        let floor = (FLOOR * median(strongest.to_vec())).max(1e-3);
+        Some(Template { values: template(profile, row, half)?, floor })
+    }
+
+    /// The cost of each row: 0 where the profile around it is that of the template, 2 where it is the opposite.
+    pub(crate) fn costs(&self, profile: &[f32]) -> Vec<f32> {
+        let half = self.values.len() / 2;
+        let cost = |(row, strength): (usize, f64)| {
+            let start = row as i64 - half as i64;
+            let product: f32 = if start >= 0 && row + half < profile.len() {
+                self.values.iter().zip(&profile[start as usize..]).map(|(a, b)| a * b).sum()
+            } else {
+                self.values.iter().zip(start..).map(|(a, k)| a * at(profile, k)).sum()
+            };
+            1.0 - (f64::from(product) / strength.max(self.floor)) as f32
+        };
+        strengths(profile, half).into_iter().enumerate().map(cost).collect()
+    }
+}
+
 /// The search for the path, frame after frame.
 pub(crate) struct Search {
-    template: Vec<f32>,
-    floor: f64,
+    /// The cost of a step by one row.
+    step: f32,
     /// The cost of the cheapest path to each row of the frame before.
     costs: Vec<f32>,
     /// For each frame and row the row of the frame before.
@@ -57,35 +88,25 @@ pub(crate) struct Search {
 }
 
 impl Search {
-    /// `strongest` is the greatest strength of each frame.
-    pub(crate) fn new(template: Vec<f32>, mut strongest: Vec<f64>, rows: usize) -> Search {
-        strongest.sort_by(f64::total_cmp);
-        let median = strongest.get(strongest.len() / 2).copied().unwrap_or(0.0);
-        Search { template, floor: (FLOOR * median).max(1e-3), costs: vec![0.0; rows], before: Vec::new() }
+    pub(crate) fn new(rows: usize, step: f32) -> Search {
+        Search { step, costs: vec![0.0; rows], before: Vec::new() }
     }
 
-    /// Takes the next frame. The surface moves by at most `reach` rows since the frame before; `fixed` are the rows in which a
-    /// person saw it.
-    pub(crate) fn take(&mut self, profile: &[f32], reach: usize, fixed: Option<(usize, usize)>) {
-        let half = self.template.len() / 2;
-        let (mut costs, before) = nearest(&self.costs, reach);
-        let strengths = strengths(profile, half);
-        for (row, cost) in costs.iter_mut().enumerate() {
-            if fixed.is_some_and(|(first, last)| row < first || row > last) {
-                *cost += 1e6;
-                continue;
-            }
-            let start = row as i64 - half as i64;
-            let product: f32 = if start >= 0 && row + half < profile.len() {
-                self.template.iter().zip(&profile[start as usize..]).map(|(a, b)| a * b).sum()
-            } else {
-                self.template.iter().zip(start..).map(|(a, k)| a * at(profile, k)).sum()
-            };
-            let strength = strengths.get(row).copied().unwrap_or(0.0).max(self.floor);
-            *cost += 1.0 - (f64::from(product) / strength) as f32;
+    /// Takes the costs of the rows in the next frame. The surface moves by at most `reach` rows since the frame before; `fixed` are the rows
+    /// in which a person saw it.
+    pub(crate) fn take(&mut self, costs: &[f32], reach: usize, fixed: Option<(usize, usize)>) {
+        let (mut sums, before) = nearest(&self.costs, reach, self.step);
+        for (row, sum) in sums.iter_mut().enumerate() {
+            let outside = fixed.is_some_and(|(first, last)| row < first || row > last);
+            *sum += if outside { FORBIDDEN } else { costs.get(row).copied().unwrap_or(FORBIDDEN) };
         }
-        self.costs = costs;
+        self.costs = sums;
         self.before.push(before);
+    }
+
+    /// The cost of the cheapest path to each row of the last frame.
+    pub(crate) fn sums(&self) -> &[f32] {
+        &self.costs
     }
 
     /// The row of each frame.
@@ -105,14 +126,14 @@ impl Search {
 /// For each row the cheapest way to it from one at most `reach` rows away: its cost, and that row.
 ///
 /// With a cost proportional to the distance, the least value over a window that slides down, and that over one that slides up.
-fn nearest(costs: &[f32], reach: usize) -> (Vec<f32>, Vec<u16>) {
+fn nearest(costs: &[f32], reach: usize, step_cost: f32) -> (Vec<f32>, Vec<u16>) {
     let mut best = vec![(f32::INFINITY, 0_u16); costs.len()];
     for backward in [false, true] {
         let mut window = std::collections::VecDeque::new();
         for step in 0..costs.len() {
             let row = if backward { costs.len() - 1 - step } else { step };
             // The cost, had this row been reached from the beginning: differences are those of the steps.
-            let entry = costs[row] - STEP * step as f32;
+            let entry = costs[row] - step_cost * step as f32;
             while window.back().is_some_and(|(_, value)| *value > entry) {
                 window.pop_back();
             }
@@ -121,7 +142,7 @@ fn nearest(costs: &[f32], reach: usize) -> (Vec<f32>, Vec<u16>) {
                 window.pop_front();
             }
             if let Some((from, value)) = window.front() {
-                let cost = value + STEP * step as f32;
+                let cost = value + step_cost * step as f32;
                 if cost < best[row].0 {
                     let from = if backward { costs.len() - 1 - from } else { *from };
                     best[row] = (cost, from as u16);

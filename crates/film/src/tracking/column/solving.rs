@@ -3,8 +3,10 @@
 use crate::tracking::column::align::{Agreement, align, residuals};
 use crate::tracking::column::contrast::contrast;
 use crate::tracking::column::exposure::Candidates;
-use crate::tracking::column::path::{Search, strengths, template};
+use crate::tracking::column::path::{Template, strengths};
 use crate::tracking::column::pattern::{Fitting, Pattern, Pose, Residuals, Window};
+use crate::tracking::column::regions::Shape;
+use crate::tracking::column::seeking::{Certainty, ELSEWHERE, Seeking, Sought};
 use crate::tracking::column::strip::{Grid, Strip};
 use crate::tracking::motion::{motion, smear};
 use crate::tracking::refusal::Refusal;
@@ -16,6 +18,14 @@ const ROUNDS: usize = 3;
 const SETTLED: f64 = 0.005;
 /// Rows that the surface may be away from the path, and from where a person clicked.
 const REACH: f64 = 4.0;
+
+/// Parts of the bore, side by side, in which the path is sought.
+const CHANNELS: usize = 2;
+/// Rows to both sides of the surface of what goes along with it, for the path.
+const WINDOW: usize = 12;
+
+/// A clicked frame whose lead is below this shows the surface elsewhere.
+const LEFT: f32 = -0.7;
 
 /// The least signal-to-noise ratio of the clicked profile. Noise alone reaches it in one of a million profiles of 15 rows, the
 /// shortest: chi squared with 13 degrees of freedom above 52.
@@ -42,6 +52,11 @@ impl Task {
         Window { grid: self.grid, bins: self.bins, half: (0.8 * width).clamp(7.0, 40.0) }
     }
 
+    /// How many parts of the bore are told apart.
+    fn channels(&self) -> usize {
+        (self.bins.1 - self.bins.0).clamp(1, CHANNELS)
+    }
+
     fn fixed(&self, at: usize) -> Option<(usize, usize)> {
         let clicked = (self.clicked.0 == at).then_some(self.clicked.1);
         let anchor = self.anchors.iter().rev().find(|anchor| anchor.0 == at).map(|anchor| anchor.1);
@@ -52,7 +67,7 @@ impl Task {
 
 enum Stage {
     Profiles,
-    Path(Search, usize),
+    Path(Box<Seeking>),
     Fitting(Fitting, usize),
     Aligning(Residuals, usize),
     Exposure(Box<Candidates>),
@@ -67,6 +82,8 @@ pub(crate) struct Solving {
     intervals: (f64, f64),
     profiles: Vec<Vec<f32>>,
     strongest: Vec<f64>,
+    /// The grey values of the bore in channels, until the path is found.
+    signals: Vec<Vec<f32>>,
     stage: Stage,
     round: usize,
     /// The sum of the squared changes of positions in this round.
@@ -75,6 +92,9 @@ pub(crate) struct Solving {
     pub poses: Vec<Pose>,
     pub agreements: Vec<Agreement>,
     path: Vec<usize>,
+    pub certainties: Vec<Certainty>,
+    /// The two regions put the surface of the clicked frame where it was clicked.
+    is_favoured: bool,
     pub exposure: Option<Exposure>,
 }
 
@@ -95,12 +115,15 @@ impl Solving {
             times,
             profiles: Vec::new(),
             strongest: Vec::new(),
+            signals: Vec::new(),
             stage: Stage::Profiles,
             round: 0,
             change: 0.0,
             poses: Vec::new(),
             agreements: Vec::new(),
             path: Vec::new(),
+            certainties: Vec::new(),
+            is_favoured: false,
         }
     }
 
@@ -117,6 +140,7 @@ impl Solving {
         if self.task.exposure == Known::Estimated {
             self.exposure = None;
         }
+        (self.profiles, self.strongest, self.signals) = Default::default();
         self.stage = Stage::Profiles;
     }
 
@@ -124,7 +148,7 @@ impl Solving {
     pub(crate) fn step(&mut self, strips: &[Strip]) -> Result<bool, Refusal> {
         self.stage = match std::mem::replace(&mut self.stage, Stage::Finished) {
             Stage::Profiles => self.profile(strips)?,
-            Stage::Path(search, at) => self.follow(search, at),
+            Stage::Path(seeking) => self.follow(seeking, strips)?,
             Stage::Fitting(fitting, at) => self.fit(fitting, at, strips),
             Stage::Aligning(sums, at) => self.align(sums, at, strips)?,
             Stage::Exposure(mut candidates) => match candidates.advance(&self.pattern, strips, &self.poses) {
@@ -142,19 +166,33 @@ impl Solving {
     fn profile(&mut self, strips: &[Strip]) -> Result<Stage, Refusal> {
         let half = self.task.window().half as usize;
         let grid = self.task.grid;
-        if let Some(strip) = strips.get(self.profiles.len()) {
+        if let Some(strip) = strips.get(self.signals.len()) {
             let profile = strip.profile(grid, self.task.bins);
             self.strongest.push(strengths(&profile, half).into_iter().fold(0.0, f64::max));
             self.profiles.push(profile);
+            self.signals.push(strip.channels(grid, self.task.bins, self.task.channels()));
             return Ok(Stage::Profiles);
         }
         let (at, row) = self.task.clicked;
         let profile = self.profiles.get(at).ok_or(Refusal::Plain)?;
-        let template = template(profile, row, half).ok_or(Refusal::Plain)?;
+        let template = Template::new(profile, row, half, &self.strongest).ok_or(Refusal::Plain)?;
         if contrast(&self.profiles, at, row, half) < CONTRAST {
             return Err(Refusal::Noise { frame: self.frame(strips) });
         }
-        Ok(Stage::Path(Search::new(template, self.strongest.clone(), grid.rows), 0))
+        let shape = Shape { rows: grid.rows, channels: 2 * self.task.channels(), half: half.min(WINDOW) };
+        let limit = |at: usize| {
+            let late = if at == 0 { 0.0 } else { (self.times[at] - self.times[at - 1]) / self.intervals.0 };
+            let reach = (self.task.reach * late.max(1.0)).ceil().min(grid.rows as f64) as usize;
+            (reach, self.task.fixed(at))
+        };
+        let limits = (0..self.times.len()).map(limit).collect();
+        Ok(Stage::Path(Box::new(Seeking::new(Sought { shape, clicked: (at, row), half, limits }, template))))
+    }
+
+    /// True if the pixels of the clicked frame, or the two regions, show the surface there.
+    fn shows_clicked(&self) -> bool {
+        let at = self.task.clicked.0;
+        self.is_favoured || self.poses.get(at).is_some_and(|pose| pose.trusted)
     }
 
     /// The clicked frame.
@@ -162,19 +200,24 @@ impl Solving {
         strips.get(self.task.clicked.0).map_or(0, |strip| strip.frame)
     }
 
-    fn follow(&mut self, mut search: Search, at: usize) -> Stage {
-        if let Some(profile) = self.profiles.get(at) {
-            let late = if at == 0 { 0.0 } else { (self.times[at] - self.times[at - 1]) / self.intervals.0 };
-            let reach = (self.task.reach * late.max(1.0)).ceil().min(self.task.grid.rows as f64) as usize;
-            search.take(profile, reach, self.task.fixed(at));
-            return Stage::Path(search, at + 1);
+    fn follow(&mut self, mut seeking: Box<Seeking>, strips: &[Strip]) -> Result<Stage, Refusal> {
+        if !seeking.step(&self.profiles, &self.signals) {
+            return Ok(Stage::Path(seeking));
         }
-        self.path = search.path();
+        self.signals.clear();
+        self.path = seeking.path();
+        self.certainties = std::mem::take(&mut seeking.certainties);
+        let (clicked, row) = self.task.clicked;
+        self.is_favoured = seeking.favourite.abs_diff(row as usize) <= ELSEWHERE;
+        let certainty = self.certainties.get(clicked).copied().unwrap_or_default();
+        if certainty.lead < LEFT && seeking.favourite.abs_diff(row as usize) > 3 * ELSEWHERE {
+            return Err(Refusal::Left { frame: self.frame(strips) });
+        }
         let pose =
             |row: &usize| Pose { row: *row as f64, gain: 1.0, offset: f64::NAN, smear: vec![0.0], trusted: true };
         self.poses = self.path.iter().map(pose).collect();
         self.agreements = vec![Agreement::default(); self.poses.len()];
-        self.begin_round()
+        Ok(self.begin_round())
     }
 
     fn begin_round(&mut self) -> Stage {
@@ -229,7 +272,7 @@ impl Solving {
                 Stage::Exposure(Box::new(Candidates::new(&self.times, &self.poses, self.intervals.1)))
             } else if self.round < 2 * ROUNDS {
                 self.begin_round()
-            } else if self.poses.get(self.task.clicked.0).is_some_and(|pose| pose.trusted) {
+            } else if self.shows_clicked() {
                 Stage::Finished
             } else {
                 return Err(Refusal::Left { frame: self.frame(strips) });

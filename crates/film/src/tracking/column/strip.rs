@@ -1,10 +1,15 @@
 //! The strip along a tube in each frame.
 
 use crate::plane::Plane;
+use crate::tracking::column::median::median;
 use crate::tracking::similarity::Similarity;
 
 /// Grey values are kept in steps of 1/256.
 const STEPS: f64 = 256.0;
+/// The largest of these steps.
+const LARGEST: f64 = 65_535.0;
+/// Values of two strips that are compared at most.
+const COMPARED: usize = 1500;
 
 /// The line along a tube, and the grid of a strip around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +81,7 @@ impl Strip {
         let normal = [line.direction[1], -line.direction[0]];
         let across = |bin: usize, sample: usize| (bin as f64 + (sample as f64 + 0.5) / samples) * grid.width - left;
         let mut grey = Vec::with_capacity(grid.rows * grid.bins);
-        if line.direction == [0.0, 1.0] && (line.origin[1] - 0.5).fract() == 0.0 {
+        if line.direction == [0.0, 1.0] && line.origin[1] >= 0.5 && (line.origin[1] - 0.5).fract() == 0.0 {
             // The usual case: all rows of the strip are rows of the picture and have the same pixels in a bin.
             let places = |bin| (0..samples as usize).map(move |sample| line.origin[0] + across(bin, sample));
             let bins: Vec<Vec<(usize, f64)>> = (0..grid.bins).map(|bin| weights(places(bin), plane.width())).collect();
@@ -105,6 +110,32 @@ impl Strip {
         let start = row * grid.bins;
         let values = self.grey.get(start + bins.0..start + bins.1).unwrap_or(&[]);
         values.iter().map(|value| f64::from(*value) / STEPS)
+    }
+
+    /// The means over equal parts of some neighbouring bins in every row, one part after the other, and then the differences of rows two apart:
+    /// broad reflections vanish in them.
+    pub(crate) fn channels(&self, grid: Grid, (first, end): (usize, usize), count: usize) -> Vec<f32> {
+        let edge = |k: usize| first + (end - first) * k / count;
+        let mut values: Vec<f32> = (0..count).flat_map(|k| self.profile(grid, (edge(k), edge(k + 1)))).collect();
+        for k in 0..count {
+            let part =
+                |row: usize| values.get(k * grid.rows + row.min(grid.rows.saturating_sub(1))).copied().unwrap_or(0.0);
+            let differences: Vec<f32> = (0..grid.rows).map(|row| part(row + 1) - part(row.saturating_sub(1))).collect();
+            values.extend(differences);
+        }
+        values
+    }
+
+    /// Divides the grey values by the brightness of the frame relative to another one: the ratio of most values, of which the few that the
+    /// surface has passed do not decide.
+    pub(crate) fn even(&mut self, first: &Strip) {
+        let stride = (self.grey.len() / COMPARED).max(1);
+        let pairs = self.grey.iter().zip(&first.grey).step_by(stride);
+        let ratios = pairs.filter(|(_, first)| **first > 0).map(|(own, first)| f64::from(*own) / f64::from(*first));
+        let ratio = median(ratios.collect());
+        if ratio > 0.0 && ratio != 1.0 {
+            self.grey.iter_mut().for_each(|value| *value = (f64::from(*value) / ratio).min(LARGEST).round() as u16);
+        }
     }
 
     /// The mean over some neighbouring bins in every row.

@@ -1,0 +1,251 @@
+//! The surface as the boundary of two regions: each row of the strip shows one thing while it lies above the surface and another while it
+//! lies below, and something goes along with the surface. What rests, such as the marks of a graduated tube, is in both regions and
+//! says nothing about the surface.
+
+use crate::tracking::column::median::median;
+
+/// Residuals of so many standard deviations of the noise count half as much as larger ones.
+const LARGE: f32 = 3.0;
+/// The weight of the mean difference of the regions against that of one frame, for rows seen in one region alone.
+const PRIOR: f32 = 1.0;
+/// The noise is never less than this, in grey values.
+const LEAST_NOISE: f64 = 0.25;
+
+/// The grey values of the bore, in some channels side by side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Shape {
+    pub rows: usize,
+    pub channels: usize,
+    /// Rows to both sides of the surface of what goes along with it.
+    pub half: usize,
+}
+
+impl Shape {
+    fn window(&self) -> usize {
+        2 * self.half + 1
+    }
+
+    /// For each channel, the first of its values.
+    fn starts(&self) -> impl Iterator<Item = usize> + use<> {
+        let rows = self.rows;
+        (0..self.channels).map(move |channel| channel * rows)
+    }
+
+    /// The rows of the window around the surface.
+    fn around(&self, surface: usize) -> std::ops::Range<usize> {
+        surface.saturating_sub(self.half)..(surface + self.half + 1).min(self.rows)
+    }
+}
+
+/// What the strip shows for any row of the surface.
+#[derive(Clone, Debug)]
+pub(crate) struct Regions {
+    pub shape: Shape,
+    above: Vec<f32>,
+    below: Vec<f32>,
+    moving: Vec<f32>,
+    /// For each channel, the standard deviation of what remains, in grey values.
+    noise: Vec<f32>,
+}
+
+/// Sums over the frames for the regions, or for what moves.
+pub(crate) struct Sums {
+    regions: Vec<[f32; 4]>,
+    moving: Vec<[f32; 2]>,
+    /// For each channel, the median of the absolute residuals of each frame.
+    residuals: Vec<Vec<f64>>,
+    /// For each channel, count and sum of the absolute residuals around the surface.
+    near: Vec<[f64; 2]>,
+    /// The sum of the absolute residuals.
+    pub total: f64,
+}
+
+impl Regions {
+    pub(crate) fn new(shape: Shape) -> Regions {
+        let values = vec![0.0; shape.rows * shape.channels];
+        let moving = vec![0.0; shape.window() * shape.channels];
+        Regions { shape, above: values.clone(), below: values, moving, noise: vec![f32::INFINITY; shape.channels] }
+    }
+
+    /// What turns squared residuals into their cost.
+    fn scale(&self, channel: usize) -> f32 {
+        let noise = self.noise.get(channel).copied().unwrap_or(f32::INFINITY);
+        1.0 / (LARGE * LARGE * noise * noise)
+    }
+
+    pub(crate) fn sums(&self) -> Sums {
+        Sums {
+            regions: vec![[0.0; 4]; self.above.len()],
+            moving: vec![[0.0; 2]; self.moving.len()],
+            residuals: vec![Vec::new(); self.shape.channels],
+            near: vec![[0.0; 2]; self.shape.channels],
+            total: 0.0,
+        }
+    }
+
+    /// The model of a frame in the rows of a channel.
+    fn modelled(&self, channel: usize, surface: usize) -> impl Iterator<Item = f32> + '_ {
+        let shape = self.shape;
+        let first = channel * shape.rows;
+        (0..shape.rows).map(move |row| {
+            let side = if row < surface { &self.above } else { &self.below };
+            let along = (row + shape.half).checked_sub(surface).filter(|along| *along < shape.window());
+            let moving = along.map_or(0.0, |along| self.moving[channel * shape.window() + along]);
+            side[first + row] + moving
+        })
+    }
+
+    /// Adds a frame to the sums of the regions.
+    pub(crate) fn take_regions(&self, sums: &mut Sums, values: &[f32], surface: usize) {
+        let shape = self.shape;
+        for (channel, first) in shape.starts().enumerate() {
+            let scale = self.scale(channel);
+            for (row, model) in self.modelled(channel, surface).enumerate() {
+                let value = values[first + row];
+                let below = row >= surface;
+                let side = if below { self.below[first + row] } else { self.above[first + row] };
+                let far = 1.0 + (value - model) * (value - model) * scale;
+                let weight = 1.0 / (far * far);
+                let sum = &mut sums.regions[first + row];
+                let at = 2 * usize::from(below);
+                sum[at] += weight;
+                sum[at + 1] += weight * (value - (model - side));
+            }
+        }
+    }
+
+    /// Takes the regions from the sums.
+    pub(crate) fn set_regions(&mut self, sums: &Sums) {
+        for first in self.shape.starts() {
+            let part = first..first + self.shape.rows;
+            let (mut product, mut weight) = (0.0, 1e-6);
+            for [up, high, down, low] in &sums.regions[part.clone()] {
+                let common = up * down / (up + down).max(1e-6);
+                if common > 0.0 {
+                    product += common * (low / down - high / up);
+                    weight += common;
+                }
+            }
+            let step = product / weight;
+            for at in part {
+                let [up, high, down, low] = sums.regions[at];
+                let mean = |sum: f32, weight: f32, other: f32, others: f32, step: f32| {
+                    if others > 0.0 {
+                        (sum + PRIOR * (other / others + step)) / (weight + PRIOR)
+                    } else {
+                        sum / weight.max(1e-6)
+                    }
+                };
+                self.above[at] = mean(high, up, low, down, -step);
+                self.below[at] = mean(low, down, high, up, step);
+            }
+        }
+    }
+
+    /// Adds a frame to the sums of what moves, and to those of the residuals.
+    pub(crate) fn take_moving(&self, sums: &mut Sums, values: &[f32], surface: usize) {
+        let shape = self.shape;
+        for (channel, first) in shape.starts().enumerate() {
+            let models = self.modelled(channel, surface).zip(&values[first..]);
+            let residuals: Vec<f64> = models.map(|(model, value)| f64::from((value - model).abs())).collect();
+            let near = shape.around(surface);
+            sums.near[channel][0] += near.len() as f64;
+            sums.near[channel][1] += residuals.get(near).unwrap_or_default().iter().sum::<f64>();
+            sums.total += residuals.iter().sum::<f64>();
+            sums.residuals[channel].push(median(residuals));
+            for row in shape.around(surface) {
+                let side = if row < surface { &self.above } else { &self.below };
+                let along = row + shape.half - surface;
+                let sum = &mut sums.moving[channel * shape.window() + along];
+                sum[0] += 1.0;
+                sum[1] += values[first + row] - side[first + row];
+            }
+        }
+    }
+
+    /// Takes from the sums what moves, and the noise: at least this part of the mean residual around the surface, so that a rough path is
+    /// improved from afar.
+    pub(crate) fn set_moving(&mut self, sums: &Sums, part: f64) {
+        for (moving, [count, sum]) in self.moving.iter_mut().zip(&sums.moving) {
+            *moving = if *count > 0.0 { sum / count } else { 0.0 };
+        }
+        for (noise, (residuals, [count, sum])) in self.noise.iter_mut().zip(sums.residuals.iter().zip(&sums.near)) {
+            *noise = (1.5 * median(residuals.clone())).max(part * sum / count.max(1.0)).max(LEAST_NOISE) as f32;
+        }
+    }
+
+    /// The cost of each row as that of the surface: squared residuals in units of the noise, of which large ones count at most 1.
+    pub(crate) fn costs(&self, values: &[f32]) -> Vec<f32> {
+        let shape = self.shape;
+        let mut costs = vec![0.0; shape.rows];
+        for (channel, first) in shape.starts().enumerate() {
+            let scale = self.scale(channel);
+            let cost = |residual: f32| {
+                let far = residual * residual * scale;
+                far / (1.0 + far)
+            };
+            let part = first..first + shape.rows;
+            let rest = |side: &[f32]| -> Vec<f32> {
+                side[part.clone()].iter().zip(&values[part.clone()]).map(|(side, value)| value - side).collect()
+            };
+            let (above, below) = (rest(&self.above), rest(&self.below));
+            let (upper, lower) =
+                (running(above.iter().map(|rest| cost(*rest))), running(below.iter().map(|rest| cost(*rest))));
+            let all = lower.last().copied().unwrap_or(0.0);
+            for (row, sum) in costs.iter_mut().enumerate() {
+                let around = shape.around(row);
+                *sum += upper[around.start] + all - lower[around.end];
+            }
+            for along in 0..shape.window() {
+                let moving = self.moving[channel * shape.window() + along];
+                let side = if along < shape.half { &above } else { &below };
+                // The row `surface + along - half` of the strip.
+                let (skip, start) = (shape.half.saturating_sub(along), along.saturating_sub(shape.half));
+                let rests = side.get(start..).unwrap_or_default();
+                costs.iter_mut().skip(skip).zip(rests).for_each(|(sum, rest)| *sum += cost(rest - moving));
+            }
+        }
+        costs
+    }
+
+    /// The mean cost of the values around the surface.
+    pub(crate) fn misfit(&self, values: &[f32], surface: usize) -> f32 {
+        let around = self.shape.around(surface);
+        let (mut sum, mut count) = (0.0, 0.0);
+        for (channel, first) in self.shape.starts().enumerate() {
+            let models = self.modelled(channel, surface).zip(&values[first..]);
+            let scale = self.scale(channel);
+            for (model, value) in models.skip(around.start).take(around.len()) {
+                let far = (value - model) * (value - model) * scale;
+                sum += far / (1.0 + far);
+                count += 1.0;
+            }
+        }
+        sum / f32::max(count, 1.0)
+    }
+
+    /// By how much the cost of a row would be greater than that of another if the surface were there.
+    pub(crate) fn contrast(&self, surface: usize, other: usize) -> f32 {
+        let mut sum = 0.0;
+        for channel in 0..self.shape.channels {
+            let scale = self.scale(channel);
+            let models = self.modelled(channel, surface).zip(self.modelled(channel, other));
+            sum += models
+                .map(|(one, other)| (one - other) * (one - other) * scale)
+                .map(|far| far / (1.0 + far))
+                .sum::<f32>();
+        }
+        sum
+    }
+}
+
+/// The sums of the first values, from none to all.
+fn running(values: impl Iterator<Item = f32>) -> Vec<f32> {
+    let mut sum = 0.0;
+    std::iter::once(0.0)
+        .chain(values.map(|value| {
+            sum += value;
+            sum
+        }))
+        .collect()
+}

@@ -1,0 +1,291 @@
+//! The path of the surface from the click: several candidates, each improved by what all frames then show of the two regions, and
+//! the one that leaves the least unexplained.
+
+use crate::tracking::column::median::median;
+use crate::tracking::column::path::{Search, Template, strengths};
+use crate::tracking::column::regions::{Regions, Shape, Sums};
+
+/// The cost of a step by one row: for the correlation of profiles, and for each channel of the regions.
+const TEMPLATE_STEP: f32 = 0.004;
+const REGION_STEP: f32 = 0.01;
+/// Times that regions and path are found again.
+const ROUNDS: usize = 4;
+/// The noise that is assumed in each of these, as a part of the mean residual around the surface.
+const NEAR: [f64; ROUNDS + 1] = [1.5, 1.0, 0.7, 0.5, 0.5];
+/// A candidate that leaves less than this part of what the best one leaves is better: equals keep the simpler way.
+const BETTER: f64 = 0.995;
+/// A frame is in doubt below this lead and below this contrast, and above this misfit.
+const LEAD: f32 = 0.25;
+const CONTRAST: f32 = 1.0;
+const MISFIT: f32 = 0.6;
+/// Above this lead and below this misfit a frame is in no doubt.
+const CLEAR_LEAD: f32 = 0.45;
+const CLEAR_MISFIT: f32 = 0.3;
+/// Rows further from the surface than this are elsewhere.
+pub(crate) const ELSEWHERE: usize = 6;
+
+/// What is sought, and what is known of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Sought {
+    pub shape: Shape,
+    /// Frame and row of the click.
+    pub clicked: (usize, f64),
+    /// Rows to both sides of the surface that are compared with the click.
+    pub half: usize,
+    /// For each frame the rows that the surface may have moved since the frame before, and those in which a person saw it.
+    pub limits: Vec<(usize, Option<(usize, usize)>)>,
+}
+
+/// How certain the row of a frame is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Certainty {
+    /// By how much a path through the best row elsewhere costs more, as a part of what the model predicts.
+    pub lead: f32,
+    /// That prediction, in units of the noise.
+    pub contrast: f32,
+    /// The mean cost of a value around the surface, at most 1.
+    pub misfit: f32,
+}
+
+impl Certainty {
+    /// True if the two regions decide the row within about a pixel, even where the picture around it does not resemble the others, such as
+    /// leaves behind clear water.
+    pub(crate) fn is_clear(&self) -> bool {
+        self.lead > CLEAR_LEAD && self.misfit < CLEAR_MISFIT
+    }
+
+    /// True if the surface may as well be elsewhere, or is hidden.
+    pub(crate) fn is_doubtful(&self) -> bool {
+        self.lead < LEAD || self.contrast < CONTRAST || self.misfit > MISFIT
+    }
+}
+
+enum Stage {
+    /// The profiles are compared with the clicked one.
+    Template(Template, Search, bool),
+    /// The temporal median of each row is sought, a few rows at a time.
+    Medians(Vec<f32>),
+    Regions(Box<Trial>),
+    Moving(Box<Trial>),
+    Costs(Box<Trial>, Search),
+    /// Back from the last frame.
+    Back(Search),
+    Finished,
+}
+
+struct Trial {
+    path: Vec<usize>,
+    regions: Regions,
+    sums: Sums,
+    round: usize,
+    costs: Vec<Vec<f32>>,
+    left: f64,
+}
+
+/// The search, in steps of about one frame.
+pub(crate) struct Seeking {
+    sought: Sought,
+    stage: Stage,
+    at: usize,
+    /// Profiles less their temporal median.
+    residues: Vec<Vec<f32>>,
+    starts: Vec<Vec<usize>>,
+    best: Option<Box<Trial>>,
+    forward: Vec<Vec<f32>>,
+    pub certainties: Vec<Certainty>,
+    /// In the clicked frame, the row with the least cost.
+    pub favourite: usize,
+}
+
+impl Seeking {
+    pub(crate) fn new(sought: Sought, template: Template) -> Seeking {
+        let search = Search::new(sought.shape.rows, TEMPLATE_STEP);
+        Seeking {
+            sought,
+            stage: Stage::Template(template, search, false),
+            at: 0,
+            residues: Vec::new(),
+            starts: Vec::new(),
+            best: None,
+            forward: Vec::new(),
+            certainties: Vec::new(),
+            favourite: 0,
+        }
+    }
+
+    /// The path that was found.
+    pub(crate) fn path(&self) -> Vec<usize> {
+        self.best.as_ref().map(|best| best.path.clone()).unwrap_or_default()
+    }
+
+    /// Does the work of one frame; true once the path is found. `profiles` has the means over the bore, `signals` the values in channels.
+    pub(crate) fn step(&mut self, profiles: &[Vec<f32>], signals: &[Vec<f32>]) -> bool {
+        let at = self.at;
+        self.at += 1;
+        self.stage = match std::mem::replace(&mut self.stage, Stage::Finished) {
+            Stage::Template(template, mut search, moving) => {
+                let profile = if moving { self.residues.get(at) } else { profiles.get(at) };
+                match profile.zip(self.sought.limits.get(at)) {
+                    Some((profile, (reach, fixed))) => {
+                        search.take(&template.costs(profile), *reach, *fixed);
+                        Stage::Template(template, search, moving)
+                    }
+                    None => {
+                        self.starts.push(search.path());
+                        self.at = 0;
+                        if moving { self.next() } else { Stage::Medians(vec![0.0; self.sought.shape.rows]) }
+                    }
+                }
+            }
+            Stage::Medians(mut medians) => {
+                let rows = medians.len().div_ceil(profiles.len().max(1));
+                for (row, usual) in medians.iter_mut().enumerate().skip(at * rows).take(rows) {
+                    let values = profiles.iter().filter_map(|profile| profile.get(row).map(|value| f64::from(*value)));
+                    *usual = median(values.collect()) as f32;
+                }
+                if (at + 1) * rows < medians.len() {
+                    Stage::Medians(medians)
+                } else {
+                    self.subtract(&medians, profiles)
+                }
+            }
+            Stage::Regions(mut trial) => match signals.get(at).zip(trial.path.get(at)) {
+                Some((values, row)) => {
+                    trial.regions.take_regions(&mut trial.sums, values, *row);
+                    Stage::Regions(trial)
+                }
+                None => {
+                    trial.regions.set_regions(&trial.sums);
+                    self.at = 0;
+                    Stage::Moving(trial)
+                }
+            },
+            Stage::Moving(mut trial) => match signals.get(at).zip(trial.path.get(at)) {
+                Some((values, row)) => {
+                    trial.regions.take_moving(&mut trial.sums, values, *row);
+                    Stage::Moving(trial)
+                }
+                None => {
+                    trial.left = trial.sums.total;
+                    trial.regions.set_moving(&trial.sums, NEAR[trial.round.min(ROUNDS)]);
+                    self.at = 0;
+                    if trial.round < ROUNDS {
+                        trial.costs.clear();
+                        Stage::Costs(trial, self.search())
+                    } else {
+                        self.compare(trial)
+                    }
+                }
+            },
+            Stage::Costs(mut trial, mut search) => match signals.get(at).zip(self.sought.limits.get(at)) {
+                Some((values, (reach, fixed))) => {
+                    let costs = trial.regions.costs(values);
+                    search.take(&costs, *reach, *fixed);
+                    trial.costs.push(costs);
+                    Stage::Costs(trial, search)
+                }
+                None => {
+                    trial.path = search.path();
+                    trial.round += 1;
+                    trial.sums = trial.regions.sums();
+                    self.at = 0;
+                    Stage::Regions(trial)
+                }
+            },
+            Stage::Back(search) => self.back(search, signals),
+            Stage::Finished => Stage::Finished,
+        };
+        matches!(self.stage, Stage::Finished)
+    }
+
+    fn search(&self) -> Search {
+        Search::new(self.sought.shape.rows, REGION_STEP * self.sought.shape.channels as f32)
+    }
+
+    fn subtract(&mut self, medians: &[f32], profiles: &[Vec<f32>]) -> Stage {
+        self.at = 0;
+        let residue = |profile: &Vec<f32>| profile.iter().zip(medians).map(|(value, usual)| value - usual).collect();
+        self.residues = profiles.iter().map(residue).collect();
+        let half = self.sought.half;
+        let strongest: Vec<f64> =
+            self.residues.iter().map(|profile| strengths(profile, half).into_iter().fold(0.0, f64::max)).collect();
+        let (clicked, row) = self.sought.clicked;
+        let template = self.residues.get(clicked).and_then(|profile| Template::new(profile, row, half, &strongest));
+        match template {
+            Some(template) => Stage::Template(template, Search::new(self.sought.shape.rows, TEMPLATE_STEP), true),
+            None => self.next(),
+        }
+    }
+
+    /// Begins with the next candidate, or goes back through the frames with the best one.
+    fn next(&mut self) -> Stage {
+        self.at = 0;
+        match self.starts.pop() {
+            Some(path) => {
+                let regions = Regions::new(self.sought.shape);
+                let sums = regions.sums();
+                Stage::Regions(Box::new(Trial {
+                    path,
+                    sums,
+                    regions,
+                    round: 0,
+                    costs: Vec::new(),
+                    left: f64::INFINITY,
+                }))
+            }
+            None => {
+                self.residues.clear();
+                Stage::Back(self.search())
+            }
+        }
+    }
+
+    fn compare(&mut self, trial: Box<Trial>) -> Stage {
+        if self.best.as_ref().is_none_or(|best| trial.left < BETTER * best.left) {
+            self.best = Some(trial);
+        }
+        self.next()
+    }
+
+    /// Forward through the costs once more, keeping the sums, and then backward: the cheapest path through each row of each frame.
+    fn back(&mut self, mut search: Search, signals: &[Vec<f32>]) -> Stage {
+        let Some(best) = &self.best else { return Stage::Finished };
+        let frames = best.costs.len();
+        let limit = |frame: usize| self.sought.limits.get(frame).copied().unwrap_or((0, None));
+        if self.forward.len() < frames {
+            let at = self.forward.len();
+            let (reach, fixed) = limit(at);
+            search.take(&best.costs[at], reach, fixed);
+            self.forward.push(search.sums().to_vec());
+            return if self.forward.len() < frames { Stage::Back(search) } else { Stage::Back(self.search()) };
+        }
+        let Some(at) = frames.checked_sub(self.certainties.len() + 1) else {
+            self.certainties.reverse();
+            self.forward.clear();
+            let costs = best.costs.get(self.sought.clicked.0);
+            let least = costs.and_then(|costs| costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1)));
+            self.favourite = least.map_or(0, |least| least.0);
+            return Stage::Finished;
+        };
+        let own = &best.costs[at];
+        // The step from a frame to the next one may be as large backwards.
+        let reach = limit(at + 1).0;
+        search.take(own, reach, limit(at).1);
+        let row = best.path[at];
+        let through = |row: usize| self.forward[at][row] + search.sums()[row] - own[row];
+        let rows = self.sought.shape.rows;
+        let elsewhere = (0..row.saturating_sub(ELSEWHERE)).chain((row + ELSEWHERE + 1).min(rows)..rows);
+        let other = elsewhere.map(|row| (row, through(row))).min_by(|a, b| a.1.total_cmp(&b.1));
+        let certainty = match other {
+            Some((other, cost)) => {
+                let contrast = best.regions.contrast(row, other);
+                let lead = (cost - through(row)) / contrast.max(1e-3);
+                let misfit = signals.get(at).map_or(1.0, |values| best.regions.misfit(values, row));
+                Certainty { lead, contrast, misfit }
+            }
+            None => Certainty::default(),
+        };
+        self.certainties.push(certainty);
+        Stage::Back(search)
+    }
+}

@@ -17,7 +17,23 @@ mod tubes;
 use film::tracking::column::{Click, Settings};
 use film::tracking::{Following, Plan, Surface, Track};
 use std::time::Instant;
-use tubes::{Draw, KINDS, Taken, kind};
+use tubes::{Draw, Taken, kind};
+
+/// The kinds of film, each with a geometry of its own for every seed.
+const KINDS: [&str; 12] = [
+    "clean",
+    "comb",
+    "dark",
+    "steps",
+    "reflection",
+    "leaves",
+    "plain leaves",
+    "hand",
+    "bump",
+    "low",
+    "small",
+    "textured",
+];
 
 fn tracked(taken: &Taken, click: Click, tilted: bool) -> Result<Track, String> {
     let settings = Settings { tube: tilted.then_some(taken.axis), ..Settings::new(click) };

@@ -296,23 +296,7 @@ fn hadamard(block: &mut [f64; 64]) {
     }
 }
 
-/// The kinds of film, each with a geometry of its own for every seed.
-pub const KINDS: [&str; 12] = [
-    "clean",
-    "comb",
-    "dark",
-    "steps",
-    "reflection",
-    "leaves",
-    "plain leaves",
-    "hand",
-    "bump",
-    "low",
-    "small",
-    "textured",
-];
-
-/// A film of one of [`KINDS`]; `least` has few frames and rows, for tests.
+/// A film of one of some kinds, each with a geometry of its own for every seed; `least` has few frames and rows, for tests.
 pub fn kind(name: &str, seed: u64, least: bool) -> Filmed {
     let mut draw = Draw(name.bytes().fold(seed, |seed, byte| seed.wrapping_mul(977) ^ u64::from(byte)));
     let high = if least { draw.between(200.0, 260.0) } else { draw.between(240.0, 640.0) }.round();

@@ -121,7 +121,7 @@ fn texture(x: f64, y: f64, seed: u64) -> f64 {
     let mut draw = Draw(seed ^ 0x5eed);
     let mut sum = 0.0;
     for _ in 0..6 {
-        let (angle, length, phase) = (draw.between(0.0, 3.14), draw.between(5.0, 26.0), draw.between(0.0, 6.28));
+        let (angle, length, phase) = (draw.between(0.0, 3.0), draw.between(5.0, 26.0), draw.between(0.0, 6.0));
         let (sine, cosine) = libm::sincos(angle);
         sum += libm::sin(std::f64::consts::TAU * (x * cosine + y * sine) / length + phase);
     }

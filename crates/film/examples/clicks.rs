@@ -1,9 +1,9 @@
 //! Tracks surfaces of generated films by twenty first clicks each, and counts what is wrong without a mark:
 //!
-//!     cargo run --release -p film --example clicks -- [KIND...] [--seeds N]
+//!     cargo run --release -p film --example clicks -- [KIND...] [--seeds N] [--clicks N] [--frames]
 //!
 //! `wrong` counts clicks with a frame more than 6 pixels wrong that is in no doubt, and `silent` such frames; `doubt` is the part of right frames
-//! that are in doubt, `refused` the clicks that were refused.
+//! that are in doubt, `refused` the clicks that were refused. `--frames` lists the frames of each click that are in doubt (?) or wrong (!).
 
 #![allow(
     clippy::expect_used,
@@ -53,12 +53,14 @@ fn tracked(taken: &Taken, click: Click, tilted: bool) -> Result<Track, String> {
 
 fn main() {
     let (mut seeds, mut clicks) = (3, 20);
+    let mut listed = false;
     let mut wanted = Vec::new();
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--seeds" => seeds = arguments.next().and_then(|text| text.parse().ok()).unwrap_or(seeds),
             "--clicks" => clicks = arguments.next().and_then(|text| text.parse().ok()).unwrap_or(clicks),
+            "--frames" => listed = true,
             _ => wanted.push(argument),
         }
     }
@@ -80,7 +82,7 @@ fn main() {
                 let track = match tracked(&taken, Click { frame, position }, film.tilt != 0.0) {
                     Ok(track) => track,
                     Err(why) => {
-                        if std::env::var("FRAMES").is_ok() {
+                        if listed {
                             println!("  click {frame}: {why}");
                         }
                         refused += 1;
@@ -113,7 +115,7 @@ fn main() {
                         }
                     }
                 }
-                if std::env::var("FRAMES").is_ok() {
+                if listed {
                     let list: Vec<String> = track
                         .points
                         .iter()

@@ -51,9 +51,9 @@ fn marks_at_rest_inside_the_bore_do_not_capture_the_curve() {
 
 #[test]
 fn what_moves_besides_the_surface_or_hides_it_is_marked() {
-    for name in ["reflection", "leaves", "hand"] {
-        assert_loud(name, &[1, 2], 0.4);
-    }
+    assert_loud("hand", &[1, 2], 0.1);
+    assert_loud("reflection", &[1, 2], 0.4);
+    assert_loud("leaves", &[1, 2], 0.4);
 }
 
 /// A camera that points lower shows the strip beyond the upper edge of the picture.

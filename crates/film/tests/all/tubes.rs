@@ -116,16 +116,24 @@ fn bell(z: f64) -> f64 {
     libm::exp(-0.5 * z * z)
 }
 
-/// Uneven light from -1 to 1: waves in several directions.
-fn texture(x: f64, y: f64, seed: u64) -> f64 {
-    let mut draw = Draw(seed ^ 0x5eed);
-    let mut sum = 0.0;
-    for _ in 0..6 {
-        let (angle, length, phase) = (draw.between(0.0, 3.0), draw.between(5.0, 26.0), draw.between(0.0, 6.0));
-        let (sine, cosine) = libm::sincos(angle);
-        sum += libm::sin(std::f64::consts::TAU * (x * cosine + y * sine) / length + phase);
+/// Uneven light: sums of waves in several directions, each with its change of phase along and across, and its phase.
+struct Waves([[f64; 3]; 6]);
+
+impl Waves {
+    fn new(seed: u64) -> Waves {
+        let mut draw = Draw(seed ^ 0x5eed);
+        Waves(std::array::from_fn(|_| {
+            let (angle, length, phase) = (draw.between(0.0, 3.0), draw.between(5.0, 26.0), draw.between(0.0, 6.0));
+            let (sine, cosine) = libm::sincos(angle);
+            let number = std::f64::consts::TAU / length;
+            [number * cosine, number * sine, phase]
+        }))
     }
-    sum / 3.0
+
+    /// From -2 to 2.
+    fn at(&self, x: f64, y: f64) -> f64 {
+        self.0.iter().map(|[across, along, phase]| libm::sin(x * across + y * along + phase)).sum::<f64>() / 3.0
+    }
 }
 
 impl Filmed {
@@ -151,30 +159,30 @@ impl Filmed {
         [cx - (along - cy) * sine, cy + (along - cy) * cosine]
     }
 
-    fn wall(&self, x: f64, y: f64, t: f64, mirrored: bool) -> f64 {
+    fn wall(&self, waves: &Waves, [x, y]: [f64; 2], t: f64, mirrored: bool) -> f64 {
         let [cx, _] = self.center();
         let mut value = self.light * (1.0 - 0.0006 * (x - cx).abs() - 0.0003 * y);
         if self.texture > 0.0 {
             let moved =
                 self.leaves.map_or(0.0, |far| far * libm::sin(0.23 * t) + 0.6 * far * libm::sin(0.11 * t + 1.0));
             let (x, strength) = if mirrored { (2.0 * cx - x, 0.75) } else { (x, 1.0) };
-            value += strength * self.texture * texture(x + moved, y + 0.4 * moved, self.seed);
+            value += strength * self.texture * waves.at(x + moved, y + 0.4 * moved);
         }
         value
     }
 
-    fn grey(&self, x: f64, y: f64, t: f64) -> f64 {
+    fn grey(&self, waves: &Waves, [x, y]: [f64; 2], t: f64) -> f64 {
         let [across, along] = self.place(x, y);
         let u = across / self.inner;
         let inside = step(self.inner - across.abs());
         let thick = 0.3 * self.inner + 1.5;
         let glass = step(self.inner + thick - across.abs()) - inside;
-        let mut value = self.wall(x, y, t, false) - 40.0 * glass * self.light / 190.0;
+        let mut value = self.wall(waves, [x, y], t, false) - 40.0 * glass * self.light / 190.0;
         if inside > 0.0 {
             let depth = along - self.level(t) + 0.12 * self.inner * (u * u).min(1.0);
             let wet = step(depth);
             let air = value - 6.0 * u * u;
-            let liquid = if self.leaves.is_some() { self.wall(x, y, t, true) } else { air } + self.liquid;
+            let liquid = if self.leaves.is_some() { self.wall(waves, [x, y], t, true) } else { air } + self.liquid;
             let mut column = air + (liquid - air) * wet + self.line * bell((depth - 2.5) / 1.7);
             if let Some((distance, dark)) = self.marks {
                 let far = (along - 3.0) - distance * ((along - 3.0) / distance).round();
@@ -202,11 +210,12 @@ impl Filmed {
     }
 
     pub fn film(&self) -> Taken {
+        let (waves, skin) = (Waves::new(self.seed), Waves::new(77));
         let [wide, high] = self.size;
         let pixels = || (0..wide * high).map(move |at| ((at % wide) as f64 + 0.5, (at / wide) as f64 + 0.5));
-        let still: Vec<f64> = pixels().map(|(x, y)| self.grey(x, y, 0.0)).collect();
+        let still: Vec<f64> = pixels().map(|(x, y)| self.grey(&waves, [x, y], 0.0)).collect();
         let bumped: Vec<f64> = match self.bump {
-            Some((_, [dx, dy])) => pixels().map(|(x, y)| self.grey(x - dx, y - dy, 0.0)).collect(),
+            Some((_, [dx, dy])) => pixels().map(|(x, y)| self.grey(&waves, [x - dx, y - dy], 0.0)).collect(),
             None => Vec::new(),
         };
         let mut draw = Draw(self.seed);
@@ -229,9 +238,10 @@ impl Filmed {
                 let late = if self.comb && (at / wide) % 2 == 1 { 0.5 } else { 0.0 };
                 let (px, py) = (x - shift[0], y - shift[1]);
                 let value = if self.hides(x, y, n) {
-                    0.55 * self.light + 8.0 * texture(x - 3.0 * t, y, 77)
+                    0.55 * self.light + 8.0 * skin.at(x - 3.0 * t, y)
                 } else if self.moves(px, py) {
-                    [-0.33, 0.0, 0.33].iter().map(|k| self.grey(px, py, t + late + k * self.shutter)).sum::<f64>() / 3.0
+                    let grey = |k: f64| self.grey(&waves, [px, py], t + late + k * self.shutter);
+                    (grey(-0.33) + grey(0.0) + grey(0.33)) / 3.0
                 } else {
                     still[at]
                 };
@@ -303,7 +313,7 @@ pub fn kind(name: &str, seed: u64, least: bool) -> Filmed {
     let inner = draw.between(5.0, (high / 16.0 - 3.0).min(25.0));
     let swing = draw.between(0.05, 0.3) * high;
     let sign = if draw.next() < 0.5 { -1.0 } else { 1.0 };
-    let frames = if least { 90 } else { draw.between(100.0, 260.0) as usize };
+    let frames = if least { 72 } else { draw.between(100.0, 260.0) as usize };
     let mut film = Filmed {
         size: [(high / 8.0 + 50.0) as usize, high as usize],
         frames,

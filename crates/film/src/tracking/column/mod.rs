@@ -49,6 +49,13 @@ const DEVIATION: f64 = 6.0;
 const JUMP: f64 = 3.0;
 /// So is one with a larger standard error, in pixels.
 const UNCERTAIN: f64 = 3.0;
+/// One that agrees as well as this with what is usually seen, with nearly its usual strength, needs no lead over other rows: smear makes
+/// the two regions uncertain, and the surface is there.
+const SAME: f64 = 0.995;
+const LEAST_GAIN: f64 = 0.8;
+const MOST_GAIN: f64 = 1.25;
+/// So many frames between two that are in doubt are in doubt with them, unless the two regions are clear there.
+const BETWEEN: usize = 3;
 
 /// Where the surface was clicked, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -285,6 +292,7 @@ fn joined(settings: &Settings, layout: &Layout, strips: &[Strip], solving: &Solv
     for ((strip, pose), (agreement, certainty)) in found {
         let seen = strip.line.at(pose.row);
         let seen_there = agreement.settled && agreement.score >= SCORE;
+        let is_same = agreement.settled && agreement.score >= SAME && (LEAST_GAIN..MOST_GAIN).contains(&pose.gain);
         // By which part of a frame's height the row is read after that in the middle.
         read.push(seen[1] / layout.size.1 as f64 - 0.5);
         formal.push(agreement.variance.sqrt());
@@ -294,7 +302,7 @@ fn joined(settings: &Settings, layout: &Layout, strips: &[Strip], solving: &Solv
             position: strip.camera.undo(seen),
             sigma: [0.0; 2],
             score: agreement.score,
-            doubtful: certainty.is_doubtful() || !(seen_there || certainty.is_clear()),
+            doubtful: certainty.is_doubtful() && !is_same || !(seen_there || certainty.is_clear()),
         });
     }
     let times: Vec<f64> = points.iter().map(|point| point.time).collect();
@@ -313,6 +321,11 @@ fn joined(settings: &Settings, layout: &Layout, strips: &[Strip], solving: &Solv
         point.time = times[at];
         point.sigma = direction.map(|part| part.abs() * sigmas[at]);
         point.doubtful |= outliers[at] || jumps[at] || sigmas[at] > UNCERTAIN;
+    }
+    let doubtful: Vec<usize> = (0..points.len()).filter(|at| points[*at].doubtful).collect();
+    for pair in doubtful.windows(2).filter(|pair| pair[1] - pair[0] <= BETWEEN + 1) {
+        let between = points.iter_mut().zip(&solving.certainties).take(pair[1]).skip(pair[0] + 1);
+        between.for_each(|(point, certainty)| point.doubtful = !certainty.is_clear());
     }
     Track { points, exposure: solving.exposure, readout, direction: Some(direction), lost: None }
 }

@@ -217,27 +217,22 @@ impl Seeking {
         }
     }
 
-    /// Begins with the next candidate, or goes back through the frames with the best one.
+    /// Begins with the next candidate that is elsewhere in some frame than the best one, or goes back through the frames with the best one.
     fn next(&mut self) -> Stage {
         self.at = 0;
-        match self.starts.pop() {
-            Some(path) => {
-                let regions = Regions::new(self.sought.shape);
-                let sums = regions.sums();
-                Stage::Regions(Box::new(Trial {
-                    path,
-                    sums,
-                    regions,
-                    round: 0,
-                    costs: Vec::new(),
-                    left: f64::INFINITY,
-                }))
+        while let Some(path) = self.starts.pop() {
+            let best = self.best.as_ref().map(|best| &best.path);
+            let is_same = |(own, other): (&usize, &usize)| own.abs_diff(*other) <= ELSEWHERE;
+            if best.is_some_and(|best| best.iter().zip(&path).all(is_same)) {
+                continue;
             }
-            None => {
-                self.residues.clear();
-                Stage::Back(self.search())
-            }
+            let regions = Regions::new(self.sought.shape);
+            let sums = regions.sums();
+            let (costs, left) = (Vec::new(), f64::INFINITY);
+            return Stage::Regions(Box::new(Trial { path, sums, regions, round: 0, costs, left }));
         }
+        self.residues.clear();
+        Stage::Back(self.search())
     }
 
     fn compare(&mut self, trial: Box<Trial>) -> Stage {

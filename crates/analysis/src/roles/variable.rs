@@ -31,7 +31,7 @@ impl Table {
             })
         };
         let settled = |index: usize| {
-            let undecided = self.readings.iter().any(|reading| reading[..] == [index]);
+            let undecided = self.distinguishes(index);
             if is_used(index) && !undecided { Suited::AsRead } else { Suited::Column(index) }
         };
         let all = || (0..self.columns.len()).filter(is_free);
@@ -45,12 +45,18 @@ impl Table {
         // A quantity that is a time is known by the rules for times already.
         let clocks: Vec<usize> = self.independent().filter(|index| is_used(*index)).collect();
         let fits = |index: &usize| unit(*index) == Some(dimension);
-        let open = !self.readings.is_empty() && self.readings.iter().any(|reading| reading[..] == [one]);
+        let open = self.distinguishes(one);
         if dimension == Dimension::NONE || (clocks.iter().any(fits) && !open) || (dimension == Dimension::TIME && !open)
         {
             return Suited::AsRead;
         }
         settled(one)
+    }
+
+    /// True if this column alone is the independent variable of one open reading and none of the others has it.
+    fn distinguishes(&self, column: usize) -> bool {
+        let mut with = self.readings.iter().filter(|reading| reading.contains(&column));
+        with.next().is_some_and(|reading| reading[..] == [column]) && with.next().is_none()
     }
 
     /// Measures all columns against the one that suits the independent variable of a document; says so where that is another one

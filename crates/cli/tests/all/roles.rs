@@ -101,7 +101,7 @@ fn an_open_variable_is_refused_and_each_option_shown_chooses_one() {
         ("tA,tB,y", "tuy", "y"),
         ("n,x [m],y [m]", "nfy", "y"),
         ("", "tyuz", "z=4"),
-        ("h,t1,t2", "fyu", "t2"),
+        ("h,t1,t2", "ftu", "t2"),
     ] {
         let (_directory, path) = file(heads, kinds);
         let refusal = derivatives(&path, &["--observe", observed]).unwrap_err();

@@ -260,12 +260,14 @@ fn buttons_are_pressed_by_title_name_and_translated_title() {
     for same in ["kick=3.2", "Patada=3.2 [s]", " KICK = 3200 [ms]"] {
         assert_eq!(run(&path, &["--press", same]).stdout, done.stdout, "{same}");
     }
+    let last = run(&path, &["--press", "Kick=5"]);
+    assert_eq!(numbers(&last.stdout).iter().filter(|row| row[0] == 5.0).count(), 2, "before and after");
     let both = run(&path, &["--press", "Stop, ==4.01", "--press", "Kick=1"]);
     assert_eq!(numbers(&both.stdout).iter().filter(|row| row[0] == 4.01).count(), 2, "before and after");
     for (wrong, expected) in [
         ("Kik=1", "did you mean `Kick`?"),
-        ("Kick=5", "before the end, 5 s"),
-        ("Kick=-1", "at 0 or later"),
+        ("Kick=5.001", "between 0 and the end, 5 s"),
+        ("Kick=-1", "between 0 and the end, 5 s"),
         ("Kick=1 [m]", "is in s"),
         ("Kick", "write BUTTON=TIME"),
     ] {

@@ -36,6 +36,17 @@ impl Delimiter {
     }
 }
 
+/// The delimiter that a line declares, as the first one of a file may do for Excel: `sep=;`.
+pub(super) fn declared(line: &str) -> Option<u8> {
+    let line = line.trim_end_matches(['\n', '\r']).trim_matches('"');
+    let (_, sign) = line.split_once('=').filter(|(name, _)| name.eq_ignore_ascii_case("sep"))?;
+    match sign.as_bytes() {
+        [byte] if byte.is_ascii() && !byte.is_ascii_alphanumeric() => Some(*byte),
+        b"\\t" => Some(b'\t'),
+        _ => None,
+    }
+}
+
 /// The cells of a line from left to right, without the blanks and quotation marks around them.
 #[derive(Clone, Debug)]
 pub(super) struct Cells<'a> {

@@ -1,6 +1,6 @@
 //! Which delimiter and which decimal sign a text has.
 
-use super::cells::{Cells, Delimiter};
+use super::cells::{Cells, Delimiter, declared};
 use super::number::{self, Cell, Signs};
 use super::{clock, head};
 use std::collections::BTreeMap;
@@ -229,17 +229,6 @@ fn most_frequent(numbers: impl Iterator<Item = usize>) -> usize {
         *occurrences.entry(number).or_insert(0) += 1;
     }
     occurrences.into_values().max().unwrap_or(0)
-}
-
-/// The delimiter that a line declares, as the first one of a file may do for Excel: `sep=;`.
-pub(super) fn declared(line: &str) -> Option<u8> {
-    let line = line.trim_end_matches(['\n', '\r']).trim_matches('"');
-    let (_, sign) = line.split_once('=').filter(|(name, _)| name.eq_ignore_ascii_case("sep"))?;
-    match sign.as_bytes() {
-        [byte] if byte.is_ascii() && !byte.is_ascii_alphanumeric() => Some(*byte),
-        b"\\t" => Some(b'\t'),
-        _ => None,
-    }
 }
 
 /// What can be, the likelier first: what the first line declares, if it does.

@@ -15,8 +15,8 @@ pub(super) use column::Head;
 pub(super) use meant::{Meant, unit as meant_unit};
 pub(super) use unit_words::{level, read as unit_of};
 
-use super::cells::Delimiter;
-use super::{clock, format, number};
+use super::cells::{Delimiter, declared};
+use super::{clock, number};
 use crate::finding::{Certainty, Finding, Heading};
 use crate::origin::UnitOrigin;
 use crate::run_name;
@@ -41,7 +41,7 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
     for (number, line) in lines.iter().enumerate() {
         let bare = uncommented(line);
         let of_tracker = bare.trim_start().to_ascii_lowercase().starts_with("multi:");
-        let of_excel = number == 0 && format::declared(line).is_some();
+        let of_excel = number == 0 && declared(line).is_some();
         if bare.trim().is_empty() {
             titles = filled.len();
         } else if !of_tracker && !of_excel {

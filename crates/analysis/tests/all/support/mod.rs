@@ -3,6 +3,7 @@
 pub mod fitting;
 pub mod old_workbook;
 pub mod packed;
+pub mod variants;
 
 use std::path::Path;
 use units::split_mix::SplitMix64;

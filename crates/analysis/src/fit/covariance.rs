@@ -4,8 +4,9 @@
 use super::autoregression::{Autoregression, Errors, MOST};
 use super::hac::{self, Left};
 use super::linear::{Decomposition, Jacobian, dot, norm, quadratic};
-use super::plan::Plan;
+use super::plan::{Plan, Point};
 use super::search::Search;
+use super::weights;
 use std::ops::Range;
 
 /// A direction is undetermined if the curve changes along it by less than this part of the greatest change.
@@ -38,16 +39,23 @@ pub(crate) struct Covariance {
 impl Covariance {
     /// At the end of `search`, whose residuals are those of `plans` and below them those of priors, whose standard deviation is
     /// `prior` in units of the weighted residuals. `values` is the number of independent values; where `errors_given`, the
-    /// weights are taken at their word, else they only tell ratios.
-    pub fn new(search: &Search, plans: &[Plan], values: f64, errors_given: bool, prior: f64) -> Self {
+    /// weights are taken at their word, else they only tell ratios. `reach` is by column how far a number may go.
+    pub fn new(
+        search: &Search,
+        plans: &[Plan],
+        (values, errors_given): (f64, bool),
+        prior: f64,
+        reach: &[f64],
+    ) -> Self {
         let size = search.x.len();
         let rows = search.residuals.len();
         let priors = plans.iter().map(|plan| plan.points.len()).sum::<usize>()..rows;
         let scale: Vec<f64> = (0..size).map(|column| norm(search.jacobian.column(column))).collect();
         let mut flat: Vec<Vec<f64>> = Vec::new();
         let mut free = Vec::new();
+        let nothing = rounding(plans, &scale, reach);
         for column in 0..size {
-            if scale[column] == 0.0 {
+            if scale[column] * reach[column] <= nothing {
                 let mut direction = vec![0.0; size];
                 direction[column] = 1.0;
                 flat.push(direction);
@@ -136,6 +144,17 @@ impl Covariance {
     pub fn variance(matrix: &[f64], gradient: &[f64]) -> f64 {
         quadratic(matrix, gradient).max(0.0)
     }
+}
+
+/// A change of all values together by less than this is nothing but rounding.
+fn rounding(plans: &[Plan], scale: &[f64], reach: &[f64]) -> f64 {
+    let spread = weights::spread(plans);
+    let points = plans.iter().zip(&spread).flat_map(|(plan, spread)| plan.points.iter().map(move |one| (one, spread)));
+    let size = |(point, spread): (&Point, &Vec<f64>)| point.weight * spread[point.observation];
+    let values = norm(&points.map(size).collect::<Vec<f64>>());
+    // Values that are all 0 have no size: then that of the greatest change.
+    let greatest = || scale.iter().zip(reach).map(|(scale, reach)| scale * reach).fold(0.0, f64::max);
+    weights::EXACT * if values > 0.0 { values } else { greatest() }
 }
 
 /// The places of the values of each observation of each record, in the order of time; `wanted` gets whether it was measured.

@@ -2,13 +2,14 @@
 
 use super::covariance::Covariance;
 use super::elsewhere::{Beginning, Elsewhere};
+use super::exchange::Exchange;
 use super::loss::Loss;
 use super::outcome::{self, Course, Outcome};
 use super::problem::Problem;
 use super::refine::Refinement;
 use super::robust::Continuation;
 use super::search::{Search, Status};
-use super::stages::{Current, Stages};
+use super::stages::{self, Current, Stages};
 use super::task::{FitError, Task};
 use super::trace::{self, Trace};
 use super::window::{self, TRIALS};
@@ -34,6 +35,8 @@ pub struct Fit {
     elsewhere: Elsewhere,
     /// In the end from the best answer itself.
     refinement: Refinement,
+    /// Which numbers can exchange their values, once the answer is known.
+    exchange: Option<Exchange>,
     /// How the fit went so far.
     course: Course,
     trials: usize,
@@ -82,7 +85,7 @@ impl Fit {
     fn with(problem: Problem, stages: Stages, refinement: Refinement) -> Self {
         let elsewhere = Elsewhere::new(&problem);
         let course = Course::default();
-        Self { problem, current: None, best: None, stages, elsewhere, refinement, course, trials: 0 }
+        Self { problem, current: None, best: None, stages, elsewhere, refinement, exchange: None, course, trials: 0 }
     }
 
     /// Makes one trial; whether the fit is finished.
@@ -208,6 +211,25 @@ impl Fit {
         }
     }
 
+    /// Tries whether the next pair of numbers can exchange their values, or ends.
+    fn try_exchange(&mut self) {
+        let Some(best) = &self.best else {
+            self.course.finished = true;
+            return;
+        };
+        let problem = &mut self.problem;
+        let exchange = self.exchange.get_or_insert_with(|| Exchange::new(problem, &stages::moving(problem)));
+        // A robust loss weighs sums of squares in another way.
+        let plain = problem.task.loss == Loss::Squares;
+        if let Some(search) = plain.then(|| exchange.next(problem, best)).flatten() {
+            self.current = Some(Current::whole(problem, search, false));
+            return;
+        }
+        self.course.exchanges = std::mem::take(&mut exchange.found);
+        self.exchange = None;
+        self.course.finished = true;
+    }
+
     /// Begins a search of the whole fitted part.
     fn search_from(&mut self, start: &[f64]) {
         let search = window::search(&mut self.problem, start, TRIALS);
@@ -216,6 +238,10 @@ impl Fit {
 
     /// Takes in a search over the whole that has ended.
     fn settle(&mut self, search: Search) {
+        if let (Some(exchange), Some(best)) = (&mut self.exchange, &self.best) {
+            exchange.settle(&self.problem, best, &search);
+            return self.try_exchange();
+        }
         let refining = self.refinement.has_begun();
         if !refining {
             self.elsewhere.remember_end(&search, self.best.as_ref());
@@ -241,7 +267,7 @@ impl Fit {
             Some(Continuation::From(start)) => self.search_from(&start),
             Some(Continuation::End { settled }) => {
                 self.course.converged &= settled;
-                self.course.finished = true;
+                self.try_exchange();
             }
             None => self.course.finished = true,
         }

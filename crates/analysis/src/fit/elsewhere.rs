@@ -266,7 +266,7 @@ fn kinks(problem: &Problem) -> Vec<bool> {
 }
 
 /// The variance of a residual: as given, or as the residuals show it where that is larger.
-fn variance(problem: &Problem, best: &Search) -> f64 {
+pub(super) fn variance(problem: &Problem, best: &Search) -> f64 {
     let dof = (problem.independent_values() + problem.scales() as f64 - best.x.len() as f64).max(1.0);
     let shown = best.sum / dof;
     if problem.task.errors_given() { shown.max(1.0) } else { shown }
@@ -274,7 +274,7 @@ fn variance(problem: &Problem, best: &Search) -> f64 {
 
 /// How much larger the sum of squares would be at `x` than at the end of a search if the curve changed in proportion to the
 /// numbers.
-fn growth_at(best: &Search, x: &[f64]) -> f64 {
+pub(super) fn growth_at(best: &Search, x: &[f64]) -> f64 {
     let mut change = vec![0.0; best.residuals.len()];
     for (column, (to, from)) in x.iter().zip(&best.x).enumerate() {
         change.iter_mut().zip(best.jacobian.column(column)).for_each(|(change, slope)| *change += (to - from) * slope);

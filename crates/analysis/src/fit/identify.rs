@@ -1,17 +1,34 @@
 //! What the data cannot determine, named.
 
-/// Numbers of which the data determine only a combination, or nothing.
+use super::covariance::Covariance;
+use super::search::Search;
+use units::Language;
+
+/// Why numbers are not determined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lack {
+    /// The curve does not change along a combination of them.
+    Flat,
+    /// Each is uncertain by more than half of its value, while a combination of them is well determined.
+    Weak,
+    /// The curve is the same if two of them exchange their values.
+    Exchange,
+}
+
+/// Numbers that the data do not determine by themselves.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Undetermined {
+    /// Why.
+    pub lack: Lack,
     /// Their names.
     pub names: Vec<String>,
-    /// The combination that is determined, `b/rho`, where it is a simple one; empty where a single number changes nothing.
-    pub combination: Option<String>,
+    /// The combinations that are determined, `b/rho`, where they are simple ones; empty where a single number changes nothing.
+    pub combinations: Vec<String>,
 }
 
 /// Groups the flat directions of the curve: `names` and values `x` by column.
 pub(crate) fn undetermined(flat: &[Vec<f64>], names: &[String], x: &[f64]) -> Vec<Undetermined> {
-    let mut groups: Vec<(Vec<usize>, Vec<&Vec<f64>>)> = Vec::new();
+    let mut groups: Vec<(Vec<usize>, Vec<Vec<f64>>)> = Vec::new();
     for direction in flat {
         // Each column in its own size: relative changes, where the value is not zero.
         let relative: Vec<f64> =
@@ -19,7 +36,7 @@ pub(crate) fn undetermined(flat: &[Vec<f64>], names: &[String], x: &[f64]) -> Ve
         let greatest = relative.iter().fold(0.0, |greatest: f64, value| greatest.max(value.abs()));
         let mut members: Vec<usize> =
             (0..relative.len()).filter(|&column| relative[column].abs() > 1e-4 * greatest).collect();
-        let mut directions = vec![direction];
+        let mut directions = vec![relative];
         // Directions that share a number are one puzzle.
         let mut place = 0;
         while place < groups.len() {
@@ -35,43 +52,167 @@ pub(crate) fn undetermined(flat: &[Vec<f64>], names: &[String], x: &[f64]) -> Ve
         members.dedup();
         groups.push((members, directions));
     }
-    groups
-        .into_iter()
-        .map(|(members, directions)| Undetermined {
-            combination: match (directions.as_slice(), members.as_slice()) {
-                ([direction], &[a, b]) => combination(direction, (a, b), names, x),
-                _ => None,
-            },
-            names: members.into_iter().map(|column| names[column].clone()).collect(),
-        })
-        .collect()
+    let named = |(members, directions): (Vec<usize>, Vec<Vec<f64>>)| Undetermined {
+        lack: Lack::Flat,
+        combinations: combinations(&directions, &members, names, x).unwrap_or_default(),
+        names: members.into_iter().map(|column| names[column].clone()).collect(),
+    };
+    groups.into_iter().map(named).collect()
 }
 
-/// What stays the same along a direction in which two numbers change: a quotient or product of powers, a sum or difference.
-fn combination(direction: &[f64], (a, b): (usize, usize), names: &[String], x: &[f64]) -> Option<String> {
-    let (name_a, name_b) = (&names[a], &names[b]);
-    if x[a] != 0.0 && x[b] != 0.0 {
-        // a^p b^q stays the same if p da/a + q db/b = 0.
-        if let Some((p, q)) = small_ratio(-(direction[a] / x[a]) / (direction[b] / x[b])) {
-            let power = |name: &str, exponent: u32| {
-                if exponent == 1 { name.to_owned() } else { format!("{name}^{exponent}") }
-            };
-            let (first, second) = (power(name_a, q.unsigned_abs()), power(name_b, p.unsigned_abs()));
-            return Some(if p > 0 { format!("{first}*{second}") } else { format!("{first}/{second}") });
+/// Pairs of numbers of which only a product or quotient of powers is well determined, by the textbook's covariance at the end of a
+/// search.
+pub(super) fn weak(best: &Search, covariance: &Covariance, names: &[String]) -> Vec<Undetermined> {
+    let size = best.x.len();
+    let variance = |a: usize, b: usize| covariance.textbook[a * size + b];
+    let relative = |column: usize| variance(column, column).sqrt() / best.x[column].abs();
+    let uncertain = |column: &usize| covariance.dof > 0.0 && (VAGUE..f64::INFINITY).contains(&relative(*column));
+    let columns: Vec<usize> = (0..size).filter(uncertain).collect();
+    let mut found = Vec::new();
+    for (place, &a) in columns.iter().enumerate() {
+        for &b in &columns[place + 1..] {
+            let correlation = variance(a, b) / (variance(a, a) * variance(b, b)).sqrt();
+            let sign = correlation.signum() * (best.x[a] * best.x[b]).signum();
+            if correlation.abs() >= TIGHT
+                && let Some(combination) = product(&[(a, relative(b)), (b, -sign * relative(a))], names, NEARLY)
+            {
+                let names = [a, b].map(|column| names[column].clone()).to_vec();
+                found.push(Undetermined { lack: Lack::Weak, names, combinations: vec![combination] });
+            }
         }
     }
-    if (direction[a] + direction[b]).abs() <= 1e-6 * direction[a].abs() {
-        return Some(format!("{name_a} + {name_b}"));
-    }
-    ((direction[a] - direction[b]).abs() <= 1e-6 * direction[a].abs()).then(|| format!("{name_a} - {name_b}"))
+    found
 }
 
-/// A ratio as whole numbers up to 4, the second positive.
-fn small_ratio(ratio: f64) -> Option<(i32, i32)> {
-    (1..=4).flat_map(|q| (1..=4).map(move |p| (p, q))).find_map(|(p, q)| {
-        let size = f64::from(p) / f64::from(q);
-        ((ratio.abs() - size).abs() <= 1e-6 * size).then_some((if ratio > 0.0 { p } else { -p }, q))
-    })
+/// The relative standard error from which on a number is hardly determined by itself.
+const VAGUE: f64 = 0.5;
+/// The correlation from which on a combination of two such numbers is well determined.
+const TIGHT: f64 = 0.999;
+/// Exponents of a flat direction are whole numbers within rounding, and those of a weak one nearly so.
+const EXACTLY: f64 = 1e-6;
+const NEARLY: f64 = 0.03;
+
+/// The combinations that stay the same along all `directions`, relative changes by column: one fewer for each direction than there
+/// are `members`. `None` where they are not simple.
+fn combinations(directions: &[Vec<f64>], members: &[usize], names: &[String], x: &[f64]) -> Option<Vec<String>> {
+    let [first, others @ ..] = members else { return None };
+    if let [direction] = directions {
+        // With one direction, each of the others makes a combination with the first.
+        let pair = |&other: &usize| {
+            let powers = [(*first, direction[other]), (other, -direction[*first])];
+            let product = if x[*first] == 0.0 || x[other] == 0.0 { None } else { product(&powers, names, EXACTLY) };
+            product.or_else(|| sum(direction, (*first, other), names, x))
+        };
+        return others.iter().map(pair).collect();
+    }
+    if directions.len() + 1 != members.len() || members.iter().any(|&column| x[column] == 0.0) {
+        return None;
+    }
+    // The one combination of powers: its exponents are orthogonal to all directions. What is left of each axis without its part
+    // along the directions is a multiple of them.
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    let without = |mut vector: Vec<f64>, basis: &[Vec<f64>]| {
+        for one in basis {
+            let along: f64 = one.iter().zip(&vector).map(|(one, value)| one * value).sum();
+            vector.iter_mut().zip(one).for_each(|(value, one)| *value -= along * one);
+        }
+        let length = vector.iter().map(|value| value * value).sum::<f64>().sqrt();
+        (vector, length)
+    };
+    for direction in directions {
+        let (vector, length) = without(members.iter().map(|&column| direction[column]).collect(), &basis);
+        if length == 0.0 {
+            return None;
+        }
+        basis.push(vector.iter().map(|value| value / length).collect());
+    }
+    let axis =
+        |place: usize| without((0..members.len()).map(|other| f64::from(u8::from(other == place))).collect(), &basis);
+    let (exponents, _) = (0..members.len()).map(axis).max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let powers: Vec<(usize, f64)> = members.iter().copied().zip(exponents).collect();
+    Some(vec![product(&powers, names, EXACTLY)?])
+}
+
+/// A product of powers whose exponents are in the ratio of small whole numbers, within a part `tolerance` of them; the first
+/// exponent is positive.
+fn product(powers: &[(usize, f64)], names: &[String], tolerance: f64) -> Option<String> {
+    let least = powers.iter().map(|(_, exponent)| exponent.abs()).fold(f64::INFINITY, f64::min);
+    let sign = powers.first()?.1.signum();
+    let whole = |scale: f64| {
+        let rounded = |&(column, exponent): &(usize, f64)| {
+            let exponent = sign * exponent / least * scale;
+            let whole = exponent.round();
+            let near = whole != 0.0 && whole.abs() <= 4.0 && (exponent - whole).abs() <= tolerance * whole.abs();
+            near.then_some((column, whole as i32))
+        };
+        powers.iter().map(rounded).collect::<Option<Vec<(usize, i32)>>>()
+    };
+    let powers = (1..=4).find_map(|scale| whole(f64::from(scale)))?;
+    let mut text = String::new();
+    for (column, exponent) in powers {
+        let sign = if exponent > 0 { "*" } else { "/" };
+        text.push_str(if text.is_empty() { "" } else { sign });
+        text.push_str(&names[column]);
+        if exponent.abs() > 1 {
+            text.push_str(&format!("^{}", exponent.abs()));
+        }
+    }
+    Some(text)
+}
+
+/// A sum or difference of two numbers that stays the same along relative changes.
+fn sum(direction: &[f64], (a, b): (usize, usize), names: &[String], x: &[f64]) -> Option<String> {
+    let change = |column: usize| direction[column] * if x[column] == 0.0 { 1.0 } else { x[column] };
+    let equal = |one: f64, other: f64| (one - other).abs() <= EXACTLY * one.abs();
+    let sign = if equal(change(a), -change(b)) {
+        "+"
+    } else if equal(change(a), change(b)) {
+        "-"
+    } else {
+        return None;
+    };
+    Some(format!("{} {sign} {}", names[a], names[b]))
+}
+
+impl Undetermined {
+    /// What cannot be determined, in a sentence.
+    pub fn text(&self, language: Language) -> String {
+        let names = language.join(&self.names);
+        let combinations = language.join(&self.combinations);
+        let known = !combinations.is_empty();
+        match (self.lack, self.names.len(), language) {
+            (Lack::Exchange, _, Language::English) => format!(
+                "The curve is the same if {names} exchange their values and the others follow: the data cannot tell which is which."
+            ),
+            (Lack::Exchange, _, Language::Spanish) => format!(
+                "La curva es la misma si {names} intercambian sus valores y los demás los siguen: los datos no distinguen cuál es cuál."
+            ),
+            (Lack::Weak, _, Language::English) => {
+                format!("The data determine {combinations} well, but hardly {names} each by itself; fix one of them.")
+            }
+            (Lack::Weak, _, Language::Spanish) => format!(
+                "Los datos determinan bien {combinations}, pero apenas {names} por separado; fija uno de ellos."
+            ),
+            (Lack::Flat, 1, Language::English) => {
+                format!("The data do not determine {names}: the curve does not change with it.")
+            }
+            (Lack::Flat, 1, Language::Spanish) => {
+                format!("Los datos no determinan {names}: la curva no cambia con ese parámetro.")
+            }
+            (Lack::Flat, _, Language::English) if known => {
+                format!("The data determine only {combinations}, not {names} each by itself; fix one of them.")
+            }
+            (Lack::Flat, _, Language::Spanish) if known => {
+                format!("Los datos solo determinan {combinations}, no {names} por separado; fija uno de ellos.")
+            }
+            (Lack::Flat, _, Language::English) => {
+                format!("The data determine only combinations of {names}, not each by itself; fix some of them.")
+            }
+            (Lack::Flat, _, Language::Spanish) => {
+                format!("Los datos solo determinan combinaciones de {names}, no cada uno por separado; fija alguno.")
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -82,19 +223,25 @@ mod tests {
     fn combinations_are_named() {
         let names: Vec<String> = ["b", "rho", "c"].map(str::to_owned).to_vec();
         let named = |flat: &[Vec<f64>], x: &[f64]| undetermined(flat, &names, x);
-        let one = |combination: Option<&str>, members: &[&str]| Undetermined {
+        let one = |combinations: &[&str], members: &[&str]| Undetermined {
             names: members.iter().map(|name| (*name).to_owned()).collect(),
-            combination: combination.map(str::to_owned),
+            combinations: combinations.iter().map(|one| (*one).to_owned()).collect(),
+            lack: Lack::Flat,
         };
         // b and rho grow together: b/rho stays.
-        assert_eq!(named(&[vec![0.5, 10.0, 0.0]], &[50.0, 1000.0, 3.0]), [one(Some("b/rho"), &["b", "rho"])]);
-        assert_eq!(named(&[vec![0.5, -10.0, 0.0]], &[50.0, 1000.0, 3.0]), [one(Some("b*rho"), &["b", "rho"])]);
+        assert_eq!(named(&[vec![0.5, 10.0, 0.0]], &[50.0, 1000.0, 3.0]), [one(&["b/rho"], &["b", "rho"])]);
+        assert_eq!(named(&[vec![0.5, -10.0, 0.0]], &[50.0, 1000.0, 3.0]), [one(&["b*rho"], &["b", "rho"])]);
         // db/b = 2 drho/rho: b/rho^2 stays.
-        assert_eq!(named(&[vec![1.0, 10.0, 0.0]], &[50.0, 1000.0, 3.0]), [one(Some("b/rho^2"), &["b", "rho"])]);
-        assert_eq!(named(&[vec![1.0, 0.0, -1.0]], &[0.3, 1.0, 3.0]), [one(Some("b + c"), &["b", "c"])]);
-        assert_eq!(named(&[vec![0.0, 0.0, 1.0]], &[1.0; 3]), [one(None, &["c"])]);
-        // Two directions among three numbers.
-        let two = [vec![1.0, 1.0, 0.0], vec![0.0, 1.0, 1.0]];
-        assert_eq!(named(&two, &[1.0, 2.0, 3.0]), [one(None, &["b", "rho", "c"])]);
+        assert_eq!(named(&[vec![1.0, 10.0, 0.0]], &[50.0, 1000.0, 3.0]), [one(&["b/rho^2"], &["b", "rho"])]);
+        assert_eq!(named(&[vec![1.0, 0.0, -1.0]], &[0.3, 1.0, 3.0]), [one(&["b + c"], &["b", "c"])]);
+        assert_eq!(named(&[vec![0.0, 0.0, 1.0]], &[1.0; 3]), [one(&[], &["c"])]);
+        // One direction among three numbers.
+        let three = [one(&["b/rho", "b*c"], &["b", "rho", "c"])];
+        assert_eq!(named(&[vec![0.5, 10.0, -0.03]], &[50.0, 1000.0, 3.0]), three);
+        // Two directions among three numbers: b*rho/c^2 stays.
+        let two = [vec![1.0, -2.0, 0.0], vec![0.0, 2.0 * 2.0, 3.0]];
+        assert_eq!(named(&two, &[1.0, 2.0, 3.0]), [one(&["b*rho/c^2"], &["b", "rho", "c"])]);
+        let two = [vec![1.0, 1.1, 0.0], vec![0.0, 1.0, 1.0]];
+        assert_eq!(named(&two, &[1.0, 2.0, 3.0]), [one(&[], &["b", "rho", "c"])]);
     }
 }

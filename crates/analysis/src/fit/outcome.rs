@@ -4,7 +4,7 @@ use super::criteria::{Criteria, criteria};
 use super::elsewhere::Rival;
 use super::estimate::{self, Estimate};
 use super::film_scale::{self, FilmScale};
-use super::identify::{Undetermined, undetermined};
+use super::identify::{self, Lack, Undetermined};
 use super::judgement::{Judgement, Outlier};
 use super::linear::{Jacobian, dot};
 use super::loss::Loss;
@@ -131,6 +131,8 @@ pub(super) struct Course {
     pub rival: Option<Rival>,
     /// See [`Outcome::improved`].
     pub improved: usize,
+    /// Numbers of the search that can exchange their values.
+    pub exchanges: Vec<[usize; 2]>,
 }
 
 /// What is known where `best` has ended.
@@ -143,6 +145,13 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
     let (parameters, derived) = estimate::estimates(problem, best, &covariance);
     let mut names: Vec<String> = parameters.iter().map(|one| estimate::full_name(one, problem)).collect();
     names.resize(best.x.len(), "film_scale".to_owned());
+    let mut lacks = identify::undetermined(&covariance.flat, &names, &best.x);
+    lacks.extend(identify::weak(best, &covariance, &names));
+    lacks.extend(course.exchanges.iter().map(|pair| Undetermined {
+        lack: Lack::Exchange,
+        names: pair.map(|column| names[column].clone()).to_vec(),
+        combinations: Vec::new(),
+    }));
     let first = observations.iter().filter(|one| one.observation == 0);
     let rmse = Outside::together(first.map(|one| one.error_where(|_, inside| inside))).rmse;
     let residuals = robust::plain_residuals(problem, best);
@@ -178,7 +187,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
         independent: covariance.independent(),
         wanders: covariance.wanders(),
         correlation: estimate::correlation(&covariance.textbook, best.x.len(), parameters.len()),
-        undetermined: undetermined(&covariance.flat, &names, &best.x),
+        undetermined: lacks,
         undersampled: if course.finished { undersampled(problem, best) } else { Vec::new() },
         settings: (0..problem.task.records.len()).map(|record| problem.parameters(record, &best.x)).collect(),
         origins: origins(problem, best),

@@ -277,6 +277,17 @@ impl Problem {
         known == rows
     }
 
+    /// By number of the search: how far it may go, by its range, else by its size at the start and at `x`.
+    pub fn reach(&self, x: &[f64]) -> Vec<f64> {
+        let numbers = self.bounds.iter().zip(self.own.iter().zip(x));
+        let of_number = |(&(low, high), (own, x)): (&(f64, f64), (&f64, &f64))| match high - low {
+            width if width.is_finite() => width,
+            _ if *own == 0.0 => x.abs().max(1.0),
+            _ => own.abs().max(x.abs()),
+        };
+        numbers.map(of_number).collect()
+    }
+
     /// The priors of the scales, in the order of their columns.
     pub fn priors(&self) -> Vec<Prior> {
         let prior = |(number, column): (usize, &Column)| {

@@ -115,7 +115,8 @@ impl Reweighting {
         let best = self.linearised(problem, best);
         let errors_given = problem.task.errors_given() && problem.task.loss == Loss::Squares;
         let prior = problem.deviation * self.scale_of_priors(problem);
-        Covariance::new(&best, &problem.plans, problem.independent_values(), errors_given, prior)
+        let values = (problem.independent_values(), errors_given);
+        Covariance::new(&best, &problem.plans, values, prior, &problem.reach(&best.x))
     }
 
     /// A search of the whole as the statistics need it: of a robust loss with pseudo-residuals s psi(r/s)/mean(psi') instead

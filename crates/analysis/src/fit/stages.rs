@@ -197,7 +197,7 @@ fn flat(search: &Search) -> usize {
 
 /// Whether equations of motion, their events or the observed expressions depend on a parameter in another way than through
 /// initial values and scales; for formulas, never.
-fn moving(problem: &Problem) -> Vec<bool> {
+pub(super) fn moving(problem: &Problem) -> Vec<bool> {
     let model = &problem.model;
     let mut parameters = Vec::new();
     for node in

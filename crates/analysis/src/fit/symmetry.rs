@@ -63,7 +63,7 @@ fn equal(problem: &mut Problem, best: &Search, x: Vec<f64>) -> Option<Vec<f64>> 
 }
 
 /// What must be the same of two numbers that may change places: the unit's dimension, and the record they belong to.
-fn sort(problem: &Problem, column: usize) -> (Option<Dimension>, Option<usize>) {
+pub(super) fn sort(problem: &Problem, column: usize) -> (Option<Dimension>, Option<usize>) {
     let column = problem.columns[column];
     let dimension = match column.target() {
         Some(Target::Parameter(index)) => problem.model.parameters.get(index).map(|parameter| parameter.unit.dimension),

@@ -10,6 +10,8 @@ const FEW: f64 = 15.0;
 /// Whether the model is compatible with the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
+    /// There are as many values as numbers that they determine.
+    Saturated,
     /// Nothing is left over but rounding.
     Exact,
     /// Values far from all others have decided the fit.
@@ -53,6 +55,9 @@ const LEAST: usize = 10;
 impl Outcome {
     /// What the residuals say.
     pub fn verdict(&self) -> Verdict {
+        if self.dof == 0 {
+            return Verdict::Saturated;
+        }
         if self.exact {
             return Verdict::Exact;
         }

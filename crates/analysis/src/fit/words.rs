@@ -1,7 +1,6 @@
 //! What a fit says, in words.
 
 use super::estimate::Estimate;
-use super::identify::Undetermined;
 use super::outcome::Outcome;
 use super::verdict::{Size, Verdict};
 use units::Language::{self, English, Spanish};
@@ -18,6 +17,12 @@ impl Outcome {
             (Verdict::Exact, Spanish) => {
                 "El ajuste es exacto: los residuos son menores que una milmillonésima parte de la dispersión de los valores. El \
                  AICc y el BIC son los de residuos de ese tamaño."
+            }
+            (Verdict::Saturated, English) => {
+                "There are as many values as parameters: the curve can pass through all of them, and the fit is no test of the model."
+            }
+            (Verdict::Saturated, Spanish) => {
+                "Hay tantos valores como parámetros: la curva puede pasar por todos ellos, y el ajuste no pone a prueba el modelo."
             }
             (Verdict::Misled, English) => {
                 "The residuals cannot be used to judge the model: values far from all others have decided the fit."
@@ -145,28 +150,5 @@ impl Estimate {
             (None, English) => "no error: its parameter is at the end of the range",
             (None, Spanish) => "sin error: su parámetro está en el extremo del intervalo",
         })
-    }
-}
-
-impl Undetermined {
-    /// What cannot be determined, in a sentence.
-    pub fn text(&self, language: Language) -> String {
-        let names = language.join(&self.names);
-        match (&self.combination, self.names.len(), language) {
-            (_, 1, English) => format!("The data do not determine {names}: the curve does not change with it."),
-            (_, 1, Spanish) => format!("Los datos no determinan {names}: la curva no cambia con ese parámetro."),
-            (Some(combination), _, English) => {
-                format!("The data determine only {combination}, not {names} each by itself; fix one of them.")
-            }
-            (Some(combination), _, Spanish) => {
-                format!("Los datos solo determinan {combination}, no {names} por separado; fija uno de ellos.")
-            }
-            (None, _, English) => {
-                format!("The data determine only combinations of {names}, not each by itself; fix some of them.")
-            }
-            (None, _, Spanish) => {
-                format!("Los datos solo determinan combinaciones de {names}, no cada uno por separado; fija alguno.")
-            }
-        }
     }
 }

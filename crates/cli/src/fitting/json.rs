@@ -3,7 +3,7 @@
 use super::fitted::Fitted;
 use crate::columns;
 use crate::data::Measured;
-use analysis::fit::{Estimate, Interval, ObservationFit, Outcome, Outlier, Record};
+use analysis::fit::{Estimate, Interval, Lack, ObservationFit, Outcome, Outlier, Record};
 use serde_json::{Map, Value, json};
 use units::Language;
 use units::Unit;
@@ -12,6 +12,7 @@ use units::Unit;
 pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
     let outcome = &fitted.outcome;
     let several = fitted.task.records.len() > 1;
+    let lacking = |lack: Lack| outcome.undetermined.iter().filter(move |one| one.lack == lack);
     let least_squares = outcome.reweighted.as_ref().map(|robust| robust.least_squares.as_slice());
     let mut object = json!({
         "document": fitted.theory.sources.path().display().to_string(),
@@ -53,9 +54,11 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         })).collect::<Vec<_>>(),
         "derived": estimates(&outcome.derived, &[], None, None),
         "correlation": correlation(fitted),
-        "undetermined": outcome.undetermined.iter().flat_map(|one| one.names.clone()).collect::<Vec<_>>(),
+        "undetermined": lacking(Lack::Flat).flat_map(|one| one.names.clone()).collect::<Vec<_>>(),
+        "hardly_determined": lacking(Lack::Weak).map(|one| one.names.clone()).collect::<Vec<_>>(),
+        "exchangeable": lacking(Lack::Exchange).map(|one| one.names.clone()).collect::<Vec<_>>(),
         "determined_combinations":
-            outcome.undetermined.iter().filter_map(|one| one.combination.clone()).collect::<Vec<_>>(),
+            outcome.undetermined.iter().flat_map(|one| one.combinations.clone()).collect::<Vec<_>>(),
         "data": data.iter().map(file).collect::<Vec<_>>(),
     });
     if several {

@@ -2,7 +2,7 @@
 
 use crate::support::Noise;
 use crate::support::fitting::{fitted, model, observation, parameter, record, task, value};
-use analysis::fit::{Fit, Outcome, Record, Undetermined, Varied, Verdict};
+use analysis::fit::{Fit, Lack, Outcome, Record, Undetermined, Varied, Verdict};
 use analysis::virtual_record::tracked_velocities;
 use engine::Method;
 use program::Model;
@@ -55,7 +55,11 @@ fn column() -> (Model, Record) {
 fn damping_and_density_are_known_as_a_quotient_only() {
     let (model, record) = column();
     let outcome = fitted(&model, task(&model, record.clone(), &["b", "rho", "g"]));
-    let only = Undetermined { names: vec!["b".to_owned(), "rho".to_owned()], combination: Some("b/rho".to_owned()) };
+    let only = Undetermined {
+        names: vec!["b".to_owned(), "rho".to_owned()],
+        combinations: vec!["b/rho".to_owned()],
+        lack: Lack::Flat,
+    };
     assert_eq!(outcome.undetermined, [only]);
     for name in ["b", "rho"] {
         let estimate = outcome.estimate(name).unwrap();
@@ -76,7 +80,10 @@ fn damping_and_density_are_known_as_a_quotient_only() {
 fn what_changes_nothing_is_named_and_left_alone() {
     let (model, record) = column();
     let outcome = fitted(&model, task(&model, record.clone(), &["b", "q", "g"]));
-    assert_eq!(outcome.undetermined, [Undetermined { names: vec!["q".to_owned()], combination: None }]);
+    assert_eq!(
+        outcome.undetermined,
+        [Undetermined { names: vec!["q".to_owned()], combinations: Vec::new(), lack: Lack::Flat }]
+    );
     assert_eq!(value(&outcome, "q"), 3.0);
     let without = fitted(&model, task(&model, record, &["b", "g"]));
     assert!((value(&outcome, "b") / value(&without, "b") - 1.0).abs() < 1e-6);

@@ -12,4 +12,5 @@ mod robust;
 mod scale;
 mod sentinels;
 mod undersampled;
+mod undetermined;
 mod utube;

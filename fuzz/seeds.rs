@@ -1,12 +1,17 @@
-//! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models; and the films and projects of the tests.
+//! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models; the films and
+//! projects of the tests; old workbooks; and what an archive of phyphox has in its files.
 //! `cargo run --manifest-path fuzz/Cargo.toml --bin seeds`
 
+#[path = "../crates/analysis/tests/all/support/old_workbook.rs"]
+mod old_workbook;
+
+use old_workbook::{Cell, OldWorkbook};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 fn main() -> io::Result<()> {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for target in ["bundle", "document", "film", "language", "tracker"] {
+    for target in ["bundle", "data_sets", "document", "film", "language", "old_workbook", "tracker"] {
         fs::create_dir_all(fuzz.join("corpus").join(target))?;
     }
     let write = |target: &str, name: &str, bytes: &[u8]| fs::write(fuzz.join("corpus").join(target).join(name), bytes);
@@ -33,6 +38,15 @@ fn main() -> io::Result<()> {
         write("language", &name, text.as_bytes())?;
         write("document", &name, format!("```model\n{text}```\n").as_bytes())?;
     }
+    for path in files(&fuzz.join("seeds/data_sets"))? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        write("data_sets", &name, &fs::read(&path)?)?;
+    }
+    for five in [false, true] {
+        let workbook = workbook(five);
+        write("old_workbook", &format!("file-{five}"), &workbook.bytes())?;
+        write("old_workbook", &format!("stream-{five}"), &workbook.stream())?;
+    }
     for path in files(&fuzz.join("../crates/film/tests/films"))? {
         if path.extension().is_some_and(|kind| kind != "csv" && kind != "sh") {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -44,6 +58,29 @@ fn main() -> io::Result<()> {
         write("tracker", &name, &fs::read(&path)?)?;
     }
     Ok(())
+}
+
+/// A workbook with each kind of cell.
+fn workbook(five: bool) -> OldWorkbook {
+    let mut cells = vec![(0, 0, Cell::Label("t (s)")), (0, 1, Cell::Label("y (cm)"))];
+    if !five {
+        cells.push((0, 2, Cell::Shared(0)));
+    }
+    for row in 1..6 {
+        cells.push((row, 0, Cell::Number(0.1 * f64::from(row))));
+        cells.push((row, 1, Cell::Formatted(2.5, row)));
+        cells.push((row, 2, Cell::Rks(vec![0x4059_0000, 402, 40001])));
+        cells.push((row, 5, Cell::Formula(1.5_f64.to_le_bytes())));
+    }
+    cells.push((6, 0, Cell::Rk(0x4059_0001)));
+    cells.push((6, 1, Cell::TextFormula("end")));
+    cells.push((6, 2, Cell::Code(42, 1)));
+    OldWorkbook {
+        sheets: vec![("Data", cells), ("Second", vec![(0, 0, Cell::Number(1.0))])],
+        texts: vec![vec![("v (m/", false), ("s)", true)]],
+        five,
+        ..OldWorkbook::default()
+    }
 }
 
 fn files(directory: &Path) -> io::Result<Vec<PathBuf>> {

@@ -3,6 +3,7 @@
 
 #![no_main]
 
+use analysis::reading::Reading;
 use analysis::spreadsheet::Archive;
 use analysis::workbook::{Progress, Workbook};
 use libfuzzer_sys::fuzz_target;
@@ -34,7 +35,7 @@ fn read(bytes: Vec<u8>) {
             }
         }
     }
-    reads_the_same_in_slices(bytes, MOST);
+    reads_the_same_in_slices(Reading::new, bytes, MOST);
 }
 
 /// The bytes as the one sheet of a workbook, and as its texts and styles.

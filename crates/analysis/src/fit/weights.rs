@@ -6,6 +6,9 @@ use super::task::Task;
 /// Residuals below this part of the scatter of the values are rounding and the error of the integration: the fit is exact.
 pub(super) const EXACT: f64 = 1e-9;
 
+/// Values that scatter by less than this part of their mean are equal.
+const ROUNDING: f64 = 1e-14;
+
 /// By record and observation: the root of the mean square of the fitted values about their mean; 1 where all are equal.
 pub(super) fn spread(plans: &[Plan]) -> Vec<Vec<f64>> {
     by_observation(plans, |plan, observation| {
@@ -13,8 +16,8 @@ pub(super) fn spread(plans: &[Plan]) -> Vec<Vec<f64>> {
         let count = values().count().max(1) as f64;
         let mean = values().sum::<f64>() / count;
         let square = values().fold(0.0, |sum, value| sum + (value - mean) * (value - mean)) / count;
-        // Equal values have no scatter but their size.
-        if square > 0.0 { square.sqrt() } else { mean.abs() }
+        // Equal values have no scatter but their size; their mean is rounded.
+        if square.sqrt() > ROUNDING * mean.abs() { square.sqrt() } else { mean.abs() }
     })
 }
 

@@ -138,7 +138,7 @@ C(0) = 0
 #[test]
 fn a_fit_never_ends_above_the_best_that_it_had() {
     let sum = "parameter a = 1\nparameter b = 2\nparameter p = 3 [1/s]\nparameter q = 0.1 [1/s]\ny = a*exp(-p*t) + b*exp(-q*t)";
-    let motion = "parameter k = 50 [1/s^2]\nparameter r = 0.3 [1/s]\nparameter m = 0.1\nparameter x_0 = 1\nx'' = -k*x - r*x' - m*x'*abs(x')/(1 [s])\nx(0) = x_0\nx'(0) = 0 [1/s]\ny = x";
+    let motion = "parameter k = 50 [1/s^2]\nparameter r = 0.3 [1/s]\nparameter m = 0.1\nparameter x_0 = 1\nx'' = -k*x - r*x' - m*x'*abs(x')\nx(0) = x_0\nx'(0) = 0 [1/s]\ny = x";
     let fall = "parameter h = 1 [m]\nparameter e = 0.7 in 0..1\nx'' = -9.8 [m/s^2]\nx(0) = h\nx'(0) = 0 [m/s]\nwhen x < 0 [m] { x' = -e*x' }\ny = x";
     let decay = |t: f64| libm::exp(-0.5 * t) + 2.0 * libm::exp(-2.0 * t);
     let swing = |t: f64| libm::exp(-0.3 * t) * libm::cos(8.0 * t);

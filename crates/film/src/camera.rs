@@ -3,7 +3,7 @@
 //! A real exposure collects light as long as the shutter is open. Here it is the mean of several drawings made for instants
 //! within that time, and noise is added as a sensor has it: its variance grows with the light.
 
-use crate::plane::Plane;
+use crate::plane::{Colour, Plane};
 use libm::{cos, log, sqrt};
 use units::split_mix::SplitMix64;
 
@@ -54,21 +54,33 @@ pub struct Exposure {
     width: usize,
     height: usize,
     light: Vec<u32>,
+    /// Sums of both colour differences, of coloured drawings.
+    colour: Option<[Vec<u32>; 2]>,
     drawings: u32,
 }
 
 impl Exposure {
     /// Begins with the first drawing.
     pub fn new(first: &Plane) -> Exposure {
-        let light = first.grey().iter().map(|grey| u32::from(*grey)).collect();
-        Exposure { width: first.width(), height: first.height(), light, drawings: 1 }
+        let light = |values: &[u8]| values.iter().map(|value| u32::from(*value)).collect();
+        let colour = first.colour().map(|colour| [&colour.blue, &colour.red].map(|values| light(values)));
+        Exposure { width: first.width(), height: first.height(), light: light(first.grey()), colour, drawings: 1 }
     }
 
-    /// Adds the drawing of another instant. Whether it has the size of the first one; otherwise nothing changes.
+    /// Adds the drawing of another instant. Whether it has the size of the first one, and colours if that has some; otherwise
+    /// nothing changes.
     pub fn add(&mut self, drawing: &Plane) -> bool {
         let fits = (drawing.width(), drawing.height()) == (self.width, self.height) && self.drawings < 1 << 16;
+        let fits = fits && (self.colour.is_none() || drawing.colour().is_some());
         if fits {
-            self.light.iter_mut().zip(drawing.grey()).for_each(|(light, grey)| *light += u32::from(*grey));
+            let add = |light: &mut [u32], values: &[u8]| {
+                light.iter_mut().zip(values).for_each(|(light, value)| *light += u32::from(*value));
+            };
+            add(&mut self.light, drawing.grey());
+            if let Some(([blue, red], colour)) = self.colour.as_mut().zip(drawing.colour()) {
+                add(blue, &colour.blue);
+                add(red, &colour.red);
+            }
             self.drawings += 1;
         }
         fits
@@ -76,18 +88,28 @@ impl Exposure {
 
     /// The picture: the mean of the drawings with the noise of the frame of this number.
     pub fn develop(&self, noise: &Noise, frame: u64) -> Option<Plane> {
+        let plane = Plane::new(self.width, self.height, self.developed(&self.light, noise, frame))?;
+        let Some(colour) = &self.colour else { return Some(plane) };
+        // Of another frame, whose noise is as independent as that of a colour is.
+        let [blue, red] = [(&colour[0], 1), (&colour[1], 2)]
+            .map(|(light, at)| self.developed(light, noise, frame.wrapping_add(at << 32)));
+        plane.coloured(Colour { blue, red })
+    }
+
+    /// The mean of a plane's drawings, with noise.
+    fn developed(&self, light: &[u32], noise: &Noise, frame: u64) -> Vec<u8> {
         let drawings = self.drawings as f32;
-        let mut grey = Vec::with_capacity(self.light.len());
-        for (row, line) in self.light.chunks(self.width).enumerate() {
+        let mut values = Vec::with_capacity(light.len());
+        for (row, line) in light.chunks(self.width).enumerate() {
             let start = mixed(noise.seed ^ mixed(frame) ^ (row as u64).rotate_left(32)) as usize;
             for (column, light) in line.iter().enumerate() {
                 let mean = *light as f32 / drawings;
                 let deviate = noise.deviates.get((start.wrapping_add(column)) % DEVIATES).copied().unwrap_or(0.0);
                 let sigma = noise.sigma.get(mean as usize).copied().unwrap_or(0.0);
-                grey.push((mean + sigma * deviate).round() as u8);
+                values.push((mean + sigma * deviate).round() as u8);
             }
         }
-        Plane::new(self.width, self.height, grey)
+        values
     }
 }
 

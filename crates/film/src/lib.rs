@@ -13,4 +13,4 @@ pub mod timing;
 pub mod tracking;
 pub mod y4m;
 
-pub use plane::Plane;
+pub use plane::{Colour, Plane};

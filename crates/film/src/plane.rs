@@ -1,4 +1,4 @@
-//! A frame as grey values.
+//! A frame as grey values, perhaps with colours.
 
 /// The grey values of one frame, or of a part of it, row by row from the top. Coordinates count pixels: `x` to the right, `y`
 /// downwards, and the middle of the first pixel is at (0.5, 0.5).
@@ -7,6 +7,16 @@ pub struct Plane {
     width: usize,
     height: usize,
     grey: Vec<u8>,
+    colour: Option<Colour>,
+}
+
+/// Colour differences, one of each for a block of two times two pixels; 128 is grey.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Colour {
+    /// Blue less grey (Cb of Rec. ITU-R BT.601), row by row from the top.
+    pub blue: Vec<u8>,
+    /// Red less grey (Cr).
+    pub red: Vec<u8>,
 }
 
 impl Plane {
@@ -14,7 +24,43 @@ impl Plane {
     /// each of them.
     pub fn new(width: usize, height: usize, grey: Vec<u8>) -> Option<Plane> {
         let whole = width.checked_mul(height) == Some(grey.len()) && !grey.is_empty();
-        whole.then_some(Plane { width, height, grey })
+        whole.then_some(Plane { width, height, grey, colour: None })
+    }
+
+    /// The picture of pixels with red, green and blue, row by row; `None` as for [`Plane::new`].
+    pub fn of_rgb(width: usize, height: usize, pixels: &[[u8; 3]]) -> Option<Plane> {
+        let plane = Plane::new(width, height, pixels.iter().copied().map(luma).collect())?;
+        // One pixel of each block: means would cost more than they show.
+        let rows = pixels.chunks(width).step_by(2);
+        let (blue, red) = rows.flat_map(|row| row.iter().step_by(2)).copied().map(chroma).unzip();
+        plane.coloured(Colour { blue, red })
+    }
+
+    /// The picture with colours; `None` if they are not one for each block of two times two pixels.
+    pub fn coloured(self, colour: Colour) -> Option<Plane> {
+        let count = self.width.div_ceil(2) * self.height.div_ceil(2);
+        let fits = colour.blue.len() == count && colour.red.len() == count;
+        fits.then_some(Plane { colour: Some(colour), ..self })
+    }
+
+    /// The picture without colours.
+    pub fn uncoloured(self) -> Plane {
+        Plane { colour: None, ..self }
+    }
+
+    /// The colours.
+    pub fn colour(&self) -> Option<&Colour> {
+        self.colour.as_ref()
+    }
+
+    /// Grey value and both colour differences of a pixel, as for [`Plane::pixel`]; 128 without colours.
+    pub(crate) fn shade(&self, column: i64, row: i64) -> [u8; 3] {
+        let Some(colour) = &self.colour else { return [self.pixel(column, row), 128, 128] };
+        let within = |at: i64, size: usize| usize::try_from(at).unwrap_or(0).min(size.saturating_sub(1));
+        let (column, row) = (within(column, self.width), within(row, self.height));
+        let place = row / 2 * self.width.div_ceil(2) + column / 2;
+        let value = |values: &[u8], place: usize| values.get(place).copied().unwrap_or(128);
+        [value(&self.grey, row * self.width + column), value(&colour.blue, place), value(&colour.red, place)]
     }
 
     /// Pixels in a row.
@@ -38,8 +84,8 @@ impl Plane {
         self.grey.get(within(row, self.height) * self.width + within(column, self.width)).copied().unwrap_or(0)
     }
 
-    /// The part whose first pixel is (`column`, `row`), `width` times `height` pixels large; what lies beyond the picture is cut
-    /// off. `None` if nothing remains.
+    /// The grey values of the part whose first pixel is (`column`, `row`), `width` times `height` pixels large; what lies beyond
+    /// the picture is cut off. `None` if nothing remains.
     pub fn crop(&self, column: usize, row: usize, width: usize, height: usize) -> Option<Plane> {
         let right = column.saturating_add(width).min(self.width);
         let bottom = row.saturating_add(height).min(self.height);
@@ -92,6 +138,18 @@ impl Plane {
         }
         block
     }
+}
+
+/// The grey value of red, green and blue (Rec. ITU-R BT.601, 2.5.1), in 256ths.
+fn luma([red, green, blue]: [u8; 3]) -> u8 {
+    ((77 * u32::from(red) + 150 * u32::from(green) + 29 * u32::from(blue) + 128) >> 8) as u8
+}
+
+/// The colour differences of red, green and blue (Rec. ITU-R BT.601, 2.5.3), in 256ths.
+fn chroma(colour: [u8; 3]) -> (u8, u8) {
+    let [red, green, blue] = colour.map(i32::from);
+    let shifted = |value: i32| ((value + (128 << 8) + 128) >> 8).clamp(0, 255) as u8;
+    (shifted(-43 * red - 85 * green + 128 * blue), shifted(128 * red - 107 * green - 21 * blue))
 }
 
 /// The pixel whose middle lies before a coordinate, and the fraction of the way to the next one.

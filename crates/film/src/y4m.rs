@@ -1,6 +1,6 @@
-//! Uncompressed films in the format YUV4MPEG2 of the MJPEG tools, of which the grey values are read.
+//! Uncompressed films in the format YUV4MPEG2 of the MJPEG tools, with eight bits.
 
-use crate::plane::Plane;
+use crate::plane::{Colour, Plane};
 use units::{Words, words};
 
 /// Bytes of a header line.
@@ -62,8 +62,8 @@ pub struct Header {
     pub height: usize,
     /// Frames a second; `None` if it is not stated.
     pub rate: Option<f64>,
-    /// Bytes of colour after the grey values of a frame.
-    colour: usize,
+    /// Width and height of each of the two planes of colour; `None` for grey films.
+    colour: Option<[usize; 2]>,
 }
 
 impl Header {
@@ -85,16 +85,35 @@ impl Header {
                 _ => {}
             }
         }
-        let size = width.checked_mul(height).filter(|size| (1..=PIXELS).contains(size)).ok_or_else(fault)?;
+        width.checked_mul(height).filter(|size| (1..=PIXELS).contains(size)).ok_or_else(fault)?;
         let half = |size: usize| size.div_ceil(2);
         let colour = match pixels {
-            "mono" => 0,
-            "420jpeg" | "420mpeg2" | "420paldv" | "420" => 2 * half(width) * half(height),
-            "422" => 2 * half(width) * height,
-            "444" => 2 * size,
+            "mono" => None,
+            "420jpeg" | "420mpeg2" | "420paldv" | "420" => Some([half(width), half(height)]),
+            "422" => Some([half(width), height]),
+            "444" => Some([width, height]),
             name => return Err(Fault::Pixels { name: name.chars().take(40).collect() }),
         };
         Ok(Header { width, height, rate, colour })
+    }
+
+    /// Bytes of a frame.
+    fn bytes(&self) -> usize {
+        self.width * self.height + self.colour.map_or(0, |[width, height]| 2 * width * height)
+    }
+
+    /// The frame of these bytes.
+    fn plane(&self, mut bytes: Vec<u8>) -> Option<Plane> {
+        let colours = bytes.split_off((self.width * self.height).min(bytes.len()));
+        let plane = Plane::new(self.width, self.height, bytes)?;
+        let Some([width, height]) = self.colour else { return Some(plane) };
+        let (across, down) = (width.div_ceil(self.width.div_ceil(2)), height.div_ceil(self.height.div_ceil(2)));
+        let half = |values: &[u8]| -> Vec<u8> {
+            let rows = values.chunks(width).step_by(down);
+            rows.flat_map(|row| row.iter().step_by(across)).copied().collect()
+        };
+        let (blue, red) = colours.split_at_checked(width * height)?;
+        plane.coloured(Colour { blue: half(blue), red: half(red) })
     }
 }
 
@@ -114,10 +133,8 @@ enum Part {
     Header(Vec<u8>),
     /// The line before a frame.
     Line(Vec<u8>),
-    /// Grey values.
-    Grey(Vec<u8>),
-    /// So many bytes of colour.
-    Colour(usize),
+    /// Grey values, then colours.
+    Pixels(Vec<u8>),
 }
 
 /// A reader that is given the bytes of a film in pieces of any size.
@@ -160,27 +177,17 @@ impl Reader {
                         if !line.starts_with(b"FRAME") {
                             return Err(fault);
                         }
-                        self.part = Part::Grey(Vec::new());
+                        self.part = Part::Pixels(Vec::new());
                     }
                 }
-                Part::Grey(grey) => {
+                Part::Pixels(pixels) => {
                     let Some(header) = self.header else { return Err(Fault::Signature) };
-                    let size = header.width * header.height;
-                    take(grey, size, bytes);
-                    if grey.len() == size {
-                        let grey = std::mem::take(grey);
-                        self.part =
-                            if header.colour == 0 { Part::Line(Vec::new()) } else { Part::Colour(header.colour) };
-                        self.read += 1;
-                        return Ok(Plane::new(header.width, header.height, grey));
-                    }
-                }
-                Part::Colour(left) => {
-                    let passed = (*left).min(bytes.len());
-                    *bytes = bytes.get(passed..).unwrap_or_default();
-                    *left -= passed;
-                    if *left == 0 {
+                    take(pixels, header.bytes(), bytes);
+                    if pixels.len() == header.bytes() {
+                        let pixels = std::mem::take(pixels);
                         self.part = Part::Line(Vec::new());
+                        self.read += 1;
+                        return Ok(header.plane(pixels));
                     }
                 }
             }

@@ -42,8 +42,9 @@ impl Marks {
     /// Where a mark lies outside the picture, on a uniform place, or is lost.
     pub fn take(&mut self, frame: usize, plane: &Plane) -> Result<Similarity, Refusal> {
         let high = plane.height() as f64;
-        let disc = Disc { shift: [0.0; 2], radius: (RADIUS * high).clamp(4.0, 60.0) };
-        let part = |place| Part::around(plane, place, disc.radius + MARGIN);
+        let radius = (RADIUS * high).clamp(4.0, 60.0);
+        let disc = Disc { shift: [0.0; 2], radius, outline: radius };
+        let part = |place| Part::around(plane, place, disc.radius + MARGIN, None);
         if self.templates.is_empty() {
             for (number, [x, y]) in (1..).zip(&self.clicks) {
                 if !(0.0..=plane.width() as f64).contains(x) || !(0.0..=high).contains(y) {

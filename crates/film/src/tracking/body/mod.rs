@@ -1,43 +1,50 @@
 //! A body such as a pendulum's bob or a ball.
 //!
-//! [`Body::take`] finds the body in each frame by a fixed template from the last key frame, and keeps the pixels around it. Then
-//! [`Body::advance`] finds the positions again by the mean of those pixels.
+//! [`Body::take`] finds the body in each frame near where its motion predicts it, by shades that are those of the body and not those of
+//! the background, and keeps the pixels around it. Then [`Body::advance`] finds the positions again by the mean of those pixels.
 
+mod background;
+mod course;
 mod disc;
+mod joining;
+mod look;
 mod part;
 mod refining;
 mod template;
 
+use background::Background;
+use course::{Course, course};
 pub(crate) use disc::Disc;
+use look::Look;
+use part::Axis;
 pub(crate) use part::Part;
 use template::Found;
 pub(crate) use template::Template;
 
 use crate::plane::Plane;
 use crate::tracking::column::Click;
-use crate::tracking::errors::{outliers, scaled};
-use crate::tracking::motion::motion;
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
-use crate::tracking::track::{Known, Point, Readout, Track};
+use crate::tracking::track::{Known, Track};
+use joining::joined;
 use refining::{Refining, Seen};
 
-/// Below this correlation a body is lost.
+/// Below this correlation a template is not what is seen.
 const SCORE: f64 = 0.6;
-/// Below this correlation a wider part of the picture is searched.
+/// From this correlation on the first template is trusted, which does not drift.
 const CLEAR: f64 = 0.85;
-/// A place further away must agree better by this much: other bodies may look alike, and this one may be blurred.
-const BETTER: f64 = 0.15;
-/// Pixels around the predicted position that are always searched.
-const NEAR: f64 = 6.0;
-/// The part of the picture's height around the predicted position that is searched where nothing is found near it.
-const WIDE: f64 = 1.0 / 6.0;
+/// A body is where the agreement reaches this part of what it can reach.
+const AGREES: f32 = 0.35;
+/// Where a body and its background are so much alike, the template alone decides.
+const DISTINCT: f32 = 0.2;
+/// By this part the template follows what is seen.
+const PACE: f64 = 0.2;
+/// So many frames a hidden body is sought where its motion leads.
+const HIDDEN: usize = 10;
 /// The greatest radius of a body as a part of the picture's height, if it is not given.
 const RADIUS: f64 = 1.0 / 9.0;
 /// Bytes of the pixels that are kept.
 const BYTES: usize = 96 << 20;
-/// A point that lies more of its standard errors from what its neighbours predict is doubtful.
-const DEVIATION: f64 = 6.0;
 /// Pixels around a template that comparisons need: the steps of an alignment, and what interpolation reaches.
 pub(crate) const MARGIN: f64 = 5.0;
 
@@ -60,8 +67,32 @@ pub enum Sight {
     Before,
     /// The body is at this position of the picture in pixels, with this correlation.
     At([f64; 2], f64),
+    /// The body was not found; it is sought further where its motion leads.
+    Hidden,
     /// The body was not found; it is not sought until the next key frame.
     Lost,
+}
+
+/// How a body is found in the next frame.
+struct Tracker {
+    look: Look,
+    /// The template that follows what the body looks like.
+    now: Template,
+    axis: Option<Axis>,
+    background: Background,
+    /// Frames since the body was seen.
+    hidden: usize,
+    /// The first of them.
+    since: usize,
+    /// Where the motion of the body begins, among all that has been seen.
+    begin: usize,
+}
+
+/// What was found in a frame.
+struct Sighting {
+    found: Found,
+    agreement: f64,
+    aside: f64,
 }
 
 /// The tracking of a body.
@@ -71,11 +102,11 @@ pub struct Body {
     /// Time and sense of the last frame.
     last: Option<(f64, f64)>,
     templates: Vec<Template>,
+    tracker: Option<Tracker>,
     seen: Vec<Seen>,
     cameras: Vec<Similarity>,
     bytes: usize,
     lost: Option<usize>,
-    searching: bool,
     refining: Option<Refining>,
     track: Option<Track>,
 }
@@ -88,11 +119,11 @@ impl Body {
             size: None,
             last: None,
             templates: Vec::new(),
+            tracker: None,
             seen: Vec::new(),
             cameras: Vec::new(),
             bytes: 0,
             lost: None,
-            searching: false,
             refining: None,
             track: None,
         }
@@ -108,35 +139,36 @@ impl Body {
     pub fn take(&mut self, frame: usize, time: f64, plane: &Plane, camera: Similarity) -> Result<Sight, Refusal> {
         self.admit(frame, time, plane)?;
         let key = self.settings.keys.iter().rev().find(|key| key.frame == frame).copied();
-        let found = if self.searching { self.find(plane, time) } else { None };
-        let found = match key {
-            Some(click) => Some(self.begin(plane, click.position, found)?),
-            None => found,
+        let sighting = self.find(plane, time);
+        let sighting = match key {
+            Some(click) => Some(self.begin(plane, click.position, sighting)?),
+            None => sighting,
         };
-        let Some(found) = found else {
-            if !self.searching {
-                return Ok(if self.templates.is_empty() { Sight::Before } else { Sight::Lost });
+        let Some(tracker) = &mut self.tracker else {
+            return Ok(if self.templates.is_empty() { Sight::Before } else { Sight::Lost });
+        };
+        let Some(Sighting { found, agreement, aside }) = sighting else {
+            if tracker.hidden == 0 {
+                tracker.since = frame;
             }
-            self.searching = false;
-            self.lost = self.lost.or(Some(frame));
-            return Ok(Sight::Lost);
+            tracker.hidden += 1;
+            if tracker.hidden > HIDDEN {
+                self.lost = self.lost.or(Some(tracker.since));
+                self.tracker = None;
+                return Ok(Sight::Lost);
+            }
+            return Ok(Sight::Hidden);
         };
-        self.searching = true;
+        tracker.hidden = 0;
         let reach = self.templates.last().map_or(0.0, |template| template.disc.reach());
         // A body that was found lies in the picture.
-        let part = Part::around(plane, found.position, reach + MARGIN).ok_or(Refusal::Plain)?;
+        let part = Part::around(plane, found.position, reach + MARGIN, tracker.axis.as_ref()).ok_or(Refusal::Plain)?;
         self.bytes += part.plane.grey().len();
         if self.bytes > BYTES {
             return Err(Refusal::Long { frames: self.seen.len() });
         }
-        self.seen.push(Seen {
-            frame,
-            time,
-            key: self.templates.len().saturating_sub(1),
-            part,
-            first: found,
-            now: found,
-        });
+        let key = self.templates.len().saturating_sub(1);
+        self.seen.push(Seen { frame, time, key, part, first: found, now: found, agreement, aside });
         self.cameras.push(camera);
         (self.refining, self.track) = (None, None);
         Ok(Sight::At(found.position, found.score))
@@ -158,62 +190,65 @@ impl Body {
 
     /// The template of a key frame. Where the template before it finds the body at the click, too, the same point of the
     /// body is followed further.
-    fn begin(&mut self, plane: &Plane, [x, y]: [f64; 2], found: Option<Found>) -> Result<Found, Refusal> {
+    fn begin(&mut self, plane: &Plane, [x, y]: [f64; 2], sighting: Option<Sighting>) -> Result<Sighting, Refusal> {
         let (wide, high) = (plane.width() as f64, plane.height() as f64);
         if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
             return Err(Refusal::Click { x, y });
         }
         let given = self.settings.radius.filter(|radius| radius.is_finite());
         let greatest = (high / 3.0).clamp(3.0, 100.0);
-        let part = Part::around(plane, [x, y], 1.5 * greatest + MARGIN).ok_or(Refusal::Plain)?;
         let disc = match given {
-            Some(radius) => Disc { shift: [0.0; 2], radius: radius.clamp(3.0, greatest) },
-            None => disc::around(&part, [x, y], (RADIUS * high).clamp(3.0, greatest)),
+            Some(radius) => Disc::of([0.0; 2], radius.clamp(3.0, greatest)),
+            None => disc::around(plane, [x, y], (RADIUS * high).clamp(3.0, greatest)),
         };
-        let near = |found: &Found| (found.position[0] - x).abs().max((found.position[1] - y).abs()) < 0.3 * disc.radius;
-        let position = found.filter(near).map_or([x, y], |found| found.position);
+        let near = |one: &Sighting| {
+            let [u, v] = one.found.position;
+            (u - x).abs().max((v - y).abs()) < 0.3 * disc.radius
+        };
+        let continued = sighting.filter(near);
+        let position = continued.as_ref().map_or([x, y], |one| one.found.position);
+        let middle = disc.middle(position);
+        let background = match self.tracker.take().filter(|_| continued.is_some()) {
+            Some(tracker) => tracker.background,
+            None => Background::new(plane, (middle, disc.radius)),
+        };
+        let compared = background.compare(plane);
+        let look = Look::new(&compared, middle, disc.outline);
+        let axis = plane.colour().and_then(|_| {
+            let [body, around] = look.shades(&compared, middle);
+            Axis::between(body, around)
+        });
+        let part = Part::around(plane, position, disc.reach() + MARGIN, axis.as_ref()).ok_or(Refusal::Plain)?;
         let template = Template::new(&part, position, disc);
         if template.plain() {
             return Err(Refusal::Plain);
         }
         let found = template.align(&part, position, 0.5);
+        let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
+        self.tracker =
+            Some(Tracker { look, now: template.clone(), axis, background, hidden: 0, since: 0, begin });
         self.templates.push(template);
-        // The track before a click after a loss says nothing about the motion after it.
-        Ok(Found { position, ..found })
+        let aside = continued.map_or(0.0, |one| one.aside);
+        Ok(Sighting { found: Found { position, ..found }, agreement: 1.0, aside })
     }
 
     /// The body near where its motion predicts it; `None` where nothing there resembles it.
-    fn find(&self, plane: &Plane, time: f64) -> Option<Found> {
-        let template = self.templates.last()?;
-        let high = plane.height() as f64;
-        let recent = &self.seen[self.seen.len().saturating_sub(3)..];
-        let times: Vec<f64> = recent.iter().map(|one| one.time).collect();
-        let late = time - times.last()?;
-        let coordinate = |k: usize| {
-            let values: Vec<f64> = recent.iter().map(|one| one.first.position[k]).collect();
-            let last = values.len() - 1;
-            let (velocity, acceleration) = match values.len() {
-                2 => ((values[1] - values[0]) / (times[1] - times[0]), 0.0),
-                _ => motion(&times, &values, last),
-            };
-            (values[last] + velocity * late + acceleration * late * late / 2.0, (velocity * late).abs())
+    fn find(&mut self, plane: &Plane, time: f64) -> Option<Sighting> {
+        let (tracker, template) = (self.tracker.as_mut()?, self.templates.last()?);
+        let disc = template.disc;
+        let trail = self.seen.get(tracker.begin..).unwrap_or_default();
+        let trail: Vec<(f64, [f64; 2])> =
+            trail[trail.len().saturating_sub(8)..].iter().map(|one| (one.time, one.first.position)).collect();
+        let course = course(&trail, time, disc.outline)?;
+        let reach = course.reach * (1.0 + 0.4 * tracker.hidden as f64);
+        let found = tracker.find(plane, template, course, reach);
+        let outside = ([course.place[0] + disc.shift[0], course.place[1] + disc.shift[1]], disc.radius + reach);
+        let (body, uncovered) = match &found {
+            Some(sighting) => ((disc.middle(sighting.found.position), disc.radius), (outside.0, 5.0 * disc.radius)),
+            None => (outside, (outside.0, 0.0)),
         };
-        let ((x, across), (y, down)) = (coordinate(0), coordinate(1));
-        let near = (NEAR + 0.3 * (across + down)).min(WIDE * high);
-        let mut best = template.search(plane, [x, y], near);
-        if best.1 < CLEAR {
-            let last = recent.last()?.first.position;
-            let enough = if best.1 < SCORE { best.1 } else { best.1 + BETTER };
-            for centre in [[x, y], last] {
-                let place = template.search(plane, centre, WIDE * high);
-                if place.1 > enough.max(best.1) {
-                    best = place;
-                }
-            }
-        }
-        let part = Part::around(plane, best.0, template.disc.reach() + MARGIN)?;
-        let found = template.align(&part, best.0, 2.0);
-        (found.score >= SCORE).then_some(found)
+        tracker.background.learn(plane, body, uncovered);
+        found
     }
 
     /// Continues the refinement by as many steps, each of which does the work of about one frame. True once the track is complete.
@@ -236,54 +271,48 @@ impl Body {
         self.track.clone().unwrap_or_default()
     }
 
+    /// The radius of the last disc that is compared, in pixels; `None` before the first click was taken.
+    pub fn radius(&self) -> Option<f64> {
+        self.templates.last().map(|template| template.disc.outline)
+    }
+
     /// The track, once it is complete.
     pub fn track(&self) -> Option<&Track> {
         self.track.as_ref()
     }
 }
 
-/// The track with times and errors, in the order of time.
-fn joined(
-    settings: &Settings,
-    size: Option<(usize, usize)>,
-    seen: &[Seen],
-    cameras: &[Similarity],
-    lost: Option<usize>,
-) -> Track {
-    let readout = match settings.readout {
-        Known::Seconds(seconds) => Some(Readout { seconds, sigma: 0.0 }),
-        Known::Estimated => None,
-    };
-    let seconds = readout.map_or(0.0, |readout| readout.seconds);
-    let height = size.map_or(1.0, |(_, height)| height as f64);
-    let mut order: Vec<usize> = (0..seen.len()).collect();
-    order.sort_by(|a, b| seen[*a].time.total_cmp(&seen[*b].time));
-    let mut points: Vec<Point> = Vec::with_capacity(seen.len());
-    let mut formal = [Vec::new(), Vec::new()];
-    for at in order {
-        let (one, camera) = (&seen[at], &cameras[at]);
-        let now = one.now;
-        for (formal, variance) in formal.iter_mut().zip(now.variance) {
-            formal.push(variance.sqrt());
+impl Tracker {
+    /// The body within so many pixels of where it should be.
+    fn find(&mut self, plane: &Plane, first: &Template, course: Course, reach: f64) -> Option<Sighting> {
+        let disc = first.disc;
+        let compared = self.background.compare(plane);
+        let (middle, mut agreement) = self.look.search(&compared, disc.middle(course.place), reach);
+        let place = [middle[0] - disc.shift[0], middle[1] - disc.shift[1]];
+        let part = Part::around(plane, place, disc.reach() + MARGIN, self.axis.as_ref())?;
+        let mut found = first.align(&part, place, 2.0);
+        if found.score < CLEAR {
+            let now = self.now.align(&part, place, 2.0);
+            if now.score > found.score {
+                found = now;
+            }
         }
-        points.push(Point {
-            frame: one.frame,
-            time: one.time + seconds * (now.position[1] / height - 0.5),
-            position: camera.undo(now.position),
-            sigma: [0.0; 2],
-            score: now.score,
-            doubtful: now.score < SCORE || !now.settled,
-        });
-    }
-    let times: Vec<f64> = points.iter().map(|point| point.time).collect();
-    for (k, formal) in formal.iter().enumerate() {
-        let values: Vec<f64> = points.iter().map(|point| point.position[k]).collect();
-        let sigmas = scaled(&times, &values, formal);
-        let outliers = outliers(&times, &values, &sigmas, DEVIATION);
-        for ((point, sigma), outlier) in points.iter_mut().zip(sigmas).zip(outliers) {
-            point.sigma[k] = sigma;
-            point.doubtful |= outlier;
+        let own = self.look.at(&compared, disc.middle(found.position));
+        if found.score < SCORE || own.score < agreement.score - 0.1 {
+            // What the outline says: to within some pixels.
+            found = Found { position: place, variance: [1.0; 2], settled: true, light: [1.0, 0.0], ..found };
+        } else {
+            agreement = own;
         }
+        let seen = if agreement.best > DISTINCT { true } else { found.score >= SCORE };
+        if !seen || agreement.score < AGREES * agreement.best {
+            return None;
+        }
+        if found.score >= SCORE && agreement.score > 0.6 * agreement.best {
+            self.now.follow(&part, &found, PACE);
+            self.look.follow(&compared, disc.middle(found.position));
+        }
+        let aside = libm::hypot(found.position[0] - course.place[0], found.position[1] - course.place[1]);
+        Some(Sighting { found, agreement: f64::from(agreement.score), aside })
     }
-    Track { points, exposure: None, readout, direction: None, lost }
 }

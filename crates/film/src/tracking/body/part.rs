@@ -9,13 +9,52 @@ pub(crate) struct Part {
     pub corner: [f64; 2],
 }
 
+/// A direction in the space of shades, along which a body differs most from what is around it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Axis {
+    middle: [f32; 3],
+    along: [f32; 3],
+}
+
+/// Colours are used where they differ by so many times as much as grey values: they have half the resolution.
+const COLOURED: f32 = 2.0;
+/// The most by which a difference of shades is enlarged.
+const ENLARGED: f32 = 3.0;
+
+impl Axis {
+    /// The direction between two shades; `None` where grey values show them well enough.
+    pub(crate) fn between(body: [f32; 3], around: [f32; 3]) -> Option<Axis> {
+        let apart = [0, 1, 2].map(|k| body[k] - around[k]);
+        let colour = (apart[1] * apart[1] + apart[2] * apart[2]).sqrt();
+        if colour < 8.0 || colour < COLOURED * apart[0].abs() {
+            return None;
+        }
+        let length = (colour * colour + apart[0] * apart[0]).sqrt();
+        let scale = (100.0 / length).min(ENLARGED) / length;
+        Some(Axis { middle: [0, 1, 2].map(|k| (body[k] + around[k]) / 2.0), along: apart.map(|part| scale * part) })
+    }
+
+    fn value(&self, shade: [u8; 3]) -> u8 {
+        let parts = shade.iter().zip(self.middle).zip(self.along);
+        let value: f32 = parts.map(|((shade, middle), along)| (f32::from(*shade) - middle) * along).sum();
+        (128.0 + value).round() as u8
+    }
+}
+
 impl Part {
-    /// The part of a frame within so many pixels of a point; `None` outside the picture.
-    pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], reach: f64) -> Option<Part> {
+    /// The part of a frame within so many pixels of a point, in grey values or along an axis; `None` outside the picture.
+    pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], reach: f64, axis: Option<&Axis>) -> Option<Part> {
         let (left, top) = ((x - reach).floor().max(0.0), (y - reach).floor().max(0.0));
         let size = |at: f64, first: f64| ((at + reach).ceil() - first).max(0.0) as usize;
-        let plane = plane.crop(left as usize, top as usize, size(x, left), size(y, top))?;
-        Some(Part { plane, corner: [left, top] })
+        let (left, top, width, height) = (left as usize, top as usize, size(x, left), size(y, top));
+        let mut part = plane.crop(left, top, width, height)?;
+        if let Some(axis) = axis {
+            let rows = (top as i64..).take(part.height());
+            let places = rows.flat_map(|row| (left as i64..).take(part.width()).map(move |column| (column, row)));
+            let values = places.map(|(column, row)| axis.value(plane.shade(column, row))).collect();
+            part = Plane::new(part.width(), part.height(), values)?;
+        }
+        Some(Part { plane: part, corner: [left as f64, top as f64] })
     }
 
     pub(crate) fn at(&self, x: f64, y: f64) -> f64 {

@@ -63,6 +63,16 @@ impl Template {
         Template { samples, disc }
     }
 
+    /// Follows by a part what a frame shows at a point.
+    pub(crate) fn follow(&mut self, part: &Part, found: &Found, pace: f64) {
+        let ([x, y], [gain, offset]) = (found.position, found.light);
+        for sample in &mut self.samples {
+            let (value, gradient) = part.jet(x + sample.offset[0], y + sample.offset[1]);
+            sample.value += pace * ((value - offset) / gain - sample.value);
+            sample.gradient = [0, 1].map(|k| sample.gradient[k] + pace * (gradient[k] / gain - sample.gradient[k]));
+        }
+    }
+
     /// Whether there is anything to be recognised: a standard deviation of a grey value.
     pub(crate) fn plain(&self) -> bool {
         let count = self.samples.len() as f64;

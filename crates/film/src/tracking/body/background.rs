@@ -1,0 +1,141 @@
+//! What stands still behind a body.
+
+use crate::plane::Plane;
+
+/// Rows are brought up to date in turn, one of so many in each frame.
+const TURN: usize = 8;
+/// By this part of its deviation a row follows what it shows.
+const PACE: i32 = 3;
+/// Pixels by which a frame is compared with the background, to find its brightness and noise.
+const COMPARED: usize = 4000;
+/// The least standard deviation of a grey value: less cannot be told from rounding.
+const LEAST: f32 = 1.5;
+
+/// The picture without a body. What has been behind the body since the beginning is not known.
+pub(crate) struct Background {
+    width: usize,
+    height: usize,
+    shades: Vec<[u8; 3]>,
+    known: Vec<bool>,
+    frames: usize,
+}
+
+/// A frame beside what stands still in it.
+pub(crate) struct Compared<'a> {
+    pub plane: &'a Plane,
+    pub background: &'a Background,
+    /// By how many grey values the frame is brighter.
+    brighter: f32,
+    /// Standard deviation of a grey value.
+    pub noise: f32,
+}
+
+/// A disc, by its middle and radius.
+pub(crate) type Around = ([f64; 2], f64);
+
+impl Background {
+    /// By the first frame, without a disc.
+    pub(crate) fn new(plane: &Plane, body: Around) -> Background {
+        let (width, height) = (plane.width(), plane.height());
+        let places = (0..height as i64).flat_map(|row| (0..width as i64).map(move |column| (column, row)));
+        let shades = places.map(|(column, row)| plane.shade(column, row)).collect();
+        let mut background = Background { width, height, shades, known: vec![true; width * height], frames: 0 };
+        background.within(body, |known, _, _| *known = false);
+        background
+    }
+
+    /// Does something with each pixel of a disc.
+    fn within(&mut self, ([x, y], radius): Around, mut act: impl FnMut(&mut bool, &mut [u8; 3], (i64, i64))) {
+        let range = |at: f64, size: usize| {
+            let (least, most) = ((at - radius).floor().max(0.0), (at + radius).ceil().clamp(0.0, size as f64));
+            least as usize..most as usize
+        };
+        for row in range(y, self.height) {
+            for column in range(x, self.width) {
+                let (u, v) = (column as f64 + 0.5 - x, row as f64 + 0.5 - y);
+                let place = row * self.width + column;
+                if u * u + v * v <= radius * radius
+                    && let Some((known, shade)) = self.known.get_mut(place).zip(self.shades.get_mut(place))
+                {
+                    act(known, shade, (column as i64, row as i64));
+                }
+            }
+        }
+    }
+
+    /// Learns from a frame, without the disc in which the body is. `uncovered` is a disc that may have hidden something.
+    pub(crate) fn learn(&mut self, plane: &Plane, ([x, y], radius): Around, uncovered: Around) {
+        let outside = |column: i64, row: i64| {
+            let (u, v) = (column as f64 + 0.5 - x, row as f64 + 0.5 - y);
+            u * u + v * v > radius * radius
+        };
+        self.within(uncovered, |known, shade, (column, row)| {
+            if !*known && outside(column, row) {
+                (*known, *shade) = (true, plane.shade(column, row));
+            }
+        });
+        let turn = self.frames % TURN;
+        self.frames += 1;
+        let width = self.width.max(1);
+        let rows = self.shades.chunks_mut(width).zip(self.known.chunks_mut(width)).enumerate().skip(turn).step_by(TURN);
+        for (row, (shades, known)) in rows {
+            for ((shade, known), column) in shades.iter_mut().zip(known).zip(0_i64..) {
+                if !outside(column, row as i64) {
+                    continue;
+                }
+                let now = plane.shade(column, row as i64);
+                for (old, new) in shade.iter_mut().zip(now) {
+                    let step = i32::from(new) - i32::from(*old);
+                    *old = if *known { (i32::from(*old) + step / PACE) as u8 } else { new };
+                }
+                *known = true;
+            }
+        }
+    }
+
+    fn at(&self, column: i64, row: i64) -> Option<[u8; 3]> {
+        let column = usize::try_from(column).ok().filter(|column| *column < self.width)?;
+        let place = usize::try_from(row).ok()? * self.width + column;
+        self.known.get(place).filter(|known| **known).and_then(|_| self.shades.get(place)).copied()
+    }
+
+    /// A frame in comparison.
+    pub(crate) fn compare<'a>(&'a self, plane: &'a Plane) -> Compared<'a> {
+        let step = (self.shades.len() / COMPARED).max(1) | 1;
+        let mut steps: Vec<i16> = self
+            .shades
+            .iter()
+            .zip(plane.grey())
+            .step_by(step)
+            .map(|(shade, grey)| i16::from(*grey) - i16::from(shade[0]))
+            .collect();
+        let middle = steps.len() / 2;
+        let median = |values: &mut [i16]| match values.len() {
+            0 => 0.0,
+            _ => f32::from(*values.select_nth_unstable(middle).1),
+        };
+        let brighter = median(&mut steps);
+        steps.iter_mut().for_each(|step| *step = (*step - brighter as i16).abs());
+        // The median of the absolute deviation of a normal distribution.
+        Compared { plane, background: self, brighter, noise: (median(&mut steps) / 0.6745).max(LEAST) }
+    }
+}
+
+impl Compared<'_> {
+    /// A pixel in the light of the background.
+    pub(crate) fn shade(&self, column: i64, row: i64) -> [f32; 3] {
+        let [grey, blue, red] = self.plane.shade(column, row).map(f32::from);
+        [grey - self.brighter, blue, red]
+    }
+
+    /// The squared distance of a shade to what stands still there, if that is known.
+    pub(crate) fn still(&self, shade: [f32; 3], column: i64, row: i64) -> Option<f32> {
+        Some(distance(shade, self.background.at(column, row)?.map(f32::from)))
+    }
+}
+
+/// The squared distance of two shades. Colour differences count more: they are smaller than grey values, and so is their noise.
+pub(crate) fn distance(one: [f32; 3], other: [f32; 3]) -> f32 {
+    let [grey, blue, red] = [one[0] - other[0], one[1] - other[1], one[2] - other[2]];
+    grey * grey + 2.0 * (blue * blue + red * red)
+}

@@ -1,0 +1,160 @@
+//! What a body looks like beside what stands still behind it.
+
+use crate::tracking::body::background::{Compared, distance};
+
+/// By this part the look follows what a frame shows.
+const PACE: f32 = 0.2;
+/// The squared distance to a background that is not known.
+const UNKNOWN: f32 = 30.0 * 30.0;
+/// Shades closer than so many standard deviations of the noise say nothing.
+const ALIKE: f32 = 4.0;
+/// How much it counts that the body ends where its outline is.
+const OUTLINE: f32 = 0.4;
+/// Pixels of a coarse and of a fine comparison.
+const FEW: [usize; 2] = [80, 320];
+
+/// A pixel of a body.
+#[derive(Clone, Copy)]
+struct Spot {
+    offset: [i64; 2],
+    first: [f32; 3],
+    now: [f32; 3],
+}
+
+/// The pixels of a body and the ring around it, from its middle.
+pub(crate) struct Look {
+    spots: Vec<Spot>,
+    ring: Vec<[i64; 2]>,
+    /// The usual shade of the body.
+    usual: [f32; 3],
+}
+
+/// How a place agrees with a look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Agreement {
+    /// 1 where all pixels are those of the body and none those of the background; below 0 where the background shows.
+    pub score: f32,
+    /// The greatest score that a body could have there: less than 1 where body and background are alike.
+    pub best: f32,
+}
+
+impl Look {
+    /// The body in a disc of a frame.
+    pub(crate) fn new(frame: &Compared<'_>, [x, y]: [f64; 2], radius: f64) -> Look {
+        let reach = (1.35 * radius + 2.0).ceil() as i64;
+        let (column, row) = (x.floor() as i64, y.floor() as i64);
+        let (mut spots, mut ring) = (Vec::new(), Vec::new());
+        for v in -reach..=reach {
+            for u in -reach..=reach {
+                let far = libm::hypot(u as f64, v as f64);
+                if far <= radius {
+                    let shade = frame.shade(column + u, row + v);
+                    spots.push(Spot { offset: [u, v], first: shade, now: shade });
+                } else if far > 1.1 * radius + 1.0 && far <= 1.3 * radius + 2.0 {
+                    ring.push([u, v]);
+                }
+            }
+        }
+        let middle = spots.len() / 2;
+        let usual = [0, 1, 2].map(|k| {
+            let mut values: Vec<f32> = spots.iter().map(|spot| spot.first[k]).collect();
+            if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f32::total_cmp).1 }
+        });
+        Look { spots, ring, usual }
+    }
+
+    /// How a place agrees, by so many of the pixels at most.
+    fn agreement(&self, frame: &Compared<'_>, [column, row]: [i64; 2], most: usize) -> Agreement {
+        let alike = ALIKE * frame.noise * ALIKE * frame.noise;
+        let (mut score, mut best, mut count) = (0.0, 0.0, 0.0_f32);
+        for spot in self.spots.iter().step_by((self.spots.len() / most).max(1)) {
+            let (x, y) = (column + spot.offset[0], row + spot.offset[1]);
+            let shade = frame.shade(x, y);
+            let body = distance(shade, spot.now).min(distance(shade, spot.first)).min(distance(shade, self.usual));
+            let behind = frame.still(shade, x, y);
+            let apart = behind.map_or(Some(UNKNOWN), |_| frame.still(spot.now, x, y)).unwrap_or(UNKNOWN);
+            let behind = behind.unwrap_or(UNKNOWN);
+            score += (behind - body) / (behind + body + alike);
+            best += apart / (apart + alike);
+            count += 1.0;
+        }
+        let (mut outside, mut around) = (0.0, 0.0_f32);
+        for offset in self.ring.iter().step_by((2 * self.ring.len() / most).max(1)) {
+            let (x, y) = (column + offset[0], row + offset[1]);
+            if let Some(behind) = frame.still(frame.shade(x, y), x, y) {
+                outside += behind / (behind + alike);
+            }
+            around += 1.0;
+        }
+        Agreement { score: score / count.max(1.0) - OUTLINE * outside / around.max(1.0), best: best / count.max(1.0) }
+    }
+
+    /// The place that agrees best within so many pixels of a point, to which it should be close.
+    pub(crate) fn search(&self, frame: &Compared<'_>, around: [f64; 2], reach: f64) -> ([f64; 2], Agreement) {
+        let step = ((self.radius() / 4.0) as i64).clamp(1, 5);
+        let (place, _) = self.scan(frame, (around, reach), around, reach.ceil() as i64, (step, FEW[0]));
+        self.scan(frame, (around, reach), place, step, (1, FEW[1]))
+    }
+
+    fn radius(&self) -> f64 {
+        (self.spots.len() as f64 / std::f64::consts::PI).sqrt()
+    }
+
+    fn scan(
+        &self,
+        frame: &Compared<'_>,
+        (expected, reach): ([f64; 2], f64),
+        around: [f64; 2],
+        extent: i64,
+        (step, most): (i64, usize),
+    ) -> ([f64; 2], Agreement) {
+        let middle = around.map(|at| at.floor().clamp(-1e6, 1e6) as i64);
+        let mut found = (around, Agreement { score: -2.0, best: 1.0 });
+        let mut value = f32::NEG_INFINITY;
+        let steps = extent.min(10_000) / step;
+        for row in (-steps..=steps).map(|k| middle[1] + k * step) {
+            for column in (-steps..=steps).map(|k| middle[0] + k * step) {
+                let inside = |at: i64, size: usize| usize::try_from(at).is_ok_and(|at| at < size);
+                let place = [column as f64 + 0.5, row as f64 + 0.5];
+                let far = libm::hypot(place[0] - expected[0], place[1] - expected[1]) / reach.max(1.0);
+                if far > 1.3 || !inside(column, frame.plane.width()) || !inside(row, frame.plane.height()) {
+                    continue;
+                }
+                let agreement = self.agreement(frame, [column, row], most);
+                let own = agreement.score - 0.2 * (far * far) as f32;
+                if own > value {
+                    (value, found) = (own, (place, agreement));
+                }
+            }
+        }
+        found
+    }
+
+    /// The usual shade of the body, and that around it.
+    pub(crate) fn shades(&self, frame: &Compared<'_>, [x, y]: [f64; 2]) -> [[f32; 3]; 2] {
+        let (column, row) = (x.floor() as i64, y.floor() as i64);
+        let count = self.ring.len().max(1) as f32;
+        let mut sum = [0.0; 3];
+        for offset in &self.ring {
+            let shade = frame.shade(column + offset[0], row + offset[1]);
+            sum.iter_mut().zip(shade).for_each(|(sum, part)| *sum += part / count);
+        }
+        [self.usual, sum]
+    }
+
+    /// How a place agrees.
+    pub(crate) fn at(&self, frame: &Compared<'_>, place: [f64; 2]) -> Agreement {
+        self.agreement(frame, place.map(|at| at.floor() as i64), FEW[1])
+    }
+
+    /// Follows what a frame shows.
+    pub(crate) fn follow(&mut self, frame: &Compared<'_>, place: [f64; 2]) {
+        let [column, row] = place.map(|at| at.floor() as i64);
+        for spot in &mut self.spots {
+            let shade = frame.shade(column + spot.offset[0], row + spot.offset[1]);
+            for (now, new) in spot.now.iter_mut().zip(shade) {
+                *now += PACE * (new - *now);
+            }
+        }
+    }
+}

@@ -11,7 +11,9 @@ pub(crate) struct Course {
     pub place: [f64; 2],
     /// The position may be away from it by so many pixels.
     pub reach: f64,
-    /// Pixels between the last position and the prediction.
+    /// The position before.
+    pub last: [f64; 2],
+    /// Pixels between that and the prediction.
     pub way: f64,
 }
 
@@ -23,7 +25,7 @@ pub(crate) fn course(seen: &[(f64, [f64; 2])], time: f64, radius: f64) -> Option
     let late = time - last;
     let Some((before, from)) = recent.len().checked_sub(2).and_then(|at| recent.get(at)).copied() else {
         // It may move by two radii already.
-        return Some(Course { place: at, reach: 2.2 * radius + 6.0, way: 0.0 });
+        return Some(Course { place: at, reach: 2.2 * radius + 6.0, last: at, way: 0.0 });
     };
     let step = late / (last - before);
     let mut place = [0, 1].map(|k| at[k] + step * (at[k] - from[k]));
@@ -54,5 +56,5 @@ pub(crate) fn course(seen: &[(f64, [f64; 2])], time: f64, radius: f64) -> Option
         2 => 3.0 + 0.5 * radius + 0.8 * way,
         _ => 3.0 + 0.35 * radius + 0.2 * way + 0.5 * bend,
     };
-    Some(Course { place, reach, way })
+    Some(Course { place, reach, last: at, way })
 }

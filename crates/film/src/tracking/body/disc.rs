@@ -11,6 +11,8 @@ const DIRECTIONS: u32 = 32;
 const BESIDE: f64 = 0.7;
 /// Pixels between the two sides of an outline.
 const ACROSS: f64 = 1.5;
+/// How much it counts against an outline that the shades inside it are uneven.
+const UNEVEN: f64 = 0.7;
 /// The template reaches beyond the outline by this part of its radius and so many pixels, for the edge itself.
 const MARGIN: (f64, f64) = (0.2, 2.0);
 
@@ -42,6 +44,15 @@ impl Disc {
     }
 }
 
+/// The middle value of each part of some shades.
+fn median(shades: &[[f32; 3]]) -> [f32; 3] {
+    [0, 1, 2].map(|k| {
+        let mut values: Vec<f32> = shades.iter().map(|shade| shade[k]).collect();
+        let middle = values.len() / 2;
+        if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f32::total_cmp).1 }
+    })
+}
+
 /// The circle around a click across which the shades differ most, in most directions.
 pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], greatest: f64) -> Disc {
     let circle: Vec<(f64, f64)> =
@@ -49,12 +60,16 @@ pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], greatest: f64) -> Disc {
     let shade = |x: f64, y: f64| plane.shade(x.floor() as i64, y.floor() as i64).map(f32::from);
     let value = |[x, y]: [f64; 2], radius: f64| {
         let mut roots = 0.0;
-        for (sine, cosine) in &circle {
+        let mut inside = [[0.0_f32; 3]; DIRECTIONS as usize];
+        for ((sine, cosine), inside) in circle.iter().zip(&mut inside) {
             let at = |radius: f64| shade(x + radius * cosine, y + radius * sine);
-            roots += f64::from(distance(at(radius - ACROSS), at(radius + ACROSS))).sqrt().min(60.0).sqrt();
+            *inside = at(radius - ACROSS);
+            roots += f64::from(distance(*inside, at(radius + ACROSS))).sqrt().min(60.0).sqrt();
         }
+        let usual = median(&inside);
+        let uneven = inside.iter().map(|shade| f64::from(distance(*shade, usual)).sqrt().min(60.0)).sum::<f64>();
         let mean = roots / f64::from(DIRECTIONS);
-        mean * mean
+        mean * mean - UNEVEN * uneven / f64::from(DIRECTIONS)
     };
     let mut best = (0.0, [x, y], SMALLEST);
     let seek = |best: &mut (f64, [f64; 2], f64), middle: [f64; 2], radius: f64| {

@@ -1,20 +1,31 @@
 //! From what was seen to a track.
 
 use crate::tracking::body::refining::Seen;
-use crate::tracking::body::{SCORE, Settings};
-use crate::tracking::errors::{outliers, scaled};
+use crate::tracking::body::{Settings, Template};
+use crate::tracking::errors::scaled;
 use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{Known, Point, Readout, Track};
 
-/// A point that lies more of its standard errors from what its neighbours predict is doubtful.
-const DEVIATION: f64 = 6.0;
+/// A point with less of the best agreement is doubtful.
+const AGREES: f64 = 0.6;
+/// A point that lies so many pixels, or so much of the body's radius, from where its neighbours lead is doubtful.
+const ASIDE: (f64, f64) = (2.5, 0.2);
+/// More of its standard errors from there, its error is as large as that distance.
+const DEVIATION: f64 = 4.0;
+/// So many frames within so many pixels are a rest.
+const REST: (usize, f64) = (6, 0.3);
+/// A body that moved by so many pixels a frame does not come to rest at once.
+const STOP: f64 = 2.0;
+/// A track within so many pixels does not move.
+const STILL: f64 = 1.0;
 
-/// The track with times and errors, in the order of time.
+/// The track with times and errors, in the order of time. Doubts are absolute: they compare with the size of the body and with
+/// smooth motion, not with the rest of the track, most of which may be wrong.
 pub(super) fn joined(
     settings: &Settings,
-    size: Option<(usize, usize)>,
-    seen: &[Seen],
-    cameras: &[Similarity],
+    templates: &[Template],
+    height: f64,
+    (seen, cameras): (&[Seen], &[Similarity]),
     lost: Option<usize>,
 ) -> Track {
     let readout = match settings.readout {
@@ -22,11 +33,11 @@ pub(super) fn joined(
         Known::Estimated => None,
     };
     let seconds = readout.map_or(0.0, |readout| readout.seconds);
-    let height = size.map_or(1.0, |(_, height)| height as f64);
     let mut order: Vec<usize> = (0..seen.len()).collect();
     order.sort_by(|a, b| seen[*a].time.total_cmp(&seen[*b].time));
     let mut points: Vec<Point> = Vec::with_capacity(seen.len());
     let mut formal = [Vec::new(), Vec::new()];
+    let mut sizes = Vec::with_capacity(seen.len());
     for at in order {
         let (one, camera) = (&seen[at], &cameras[at]);
         let now = one.now;
@@ -39,18 +50,72 @@ pub(super) fn joined(
             position: camera.undo(now.position),
             sigma: [0.0; 2],
             score: now.score,
-            doubtful: now.score < SCORE || !now.settled,
+            doubtful: one.agreement < AGREES || one.aside,
         });
+        sizes.push(templates.get(one.key).map_or(0.0, |template| template.disc.outline));
     }
     let times: Vec<f64> = points.iter().map(|point| point.time).collect();
+    let mut aside = vec![0.0; points.len()];
     for (k, formal) in formal.iter().enumerate() {
         let values: Vec<f64> = points.iter().map(|point| point.position[k]).collect();
-        let sigmas = scaled(&times, &values, formal);
-        let outliers = outliers(&times, &values, &sigmas, DEVIATION);
-        for ((point, sigma), outlier) in points.iter_mut().zip(sigmas).zip(outliers) {
-            point.sigma[k] = sigma;
-            point.doubtful |= outlier;
+        let (sigmas, distances) = (scaled(&times, &values, formal), distances(&times, &values));
+        for (at, (point, sigma)) in points.iter_mut().zip(sigmas).enumerate() {
+            let distance = distances.get(at).copied().unwrap_or(0.0);
+            point.sigma[k] = if distance > DEVIATION * sigma { distance } else { sigma };
+            aside[at] = libm::hypot(aside[at], distance);
         }
     }
+    for (at, (point, size)) in points.iter_mut().zip(sizes).enumerate() {
+        let limit = ASIDE.0.max(ASIDE.1 * size);
+        // Of neighbours that one wrong position moves apart, that one is furthest.
+        let around = &aside[at.saturating_sub(2)..(at + 3).min(aside.len())];
+        let furthest = around.iter().all(|other| *other <= aside[at]);
+        point.doubtful |= aside[at] > limit && furthest || point.sigma.iter().any(|sigma| *sigma > limit);
+    }
+    for at in resting(&points) {
+        points[at].doubtful = true;
+    }
     Track { points, exposure: None, readout, direction: None, lost }
+}
+
+/// The distance of each value from the cubic through two neighbours on each side; zero near the ends and beside gaps.
+fn distances(times: &[f64], values: &[f64]) -> Vec<f64> {
+    let mut distances = vec![0.0; values.len()];
+    for (at, (times, values)) in times.windows(5).zip(values.windows(5)).enumerate() {
+        let weight = |k: usize| {
+            [0, 1, 3, 4].into_iter().filter(|j| *j != k).map(|j| (times[2] - times[j]) / (times[k] - times[j])).product::<f64>()
+        };
+        let led: f64 = [0, 1, 3, 4].into_iter().map(|k| weight(k) * values[k]).sum();
+        // Beside a gap a cubic leads nowhere.
+        if times[4] - times[0] < 6.0 * (times[3] - times[2]).min(times[2] - times[1]) {
+            distances[at + 2] = (values[2] - led).abs();
+        }
+    }
+    distances
+}
+
+/// Points at which the track rests though the body came at speed, or all if it never moves.
+fn resting(points: &[Point]) -> Vec<usize> {
+    let far = |one: &Point, other: &Point| {
+        libm::hypot(one.position[0] - other.position[0], one.position[1] - other.position[1])
+    };
+    let within = |from: usize, most: f64| {
+        let first = &points[from];
+        points[from..].iter().take_while(|point| far(first, point) < most).count()
+    };
+    let mut found = Vec::new();
+    let mut at = 0;
+    while at < points.len() {
+        let length = within(at, REST.1);
+        let arrival = at.checked_sub(1).map(|before| far(&points[before], &points[at]));
+        let whole = at == 0 && within(0, STILL) == points.len();
+        if length >= REST.0 && (whole || arrival.is_some_and(|way| way > STOP)) {
+            found.extend(at..at + length);
+        }
+        if whole && length >= REST.0 {
+            return (0..points.len()).collect();
+        }
+        at += length.max(1);
+    }
+    found
 }

@@ -34,7 +34,11 @@ const SCORE: f64 = 0.6;
 /// From this correlation on the first template is trusted, which does not drift.
 const CLEAR: f64 = 0.85;
 /// A body is where the agreement reaches this part of what it can reach.
-const AGREES: f32 = 0.35;
+const AGREES: f32 = 0.45;
+/// The same away from where its motion leads: it may have been pushed, and other things may look alike.
+const PUSHED: f32 = 0.7;
+/// From this part on the body is followed by what it looks like there.
+const WHOLE: f32 = 0.75;
 /// Where a body and its background are so much alike, the template alone decides.
 const DISTINCT: f32 = 0.2;
 /// By this part the template follows what is seen.
@@ -92,7 +96,7 @@ struct Tracker {
 struct Sighting {
     found: Found,
     agreement: f64,
-    aside: f64,
+    aside: bool,
 }
 
 /// The tracking of a body.
@@ -228,7 +232,7 @@ impl Body {
         self.tracker =
             Some(Tracker { look, now: template.clone(), axis, background, hidden: 0, since: 0, begin });
         self.templates.push(template);
-        let aside = continued.map_or(0.0, |one| one.aside);
+        let aside = continued.is_some_and(|one| one.aside);
         Ok(Sighting { found: Found { position, ..found }, agreement: 1.0, aside })
     }
 
@@ -241,7 +245,11 @@ impl Body {
             trail[trail.len().saturating_sub(8)..].iter().map(|one| (one.time, one.first.position)).collect();
         let course = course(&trail, time, disc.outline)?;
         let reach = course.reach * (1.0 + 0.4 * tracker.hidden as f64);
-        let found = tracker.find(plane, template, course, reach);
+        let mut found = tracker.find(plane, template, (course.place, reach), AGREES);
+        if found.is_none() && trail.len() > 1 {
+            let around = (course.last, course.way + 0.5 * disc.outline + 2.0);
+            found = tracker.find(plane, template, around, PUSHED).map(|one| Sighting { aside: true, ..one });
+        }
         let outside = ([course.place[0] + disc.shift[0], course.place[1] + disc.shift[1]], disc.radius + reach);
         let (body, uncovered) = match &found {
             Some(sighting) => ((disc.middle(sighting.found.position), disc.radius), (outside.0, 5.0 * disc.radius)),
@@ -259,7 +267,9 @@ impl Body {
                 break;
             }
             if self.seen.is_empty() || refining.step(&mut self.seen) {
-                self.track = Some(joined(&self.settings, self.size, &self.seen, &self.cameras, self.lost));
+                let height = self.size.map_or(1.0, |(_, height)| height as f64);
+                let seen = (self.seen.as_slice(), self.cameras.as_slice());
+                self.track = Some(joined(&self.settings, &self.templates, height, seen, self.lost));
             }
         }
         self.track.is_some()
@@ -283,11 +293,17 @@ impl Body {
 }
 
 impl Tracker {
-    /// The body within so many pixels of where it should be.
-    fn find(&mut self, plane: &Plane, first: &Template, course: Course, reach: f64) -> Option<Sighting> {
+    /// The body within so many pixels of a point, if the agreement reaches a part of what it can reach.
+    fn find(
+        &mut self,
+        plane: &Plane,
+        first: &Template,
+        (around, reach): ([f64; 2], f64),
+        part_of_best: f32,
+    ) -> Option<Sighting> {
         let disc = first.disc;
         let compared = self.background.compare(plane);
-        let (middle, mut agreement) = self.look.search(&compared, disc.middle(course.place), reach);
+        let (middle, mut agreement) = self.look.search(&compared, disc.middle(around), reach);
         let place = [middle[0] - disc.shift[0], middle[1] - disc.shift[1]];
         let part = Part::around(plane, place, disc.reach() + MARGIN, self.axis.as_ref())?;
         let mut found = first.align(&part, place, 2.0);
@@ -304,15 +320,15 @@ impl Tracker {
         } else {
             agreement = own;
         }
-        let seen = if agreement.best > DISTINCT { true } else { found.score >= SCORE };
-        if !seen || agreement.score < AGREES * agreement.best {
+        let seen = agreement.best > DISTINCT || found.score >= SCORE;
+        if !seen || agreement.score < part_of_best * agreement.best {
             return None;
         }
-        if found.score >= SCORE && agreement.score > 0.6 * agreement.best {
+        if found.score >= SCORE && agreement.score > WHOLE * agreement.best {
             self.now.follow(&part, &found, PACE);
             self.look.follow(&compared, disc.middle(found.position));
         }
-        let aside = libm::hypot(found.position[0] - course.place[0], found.position[1] - course.place[1]);
-        Some(Sighting { found, agreement: f64::from(agreement.score), aside })
+        let agreement = f64::from(agreement.score / agreement.best.max(f32::MIN_POSITIVE));
+        Some(Sighting { found, agreement, aside: self.hidden > 0 })
     }
 }

@@ -24,10 +24,10 @@ pub(crate) struct Seen {
     /// By the template of the key frame.
     pub first: Found,
     pub now: Found,
-    /// How well the place agrees with the body rather than with what stands still behind it, at most 1.
+    /// How well the place agrees with the body rather than with what stands still behind it, as a part of the best agreement there.
     pub agreement: f64,
-    /// Pixels from where the motion before predicts the body.
-    pub aside: f64,
+    /// True if the body was not where its motion leads, or was hidden before.
+    pub aside: bool,
 }
 
 enum Stage {

@@ -37,7 +37,6 @@ pub struct Stage {
     pub height: usize,
     /// Of each body, in pixels.
     pub radius: f64,
-    pub frames: usize,
     /// Greatest speed in radii a frame.
     pub speed: f64,
     coloured: bool,
@@ -131,7 +130,7 @@ impl Stage {
             wall.chunks(width).step_by(2).flat_map(|row| row.iter().step_by(2)).map(level(k)).collect()
         };
         let wall = [wall.iter().map(level(0)).collect(), halved(1), halved(2)];
-        Stage { width, height, radius, frames, speed, coloured, exposure, wall, paints, pivot, places, noise }
+        Stage { width, height, radius, speed, coloured, exposure, wall, paints, pivot, places, noise }
     }
 
     /// How many bodies there are.

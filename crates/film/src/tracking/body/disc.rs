@@ -45,7 +45,7 @@ impl Disc {
 }
 
 /// The middle value of each part of some shades.
-fn median(shades: &[[f32; 3]]) -> [f32; 3] {
+pub(crate) fn median(shades: &[[f32; 3]]) -> [f32; 3] {
     [0, 1, 2].map(|k| {
         let mut values: Vec<f32> = shades.iter().map(|shade| shade[k]).collect();
         let middle = values.len() / 2;

@@ -7,7 +7,7 @@ use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{Known, Point, Readout, Track};
 
 /// A point with less of the best agreement is doubtful.
-const AGREES: f64 = 0.6;
+const AGREES: f64 = 0.5;
 /// A point that lies so many pixels, or so much of the body's radius, from where its neighbours lead is doubtful.
 const ASIDE: (f64, f64) = (2.5, 0.2);
 /// More of its standard errors from there, its error is as large as that distance.

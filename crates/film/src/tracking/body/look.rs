@@ -1,6 +1,7 @@
 //! What a body looks like beside what stands still behind it.
 
 use crate::tracking::body::background::{Compared, distance};
+use crate::tracking::body::disc::median;
 
 /// By this part the look follows what a frame shows.
 const PACE: f32 = 0.2;
@@ -10,6 +11,10 @@ const UNKNOWN: f32 = 30.0 * 30.0;
 const ALIKE: f32 = 4.0;
 /// How much it counts that the body ends where its outline is.
 const OUTLINE: f32 = 0.4;
+/// How much it counts that the body is where its motion leads: so far away as is sought at all.
+const CLOSE: f32 = 0.4;
+/// The squared distance of a spot's shade from that of most of the body.
+const OTHER: f32 = 30.0 * 30.0;
 /// Pixels of a coarse and of a fine comparison.
 const FEW: [usize; 2] = [80, 320];
 
@@ -25,8 +30,8 @@ struct Spot {
 pub(crate) struct Look {
     spots: Vec<Spot>,
     ring: Vec<[i64; 2]>,
-    /// The usual shade of the body.
-    usual: [f32; 3],
+    /// The usual shades of the body: of most of it, and of its spots.
+    usual: [[f32; 3]; 2],
 }
 
 /// How a place agrees with a look.
@@ -55,11 +60,10 @@ impl Look {
                 }
             }
         }
-        let middle = spots.len() / 2;
-        let usual = [0, 1, 2].map(|k| {
-            let mut values: Vec<f32> = spots.iter().map(|spot| spot.first[k]).collect();
-            if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f32::total_cmp).1 }
-        });
+        let shades: Vec<[f32; 3]> = spots.iter().map(|spot: &Spot| spot.first).collect();
+        let most = median(&shades);
+        let others: Vec<[f32; 3]> = shades.iter().copied().filter(|shade| distance(*shade, most) > OTHER).collect();
+        let usual = [most, if others.len() * 20 > shades.len() { median(&others) } else { most }];
         Look { spots, ring, usual }
     }
 
@@ -70,7 +74,7 @@ impl Look {
         for spot in self.spots.iter().step_by((self.spots.len() / most).max(1)) {
             let (x, y) = (column + spot.offset[0], row + spot.offset[1]);
             let shade = frame.shade(x, y);
-            let body = distance(shade, spot.now).min(distance(shade, spot.first)).min(distance(shade, self.usual));
+            let body = distance(shade, spot.now).min(distance(shade, spot.first)).min(distance(shade, self.usual[0])).min(distance(shade, self.usual[1]));
             let behind = frame.still(shade, x, y);
             let apart = behind.map_or(Some(UNKNOWN), |_| frame.still(spot.now, x, y)).unwrap_or(UNKNOWN);
             let behind = behind.unwrap_or(UNKNOWN);
@@ -121,7 +125,7 @@ impl Look {
                     continue;
                 }
                 let agreement = self.agreement(frame, [column, row], most);
-                let own = agreement.score - 0.2 * (far * far) as f32;
+                let own = agreement.score - CLOSE * (far * far) as f32;
                 if own > value {
                     (value, found) = (own, (place, agreement));
                 }
@@ -139,7 +143,7 @@ impl Look {
             let shade = frame.shade(column + offset[0], row + offset[1]);
             sum.iter_mut().zip(shade).for_each(|(sum, part)| *sum += part / count);
         }
-        [self.usual, sum]
+        [self.usual[0], sum]
     }
 
     /// How a place agrees.

@@ -13,7 +13,7 @@ mod refining;
 mod template;
 
 use background::Background;
-use course::{Course, course};
+use course::course;
 pub(crate) use disc::Disc;
 use look::Look;
 use part::Axis;

@@ -2,7 +2,7 @@
 
 use super::opened::{Frames, Opened, Pixels, refused};
 use crate::failure::Failure;
-use film::Plane;
+use film::{Colour, Plane};
 use std::fs::File;
 use std::io::{ErrorKind, Read, Seek};
 use std::process::{Child, ChildStdout, Command, Stdio};
@@ -37,12 +37,12 @@ impl Drop for Decoder {
 }
 
 impl Decoding {
-    /// Begins with the first frame, and ends after `most` frames if there are more.
-    pub fn begin(film: &Opened, most: Option<usize>) -> Result<Self, Failure> {
+    /// Begins with the first frame, and ends after `most` frames if there are more. Colours are decoded if they are needed.
+    pub fn begin(film: &Opened, most: Option<usize>, coloured: bool) -> Result<Self, Failure> {
         let failure = |error| Failure::file("read", &film.path, &error);
         match film.pixels {
             Pixels::Plain => Ok(Self::Plain(Frames::new(film.path.clone(), File::open(&film.path).map_err(failure)?))),
-            Pixels::Coded => Ok(Self::Coded(Box::new(Decoder::begin(film, most)?))),
+            Pixels::Coded => Ok(Self::Coded(Box::new(Decoder::begin(film, most, coloured)?))),
         }
     }
 
@@ -72,7 +72,7 @@ impl Decoding {
 }
 
 impl Decoder {
-    fn begin(film: &Opened, most: Option<usize>) -> Result<Self, Failure> {
+    fn begin(film: &Opened, most: Option<usize>, coloured: bool) -> Result<Self, Failure> {
         let complaints = tempfile::tempfile().map_err(|error| Failure::file("write", &std::env::temp_dir(), &error))?;
         let for_child = complaints.try_clone().map_err(|error| Failure::file("read", &film.path, &error))?;
         // A name that looks like an option or an address is that of a file, and a film refers to no other file.
@@ -86,8 +86,9 @@ impl Decoder {
         }
         // The size at which the film is shown: some films have pixels that are not square.
         command.args(["-vf", &format!("scale={}:{}", film.size[0], film.size[1])]);
-        // Grey values with a header and a mark before each frame: their size need not be guessed.
-        command.args(["-f", "yuv4mpegpipe", "-pix_fmt", "gray", "-"]);
+        // A header and a mark before each frame: its size need not be guessed.
+        let pixels = if coloured { "yuv420p" } else { "gray" };
+        command.args(["-f", "yuv4mpegpipe", "-pix_fmt", pixels, "-"]);
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::from(for_child));
         let mut child = command.spawn().map_err(|error| not_started(film, &error))?;
         let stdout = child.stdout.take().ok_or_else(|| Failure::request("ffmpeg has no output"))?;
@@ -132,8 +133,13 @@ fn not_started(film: &Opened, error: &std::io::Error) -> Failure {
 
 /// The picture with left and right exchanged.
 fn mirrored(plane: &Plane) -> Option<Plane> {
-    let grey = plane.grey().chunks(plane.width()).flat_map(|row| row.iter().rev().copied()).collect();
-    Plane::new(plane.width(), plane.height(), grey)
+    let turned = |values: &[u8], width: usize| -> Vec<u8> {
+        values.chunks(width).flat_map(|row| row.iter().rev().copied()).collect()
+    };
+    let grey = Plane::new(plane.width(), plane.height(), turned(plane.grey(), plane.width()))?;
+    let Some(colour) = plane.colour() else { return Some(grey) };
+    let half = plane.width().div_ceil(2);
+    grey.coloured(Colour { blue: turned(&colour.blue, half), red: turned(&colour.red, half) })
 }
 
 #[cfg(test)]
@@ -143,6 +149,9 @@ mod tests {
     #[test]
     fn a_mirrored_picture_has_its_rows_reversed() {
         let plane = Plane::new(3, 2, vec![1, 2, 3, 4, 5, 6]).expect("six pixels");
-        assert_eq!(mirrored(&plane).map(|plane| plane.grey().to_vec()), Some(vec![3, 2, 1, 6, 5, 4]));
+        let plane = plane.coloured(Colour { blue: vec![7, 8], red: vec![9, 10] }).expect("two blocks");
+        let turned = mirrored(&plane).expect("a picture");
+        assert_eq!(turned.grey(), [3, 2, 1, 6, 5, 4]);
+        assert_eq!(turned.colour(), Some(&Colour { blue: vec![8, 7], red: vec![10, 9] }));
     }
 }

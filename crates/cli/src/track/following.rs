@@ -34,7 +34,8 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     let mut following = Following::new(plan(film, clock, arguments)?).map_err(refusal)?;
     let mut still = None;
     while following.wanted().is_some() {
-        read(film, &mut following, &mut still, bar)?;
+        // Surfaces are found by grey values.
+        read(film, &mut following, &mut still, (bar, !arguments.body.is_empty()))?;
     }
     following.advance(usize::MAX).map_err(refusal)?;
     let (count, of) = (following.repeated().len(), clock.frames.len());
@@ -54,11 +55,11 @@ fn read(
     film: &Opened,
     following: &mut Following,
     still: &mut Option<(usize, Plane)>,
-    bar: &ProgressBar,
+    (bar, coloured): (&ProgressBar, bool),
 ) -> Result<(), Failure> {
     let count = following.frames().last().map_or(0, |last| last.0 + 1);
     let whole = count == film.times.len();
-    let mut decoding = Decoding::begin(film, if whole { None } else { Some(count) })?;
+    let mut decoding = Decoding::begin(film, if whole { None } else { Some(count) }, coloured)?;
     bar.set_length(count as u64);
     for frame in 0..count {
         let Some(plane) = decoding.next()? else {
@@ -70,7 +71,7 @@ fn read(
         };
         bar.set_position(frame as u64 + 1);
         if following.wanted() == Some(frame) {
-            still.get_or_insert_with(|| (frame, plane.clone()));
+            still.get_or_insert_with(|| (frame, plane.clone().uncoloured()));
             following.take(plane).map_err(|refusal| refused(&film.path, refusal.words()))?;
         }
     }

@@ -8,6 +8,9 @@ const SCORE: f64 = 0.6;
 /// A standard error is large above so many times the median of its track.
 const LARGE: f64 = 4.0;
 
+/// One of so many frames in doubt is many.
+const MANY: usize = 10;
+
 /// Why a frame is in doubt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Doubt {
@@ -46,6 +49,15 @@ impl Doubt {
     }
 }
 
+/// True if a track was lost, or a part of its frames is in doubt that no single look mends.
+pub(crate) fn plainly(tracks: &[Track]) -> bool {
+    let many = |own: &Track| {
+        let doubtful = own.points.iter().filter(|point| point.doubtful).count();
+        own.lost.is_some() || MANY * doubtful > own.points.len()
+    };
+    tracks.iter().any(many)
+}
+
 /// The frames in doubt of some tracks, in order.
 pub(crate) fn doubts(tracks: &[Track]) -> Vec<DoubtfulFrame> {
     let mut found = Vec::new();
@@ -55,7 +67,7 @@ pub(crate) fn doubts(tracks: &[Track]) -> Vec<DoubtfulFrame> {
         sizes.sort_by(f64::total_cmp);
         let usual = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
         let why = |point: &film::tracking::Point| {
-            if point.score < SCORE {
+            if point.doubtful && point.score < SCORE {
                 Some(Doubt::Score)
             } else if size(point.sigma) > LARGE * usual {
                 Some(Doubt::Error)

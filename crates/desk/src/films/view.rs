@@ -1,7 +1,7 @@
 //! What a page shows of the open film.
 
 use crate::films::clip::Clip;
-use crate::films::doubt::{DoubtfulFrame, doubts};
+use crate::films::doubt::{DoubtfulFrame, doubts, plainly};
 use crate::films::identity::FilmIdentity;
 use crate::films::lengths::CalibrationForm;
 use crate::films::recipe::FilmRecipe;
@@ -130,6 +130,11 @@ impl<'a> OpenFilm<'a> {
     /// The frames that a person should look at, in order.
     pub fn doubtful(self) -> Vec<DoubtfulFrame> {
         doubts(&self.work.tracks())
+    }
+
+    /// True if something was lost, or many frames are in doubt: a person has to look before the record is used.
+    pub fn is_plainly_in_doubt(&self) -> bool {
+        plainly(&self.work.tracks())
     }
 
     /// The space-time picture of a surface, once the film has been tracked since it was opened.

@@ -122,7 +122,7 @@ impl Following {
             body.take(frame, time, &plane, camera)?;
         }
         pass.differences.extend(pass.last.as_ref().map(|last| difference(last, &plane)));
-        pass.last = Some(plane);
+        pass.last = Some(plane.uncoloured());
         pass.taken += 1;
         self.leave_out_repeated()
     }

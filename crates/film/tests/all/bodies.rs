@@ -51,7 +51,8 @@ fn a_body_that_disappears_is_lost_until_it_is_clicked_again() {
     let frames = film(&pendulum, &Camera { frames: 90, ..Camera::default() });
     let (mut body, sights) = taken(&frames, vec![click(&frames, 0, [0.0, 0.0])]);
     assert!(matches!(sights[44], Sight::At(..)), "{:?}", sights[44]);
-    assert!(sights[45..].iter().all(|sight| *sight == Sight::Lost));
+    assert!(sights[45..55].iter().all(|sight| *sight == Sight::Hidden));
+    assert!(sights[55..].iter().all(|sight| *sight == Sight::Lost));
     let track = body.finish();
     assert_eq!((track.lost, track.points.len()), (Some(45), 45));
     let (mut body, sights) = taken(&frames, vec![click(&frames, 10, [0.0, 0.0]), click(&frames, 61, [1.0, 0.0])]);

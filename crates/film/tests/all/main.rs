@@ -14,6 +14,8 @@ mod damaged_films;
 mod disturbed_columns;
 mod elements;
 mod scenes;
+mod stage;
+mod staged;
 mod support;
 mod timing;
 mod tubes;

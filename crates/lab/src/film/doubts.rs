@@ -4,6 +4,7 @@ use super::frames::go;
 use super::now::now;
 use super::words;
 use crate::app::App;
+use desk::Doubt;
 use view::icons;
 use view::views::*;
 
@@ -46,7 +47,7 @@ pub fn next(app: App) {
     app.say(format!("{} {}: {why}", words.frame, doubt.frame + 1));
 }
 
-/// How many there are, and the first of them.
+/// What was lost, how many doubts there are, and the first of them.
 pub fn list(app: App) -> View {
     let words = words::of(app);
     changing(move || {
@@ -55,7 +56,9 @@ pub fn list(app: App) -> View {
             return View::new();
         }
         let language = app.language.get_untracked();
-        let named = doubts.iter().take(NAMED).map(|doubt| {
+        // What was lost decides over all that follows: it is never behind what is left out.
+        let (lost, others): (Vec<_>, Vec<_>) = doubts.iter().partition(|doubt| doubt.doubt == Doubt::Lost);
+        let named = lost.iter().chain(others.iter().take(NAMED)).map(|doubt| {
             let frame = doubt.frame;
             let name = format!("{} {}: {}", words.frame, frame + 1, doubt.doubt.words().text(language));
             li().child(view::views::button().class("pick").when(events::click, move |_| go(app, frame)).child(name))

@@ -42,6 +42,8 @@ pub fn open(app: App, file: File) {
     if !app.read(|_| true) {
         return app.complain(words::of(app).no_document.to_owned());
     }
+    // What was said of another file would stand over this one.
+    app.messages.set(Vec::new());
     app.films.opening.set(Some(name.clone()));
     app.tab.set(tabs::MEASURE);
     wasm_bindgen_futures::spawn_local(async move {

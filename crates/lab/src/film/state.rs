@@ -33,6 +33,8 @@ pub struct Now {
     pub tracks: Vec<Track>,
     /// The frames in doubt.
     pub doubts: Vec<DoubtfulFrame>,
+    /// True if something was lost, or many frames are in doubt.
+    pub plainly_in_doubt: bool,
     /// The record, if it is there.
     pub record: Option<u32>,
     /// Whether it is a filmed simulation.
@@ -63,6 +65,7 @@ impl Now {
             calibration: *film.calibration(),
             tracks: film.tracks(),
             doubts: film.doubtful(),
+            plainly_in_doubt: film.is_plainly_in_doubt(),
             record: film.record().filter(|id| desk.records().iter().any(|record| record.id == *id)),
             filmed: film.truth().is_some(),
             ruler: film.truth().and_then(|truth| truth.ruler.clone()),

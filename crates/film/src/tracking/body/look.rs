@@ -41,6 +41,8 @@ pub(crate) struct Agreement {
     pub score: f32,
     /// The greatest score that a body could have there: less than 1 where body and background are alike.
     pub best: f32,
+    /// The part of the ring around the body that does not show the background.
+    pub outside: f32,
 }
 
 impl Look {
@@ -90,7 +92,8 @@ impl Look {
             }
             around += 1.0;
         }
-        Agreement { score: score / count.max(1.0) - OUTLINE * outside / around.max(1.0), best: best / count.max(1.0) }
+        let outside = outside / around.max(1.0);
+        Agreement { score: score / count.max(1.0) - OUTLINE * outside, best: best / count.max(1.0), outside }
     }
 
     /// The place that agrees best within so many pixels of a point, to which it should be close.
@@ -113,7 +116,7 @@ impl Look {
         (step, most): (i64, usize),
     ) -> ([f64; 2], Agreement) {
         let middle = around.map(|at| at.floor().clamp(-1e6, 1e6) as i64);
-        let mut found = (around, Agreement { score: -2.0, best: 1.0 });
+        let mut found = (around, Agreement { score: -2.0, best: 1.0, outside: 0.0 });
         let mut value = f32::NEG_INFINITY;
         let steps = extent.min(10_000) / step;
         for row in (-steps..=steps).map(|k| middle[1] + k * step) {

@@ -41,6 +41,10 @@ const PUSHED: f32 = 0.7;
 const WHOLE: f32 = 0.75;
 /// Where a body and its background are so much alike, the template alone decides.
 const DISTINCT: f32 = 0.2;
+/// Something touches the body where so much more of the ring around it than usual does not show the background.
+const TOUCH: f32 = 0.2;
+/// After so many frames what touches the body belongs to its look.
+const TOUCHED: usize = 5;
 /// By this part the template follows what is seen.
 const PACE: f64 = 0.2;
 /// So many frames a hidden body is sought where its motion leads.
@@ -90,6 +94,8 @@ struct Tracker {
     since: usize,
     /// Where the motion of the body begins, among all that has been seen.
     begin: usize,
+    /// The part of the ring around the body that usually does not show the background: smear, a rod.
+    around: f32,
 }
 
 /// What was found in a frame.
@@ -97,6 +103,7 @@ struct Sighting {
     found: Found,
     agreement: f64,
     aside: bool,
+    free: bool,
 }
 
 /// The tracking of a body.
@@ -151,7 +158,7 @@ impl Body {
         let Some(tracker) = &mut self.tracker else {
             return Ok(if self.templates.is_empty() { Sight::Before } else { Sight::Lost });
         };
-        let Some(Sighting { found, agreement, aside }) = sighting else {
+        let Some(Sighting { found, agreement, aside, free }) = sighting else {
             if tracker.hidden == 0 {
                 tracker.since = frame;
             }
@@ -172,7 +179,7 @@ impl Body {
             return Err(Refusal::Long { frames: self.seen.len() });
         }
         let key = self.templates.len().saturating_sub(1);
-        self.seen.push(Seen { frame, time, key, part, first: found, now: found, agreement, aside });
+        self.seen.push(Seen { frame, time, key, part, first: found, now: found, agreement, aside, free });
         self.cameras.push(camera);
         (self.refining, self.track) = (None, None);
         Ok(Sight::At(found.position, found.score))
@@ -230,10 +237,10 @@ impl Body {
         let found = template.align(&part, position, 0.5);
         let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
         self.tracker =
-            Some(Tracker { look, now: template.clone(), axis, background, hidden: 0, since: 0, begin });
+            Some(Tracker { look, now: template.clone(), axis, background, hidden: 0, since: 0, begin, around: 1.0 });
         self.templates.push(template);
         let aside = continued.is_some_and(|one| one.aside);
-        Ok(Sighting { found: Found { position, ..found }, agreement: 1.0, aside })
+        Ok(Sighting { found: Found { position, ..found }, agreement: 1.0, aside, free: true })
     }
 
     /// The body near where its motion predicts it; `None` where nothing there resembles it.
@@ -241,8 +248,12 @@ impl Body {
         let (tracker, template) = (self.tracker.as_mut()?, self.templates.last()?);
         let disc = template.disc;
         let trail = self.seen.get(tracker.begin..).unwrap_or_default();
+        let trail = trail.get(trail.len().saturating_sub(TOUCHED + 4)..).unwrap_or_default();
+        // Two bodies that touch pull one another's positions: the motion before leads through.
+        let touched = trail.iter().rev().take_while(|one| !one.free).count();
+        let counts = |one: &&Seen| one.free || touched >= TOUCHED || trail.len() < 4;
         let trail: Vec<(f64, [f64; 2])> =
-            trail[trail.len().saturating_sub(8)..].iter().map(|one| (one.time, one.first.position)).collect();
+            trail.iter().filter(counts).map(|one| (one.time, one.first.position)).collect();
         let course = course(&trail, time, disc.outline)?;
         let reach = course.reach * (1.0 + 0.4 * tracker.hidden as f64);
         let mut found = tracker.find(plane, template, (course.place, reach), AGREES);
@@ -324,11 +335,15 @@ impl Tracker {
         if !seen || agreement.score < part_of_best * agreement.best {
             return None;
         }
-        if found.score >= SCORE && agreement.score > WHOLE * agreement.best {
+        let free = agreement.outside < self.around + TOUCH;
+        if free {
+            self.around = if self.around < 1.0 { self.around + 0.2 * (agreement.outside - self.around) } else { agreement.outside };
+        }
+        if free && found.score >= SCORE && agreement.score > WHOLE * agreement.best {
             self.now.follow(&part, &found, PACE);
             self.look.follow(&compared, disc.middle(found.position));
         }
         let agreement = f64::from(agreement.score / agreement.best.max(f32::MIN_POSITIVE));
-        Some(Sighting { found, agreement, aside: self.hidden > 0 })
+        Some(Sighting { found, agreement, aside: self.hidden > 0, free })
     }
 }

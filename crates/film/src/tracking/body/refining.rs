@@ -28,6 +28,8 @@ pub(crate) struct Seen {
     pub agreement: f64,
     /// True if the body was not where its motion leads, or was hidden before.
     pub aside: bool,
+    /// True if nothing else that moves touches the body: its position then tells where it goes.
+    pub free: bool,
 }
 
 enum Stage {

@@ -2,7 +2,7 @@
 
 use super::codecs::{self, Painter, PlaneLayout, VideoFrame};
 use super::source::{Source, object};
-use film::Plane;
+use film::{Colour, Plane};
 use film::containers::Orientation;
 use js_sys::{Array, Uint8Array};
 use std::rc::Rc;
@@ -11,8 +11,17 @@ use view::views::document;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{HtmlCanvasElement, ImageBitmap, ImageData};
 
-/// Formats of which the first plane is the grey values, a byte each.
-const GREY_FIRST: [&str; 7] = ["I420", "I420A", "I422", "I422A", "I444", "I444A", "NV12"];
+/// Formats of which the first plane is the grey values, a byte each, and the bytes between two rows of blocks of two times two
+/// pixels, and between two blocks, in the planes of colour behind it.
+const GREY_FIRST: [(&str, usize, usize); 7] = [
+    ("I420", 1, 1),
+    ("I420A", 1, 1),
+    ("I422", 2, 1),
+    ("I422A", 2, 1),
+    ("I444", 2, 2),
+    ("I444A", 2, 2),
+    ("NV12", 1, 2),
+];
 
 /// A picture of a film. It gives back its memory when it is dropped.
 pub enum Picture {
@@ -86,7 +95,7 @@ impl Picture {
     }
 }
 
-/// Reads grey values; keeps what it needs for it from picture to picture.
+/// Reads grey values and colours; keeps what it needs for it from picture to picture.
 pub struct Greys {
     /// Width and height of the planes: those of the pictures, but with square pixels.
     size: [usize; 2],
@@ -102,7 +111,7 @@ impl Greys {
         Self { size, buffer: None, canvas: None }
     }
 
-    /// The grey values of a picture as it is stored.
+    /// The grey values and colours of a picture as it is stored.
     pub async fn read(&mut self, picture: &Picture) -> Option<Plane> {
         if let Picture::Grey(plane) = picture {
             return Some(Plane::clone(plane));
@@ -120,29 +129,41 @@ impl Greys {
     async fn copied(&mut self, frame: &VideoFrame) -> Option<Plane> {
         let [width, height] = self.size;
         let format = frame.format()?;
-        let grey = GREY_FIRST.contains(&format.as_str());
-        if !grey && !["BGRX", "BGRA", "RGBX", "RGBA"].contains(&format.as_str()) {
+        let planes = GREY_FIRST.iter().find(|planes| planes.0 == format);
+        if planes.is_none() && !["BGRX", "BGRA", "RGBX", "RGBA"].contains(&format.as_str()) {
             return None;
         }
         let length = frame.allocation_size().ok()?;
         let buffer = self.buffer.take().filter(|buffer| buffer.length() == length);
         let buffer = buffer.unwrap_or_else(|| Uint8Array::new_with_length(length));
         let layout = browser::wait(frame.copy_to(&buffer).ok()?).await.ok()?;
-        let layout: PlaneLayout = Array::from(&layout).get(0).unchecked_into();
-        let (offset, stride) = (layout.offset() as usize, layout.stride() as usize);
-        // Of the last row nothing is needed beyond its pixels.
-        let row = if grey { width } else { 4 * width };
-        let end = offset + stride * height.checked_sub(1)? + row;
-        let values = buffer.subarray(u32::try_from(offset).ok()?, u32::try_from(end).ok()?).to_vec();
+        let layouts: Vec<PlaneLayout> = Array::from(&layout).iter().map(JsCast::unchecked_into).collect();
+        let values = buffer.to_vec();
         self.buffer = Some(buffer);
-        let rows = values.chunks(stride.max(1)).take(height).map(|line| line.get(..row).unwrap_or_default());
-        let greys: Vec<u8> = match (grey, format.starts_with('B')) {
-            (true, _) if stride == width => values,
-            (true, _) => rows.flatten().copied().collect(),
-            (false, true) => rows.flat_map(|row| row.as_chunks().0).map(|&[b, g, r, _]| luma([r, g, b])).collect(),
-            (false, false) => rows.flat_map(|row| row.as_chunks().0).map(|&[r, g, b, _]| luma([r, g, b])).collect(),
+        // Rows of a plane from a byte on, one of so many.
+        let rows = |plane: usize, late: usize, step: usize| {
+            let layout = layouts.get(plane)?;
+            let (offset, stride) = (layout.offset() as usize + late, layout.stride() as usize);
+            Some(values.get(offset..)?.chunks(stride.max(1)).step_by(step))
         };
-        Plane::new(width, height, greys)
+        if let Some(&(name, down, across)) = planes {
+            let grey: Vec<u8> = rows(0, 0, 1)?.take(height).flat_map(|row| row.iter().take(width)).copied().collect();
+            let half = |plane: usize, late: usize| -> Option<Vec<u8>> {
+                let rows = rows(plane, late, down)?.take(height.div_ceil(2));
+                Some(rows.flat_map(|row| row.iter().step_by(across).take(width.div_ceil(2))).copied().collect())
+            };
+            let second = if name == "NV12" { (1, 1) } else { (2, 0) };
+            let colour = half(1, 0).zip(half(second.0, second.1)).map(|(blue, red)| Colour { blue, red });
+            let plane = Plane::new(width, height, grey)?;
+            return Some(match colour {
+                Some(colour) => plane.clone().coloured(colour).unwrap_or(plane),
+                None => plane,
+            });
+        }
+        let blue_first = format.starts_with('B');
+        let turned = |&[a, b, c, _]: &[u8; 4]| if blue_first { [c, b, a] } else { [a, b, c] };
+        let pixels = rows(0, 0, 1)?.take(height).flat_map(|row| row.as_chunks().0.iter().take(width)).map(turned);
+        Plane::of_rgb(width, height, &pixels.collect::<Vec<_>>())
     }
 
     /// By painting it: JPEGs, pictures of more than eight bits, and those whose pixels are no squares.
@@ -158,7 +179,7 @@ impl Greys {
     }
 }
 
-/// The grey values of what a canvas can draw, in this size.
+/// The grey values and colours of what a canvas can draw, in this size.
 pub fn drawn(pixels: &JsValue, canvas: &HtmlCanvasElement, size: [usize; 2]) -> Option<Plane> {
     if [canvas.width(), canvas.height()].map(|length| length as usize) != size {
         canvas.set_width(size[0] as u32);
@@ -168,13 +189,8 @@ pub fn drawn(pixels: &JsValue, canvas: &HtmlCanvasElement, size: [usize; 2]) -> 
     let [width, height] = size.map(|length| length as f64);
     painter.draw_image(pixels, 0.0, 0.0, width, height).ok()?;
     let values = painter.image_data(0.0, 0.0, width, height).ok()?.data().0;
-    let greys = values.as_chunks().0.iter().map(|&[r, g, b, _]| luma([r, g, b])).collect();
-    Plane::new(size[0], size[1], greys)
-}
-
-/// The grey value of a colour (Rec. ITU-R BT.601, 2.5.1), in 256ths.
-fn luma([red, green, blue]: [u8; 3]) -> u8 {
-    ((77 * u32::from(red) + 150 * u32::from(green) + 29 * u32::from(blue) + 128) >> 8) as u8
+    let pixels: Vec<[u8; 3]> = values.as_chunks().0.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
+    Plane::of_rgb(size[0], size[1], &pixels)
 }
 
 /// What paints on a canvas; one whose pixels are `read` again lies in main memory.

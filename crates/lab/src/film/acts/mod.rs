@@ -89,5 +89,6 @@ fn act(
 fn done(app: App) -> [bool; 4] {
     let now = app.films.now.get_clone();
     let Some(now) = now else { return [false; 4] };
-    [true, !now.subject.is_nothing(), now.form.lacking(&now.subject).is_none(), now.record.is_some()]
+    let record = now.record.is_some() && !now.plainly_in_doubt;
+    [true, !now.subject.is_nothing(), now.form.lacking(&now.subject).is_none(), record]
 }

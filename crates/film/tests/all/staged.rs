@@ -1,0 +1,86 @@
+//! Bodies that are hard to follow, in drawn films of many seeds.
+
+use crate::stage::{Kind, Stage};
+use film::tracking::body::{Body, Settings};
+use film::tracking::column::Click;
+use film::tracking::{Known, Refusal, Similarity, Track};
+
+/// Pixels beyond which a position is wrong.
+const WRONG: f64 = 6.0;
+
+/// How a body was followed.
+#[derive(Debug, Default)]
+struct Outcome {
+    frames: usize,
+    right: usize,
+    /// Wrong without a mark.
+    silent: usize,
+    /// Right with a mark.
+    marked: usize,
+}
+
+fn followed(stage: &Stage, body: usize, frames: usize, seed: u64) -> Result<(Track, [f64; 2]), Refusal> {
+    let position = stage.click(body, 0, seed, 0.6);
+    let keys = vec![Click { frame: 0, position }];
+    let mut tracker = Body::new(Settings { keys, radius: None, readout: Known::Estimated });
+    for frame in 0..frames {
+        tracker.take(frame, frame as f64 / 30.0, &stage.frame(frame), Similarity::IDENTITY)?;
+    }
+    let [x, y] = stage.place(body, 0.0);
+    Ok((tracker.finish(), [position[0] - x, position[1] - y]))
+}
+
+fn outcome(kind: Kind, seeds: std::ops::Range<u64>, frames: usize) -> Outcome {
+    let mut sum = Outcome::default();
+    for seed in seeds {
+        let stage = Stage::new(kind, seed, 240, frames, seed % 2 == 0);
+        for body in 0..stage.bodies() {
+            let (track, shift) = followed(&stage, body, frames, seed).expect("a track");
+            sum.frames += frames;
+            for point in &track.points {
+                let truth = stage.place(body, point.frame as f64);
+                let off = [0, 1].map(|k| point.position[k] - truth[k] - shift[k]);
+                let wrong = libm::hypot(off[0], off[1]) > WRONG;
+                sum.right += usize::from(!wrong);
+                sum.silent += usize::from(wrong && !point.doubtful);
+                sum.marked += usize::from(!wrong && point.doubtful);
+            }
+        }
+    }
+    sum
+}
+
+#[track_caller]
+fn assert_right(kind: Kind, seeds: std::ops::Range<u64>, least: f64) {
+    let outcome = outcome(kind, seeds, 40);
+    assert_eq!(outcome.silent, 0, "{kind:?}: {outcome:?}");
+    assert!(outcome.right as f64 >= least * outcome.frames as f64, "{kind:?}: {outcome:?}");
+    assert!(outcome.marked as f64 <= 0.03 * outcome.right as f64, "{kind:?}: {outcome:?}");
+}
+
+#[test]
+fn both_bobs_of_a_double_pendulum_are_followed() {
+    assert_right(Kind::DoublePendulum, 0..4, 0.92);
+}
+
+#[test]
+fn a_grey_bob_is_followed_before_leaves() {
+    assert_right(Kind::Leaves, 0..4, 0.92);
+}
+
+#[test]
+fn a_bob_is_followed_before_a_wall_of_its_grey() {
+    assert_right(Kind::Wall, 0..4, 0.9);
+}
+
+#[test]
+fn a_body_that_does_not_move_is_in_doubt_from_end_to_end() {
+    let stage = Stage::new(Kind::Plain, 1, 240, 2, false);
+    let position = stage.click(0, 0, 1, 0.6);
+    let keys = vec![Click { frame: 0, position }];
+    let mut tracker = Body::new(Settings { keys, radius: None, readout: Known::Estimated });
+    for frame in 0..12 {
+        tracker.take(frame, frame as f64, &stage.frame(0), Similarity::IDENTITY).expect("a frame");
+    }
+    assert!(tracker.finish().points.iter().all(|point| point.doubtful));
+}

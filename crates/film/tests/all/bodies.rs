@@ -143,7 +143,10 @@ fn a_body_like_another_one_is_not_left_for_it() {
         }
         let plane = Plane::new(wide, high, grey).expect("a plane");
         let sight = body.take(n, n as f64 / 30.0, &plane, Similarity::IDENTITY).expect("a frame");
-        let Sight::At([x, y], _) = sight else { panic!("lost in frame {n}") };
+        let Sight::At([x, y], _) = sight else {
+            assert!(sight == Sight::Hidden && (12..16).contains(&n), "{sight:?} in frame {n}");
+            continue;
+        };
         assert!((x - place(n)[0]).abs() + (y - 80.0).abs() < 1.5, "frame {n}: {x}, {y}");
     }
 }

@@ -5,7 +5,11 @@
 //! Sizes, speeds, colours and exposures vary with the seed. `wrong` are frames more than 6 pixels off after the shift of the click,
 //! `silent` those of them without a mark, `false` marks on right frames.
 
-#![allow(clippy::expect_used, clippy::indexing_slicing, reason = "a program for developers: it stops where something is missing")]
+#![allow(
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    reason = "a program for developers: it stops where something is missing"
+)]
 
 #[path = "../tests/all/stage.rs"]
 mod stage;
@@ -89,7 +93,10 @@ fn main() {
                         squares.push(far * far);
                     }
                     if detail && (far > 6.0 || point.doubtful) {
-                        println!("    frame {} off {far:.1} score {:.2} doubt {} sigma {:.2?} at {truth:.0?}", point.frame, point.score, point.doubtful, point.sigma);
+                        println!(
+                            "    frame {} off {far:.1} score {:.2} doubt {} sigma {:.2?} at {truth:.0?}",
+                            point.frame, point.score, point.doubtful, point.sigma
+                        );
                     }
                 }
                 let rms = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
@@ -103,15 +110,24 @@ fn main() {
                 println!(
                     "{name:14} {seed:2} body {body} rows {height:4} radius {:4.1} speed {:.1} {} found radius {:5.1}: of {} right {right} wrong {wrong} \
                      silent {silent} false {marked} rms {rms:.2} lost {:?} {} {took:.2}+{refined:.2} s",
-                    stage.radius, stage.speed, if coloured { "colour" } else { "grey  " },
-                    tracker.radius().unwrap_or(0.0), frames - first, track.lost,
+                    stage.radius,
+                    stage.speed,
+                    if coloured { "colour" } else { "grey  " },
+                    tracker.radius().unwrap_or(0.0),
+                    frames - first,
+                    track.lost,
                     refused.map_or(String::new(), |refusal| format!("{refusal:?}"))
                 );
             }
         }
         println!(
             "{name}: {tracks} tracks, {silently} silently wrong, {ends_wrong} end wrong; frames {} right {} wrong {} silent {} false marks {} ({:.2} %)",
-            total[0], total[1], total[2], total[3], total[4], 100.0 * total[4] as f64 / total[1].max(1) as f64
+            total[0],
+            total[1],
+            total[2],
+            total[3],
+            total[4],
+            100.0 * total[4] as f64 / total[1].max(1) as f64
         );
     }
 }

@@ -81,7 +81,9 @@ impl Stage {
         let speed = dice.between(0.3, 2.0);
         let count = frames * FINE + 2 * FINE;
         let places = match kind {
-            Kind::DoublePendulum => double_pendulum(&mut dice, [wide / 2.0, 0.45 * high], 0.2 * high, radius * speed, count),
+            Kind::DoublePendulum => {
+                double_pendulum(&mut dice, [wide / 2.0, 0.45 * high], 0.2 * high, radius * speed, count)
+            }
             Kind::Twins => twins(&mut dice, [wide, high], radius, speed, count),
             Kind::Ball => vec![slope(&mut dice, [wide, high], radius, speed, count)],
             Kind::Leaves | Kind::Wall | Kind::Plain => vec![swing(&mut dice, [wide, high], radius, speed, count)],
@@ -171,7 +173,8 @@ impl Stage {
         for pair in ends.windows(2) {
             let length = libm::hypot(pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]);
             for k in 0..(2.0 * length) as usize {
-                let [x, y] = [0, 1].map(|axis| pair[0][axis] + k as f64 / (2.0 * length) * (pair[1][axis] - pair[0][axis]));
+                let [x, y] =
+                    [0, 1].map(|axis| pair[0][axis] + k as f64 / (2.0 * length) * (pair[1][axis] - pair[0][axis]));
                 self.disc(&mut picture, [x, y], 1.0, |_, _| [40.0, 128.0, 128.0]);
             }
         }

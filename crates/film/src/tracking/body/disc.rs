@@ -99,7 +99,11 @@ pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], greatest: f64) -> Disc {
     for change in -extent..=extent {
         for row in -extent..=extent {
             for column in -extent..=extent {
-                seek(&mut best, [middle[0] + f64::from(column), middle[1] + f64::from(row)], radius + f64::from(change));
+                seek(
+                    &mut best,
+                    [middle[0] + f64::from(column), middle[1] + f64::from(row)],
+                    radius + f64::from(change),
+                );
             }
         }
     }

@@ -83,7 +83,11 @@ fn distances(times: &[f64], values: &[f64]) -> Vec<f64> {
     let mut distances = vec![0.0; values.len()];
     for (at, (times, values)) in times.windows(5).zip(values.windows(5)).enumerate() {
         let weight = |k: usize| {
-            [0, 1, 3, 4].into_iter().filter(|j| *j != k).map(|j| (times[2] - times[j]) / (times[k] - times[j])).product::<f64>()
+            [0, 1, 3, 4]
+                .into_iter()
+                .filter(|j| *j != k)
+                .map(|j| (times[2] - times[j]) / (times[k] - times[j]))
+                .product::<f64>()
         };
         let led: f64 = [0, 1, 3, 4].into_iter().map(|k| weight(k) * values[k]).sum();
         // Beside a gap a cubic leads nowhere.

@@ -76,7 +76,10 @@ impl Look {
         for spot in self.spots.iter().step_by((self.spots.len() / most).max(1)) {
             let (x, y) = (column + spot.offset[0], row + spot.offset[1]);
             let shade = frame.shade(x, y);
-            let body = distance(shade, spot.now).min(distance(shade, spot.first)).min(distance(shade, self.usual[0])).min(distance(shade, self.usual[1]));
+            let body = distance(shade, spot.now)
+                .min(distance(shade, spot.first))
+                .min(distance(shade, self.usual[0]))
+                .min(distance(shade, self.usual[1]));
             let behind = frame.still(shade, x, y);
             let apart = behind.map_or(Some(UNKNOWN), |_| frame.still(spot.now, x, y)).unwrap_or(UNKNOWN);
             let behind = behind.unwrap_or(UNKNOWN);

@@ -337,7 +337,11 @@ impl Tracker {
         }
         let free = agreement.outside < self.around + TOUCH;
         if free {
-            self.around = if self.around < 1.0 { self.around + 0.2 * (agreement.outside - self.around) } else { agreement.outside };
+            self.around = if self.around < 1.0 {
+                self.around + 0.2 * (agreement.outside - self.around)
+            } else {
+                agreement.outside
+            };
         }
         if free && found.score >= SCORE && agreement.score > WHOLE * agreement.best {
             self.now.follow(&part, &found, PACE);

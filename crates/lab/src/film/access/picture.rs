@@ -2,8 +2,8 @@
 
 use super::codecs::{self, Painter, PlaneLayout, VideoFrame};
 use super::source::{Source, object};
-use film::{Colour, Plane};
 use film::containers::Orientation;
+use film::{Colour, Plane};
 use js_sys::{Array, Uint8Array};
 use std::rc::Rc;
 use view::browser;
@@ -13,15 +13,8 @@ use web_sys::{HtmlCanvasElement, ImageBitmap, ImageData};
 
 /// Formats of which the first plane is the grey values, a byte each, and the bytes between two rows of blocks of two times two
 /// pixels, and between two blocks, in the planes of colour behind it.
-const GREY_FIRST: [(&str, usize, usize); 7] = [
-    ("I420", 1, 1),
-    ("I420A", 1, 1),
-    ("I422", 2, 1),
-    ("I422A", 2, 1),
-    ("I444", 2, 2),
-    ("I444A", 2, 2),
-    ("NV12", 1, 2),
-];
+const GREY_FIRST: [(&str, usize, usize); 7] =
+    [("I420", 1, 1), ("I420A", 1, 1), ("I422", 2, 1), ("I422A", 2, 1), ("I444", 2, 2), ("I444A", 2, 2), ("NV12", 1, 2)];
 
 /// A picture of a film. It gives back its memory when it is dropped.
 pub enum Picture {

@@ -39,7 +39,7 @@ pub(crate) struct Covariance {
 impl Covariance {
     /// At the end of `search`, whose residuals are those of `plans` and below them those of priors, whose standard deviation is
     /// `prior` in units of the weighted residuals. `values` is the number of independent values; where `errors_given`, the
-    /// weights are taken at their word, else they only tell ratios. `reach` is by column how far a number may go.
+    /// weights are taken at their word, else they only tell ratios. `reach` is the size of a number by column.
     pub fn new(
         search: &Search,
         plans: &[Plan],
@@ -54,8 +54,9 @@ impl Covariance {
         let mut flat: Vec<Vec<f64>> = Vec::new();
         let mut free = Vec::new();
         let nothing = rounding(plans, &scale, reach);
+        let changes = |column: usize| scale[column] * reach[column] > nothing;
         for column in 0..size {
-            if scale[column] * reach[column] <= nothing {
+            if !changes(column) {
                 let mut direction = vec![0.0; size];
                 direction[column] = 1.0;
                 flat.push(direction);
@@ -99,7 +100,8 @@ impl Covariance {
         meat.iter_mut().zip(&meat_of_priors).for_each(|(sum, value)| *sum += value);
         let hac = product(&product(&known.inverse, &meat, size), &known.inverse, size);
         flat.extend(known.flat);
-        let lengths = scale.iter().map(|scale| if *scale > 0.0 { 1.0 / scale } else { 0.0 }).collect();
+        let length = |column: usize| if changes(column) { 1.0 / scale[column] } else { 0.0 };
+        let lengths = (0..size).map(length).collect();
         Self { textbook, hac, autoregressive, doubt, errors, flat, dof, basis, lengths }
     }
 
@@ -146,6 +148,10 @@ impl Covariance {
     }
 }
 
+/// A number that changes the values by less than this part of their scatter changes nothing: it is what an exact fit leaves,
+/// times the steepness of a curve.
+const NOTHING: f64 = 100.0 * weights::EXACT;
+
 /// A change of all values together by less than this is nothing but rounding.
 fn rounding(plans: &[Plan], scale: &[f64], reach: &[f64]) -> f64 {
     let spread = weights::spread(plans);
@@ -154,7 +160,7 @@ fn rounding(plans: &[Plan], scale: &[f64], reach: &[f64]) -> f64 {
     let values = norm(&points.map(size).collect::<Vec<f64>>());
     // Values that are all 0 have no size: then that of the greatest change.
     let greatest = || scale.iter().zip(reach).map(|(scale, reach)| scale * reach).fold(0.0, f64::max);
-    weights::EXACT * if values > 0.0 { values } else { greatest() }
+    NOTHING * if values > 0.0 { values } else { greatest() }
 }
 
 /// The places of the values of each observation of each record, in the order of time; `wanted` gets whether it was measured.

@@ -71,11 +71,17 @@ pub(super) fn weak(best: &Search, covariance: &Covariance, names: &[String]) -> 
     let mut found = Vec::new();
     for (place, &a) in columns.iter().enumerate() {
         for &b in &columns[place + 1..] {
-            let correlation = variance(a, b) / (variance(a, a) * variance(b, b)).sqrt();
-            let sign = correlation.signum() * (best.x[a] * best.x[b]).signum();
-            if correlation.abs() >= TIGHT
-                && let Some(combination) = product(&[(a, relative(b)), (b, -sign * relative(a))], names, NEARLY)
-            {
+            let together = variance(a, b) / (best.x[a] * best.x[b]);
+            let (of_a, of_b, sign) = (relative(a), relative(b), together.signum());
+            // Of a^p/b^q, or of a^p*b^q: by how much it is more certain than the more certain of its factors.
+            let gain = |(p, q): (f64, f64)| {
+                let square = p * p * of_a * of_a + q * q * of_b * of_b - 2.0 * p * q * together.abs();
+                square.max(0.0).sqrt() / (p * of_a).min(q * of_b)
+            };
+            let powers = POWERS.into_iter().min_by(|one, other| gain(*one).total_cmp(&gain(*other)));
+            let tight = powers.filter(|powers| gain(*powers) <= WELL);
+            let named = |(p, q): (f64, f64)| product(&[(a, p), (b, -sign * q)], names);
+            if let Some(combination) = tight.and_then(named) {
                 let names = [a, b].map(|column| names[column].clone()).to_vec();
                 found.push(Undetermined { lack: Lack::Weak, names, combinations: vec![combination] });
             }
@@ -86,11 +92,12 @@ pub(super) fn weak(best: &Search, covariance: &Covariance, names: &[String]) -> 
 
 /// The relative standard error from which on a number is hardly determined by itself.
 const VAGUE: f64 = 0.5;
-/// The correlation from which on a combination of two such numbers is well determined.
-const TIGHT: f64 = 0.999;
-/// Exponents of a flat direction are whole numbers within rounding, and those of a weak one nearly so.
+/// A combination is well determined if its relative error is at most this part of that of each factor.
+const WELL: f64 = 0.2;
+/// The exponents that are tried.
+const POWERS: [(f64, f64); 3] = [(1.0, 1.0), (2.0, 1.0), (1.0, 2.0)];
+/// Exponents of a flat direction are whole numbers within this part, and changes of a sum equal.
 const EXACTLY: f64 = 1e-6;
-const NEARLY: f64 = 0.03;
 
 /// The combinations that stay the same along all `directions`, relative changes by column: one fewer for each direction than there
 /// are `members`. `None` where they are not simple.
@@ -100,7 +107,7 @@ fn combinations(directions: &[Vec<f64>], members: &[usize], names: &[String], x:
         // With one direction, each of the others makes a combination with the first.
         let pair = |&other: &usize| {
             let powers = [(*first, direction[other]), (other, -direction[*first])];
-            let product = if x[*first] == 0.0 || x[other] == 0.0 { None } else { product(&powers, names, EXACTLY) };
+            let product = if x[*first] == 0.0 || x[other] == 0.0 { None } else { product(&powers, names) };
             product.or_else(|| sum(direction, (*first, other), names, x))
         };
         return others.iter().map(pair).collect();
@@ -130,19 +137,18 @@ fn combinations(directions: &[Vec<f64>], members: &[usize], names: &[String], x:
         |place: usize| without((0..members.len()).map(|other| f64::from(u8::from(other == place))).collect(), &basis);
     let (exponents, _) = (0..members.len()).map(axis).max_by(|one, other| one.1.total_cmp(&other.1))?;
     let powers: Vec<(usize, f64)> = members.iter().copied().zip(exponents).collect();
-    Some(vec![product(&powers, names, EXACTLY)?])
+    Some(vec![product(&powers, names)?])
 }
 
-/// A product of powers whose exponents are in the ratio of small whole numbers, within a part `tolerance` of them; the first
-/// exponent is positive.
-fn product(powers: &[(usize, f64)], names: &[String], tolerance: f64) -> Option<String> {
+/// A product of powers whose exponents are in the ratio of small whole numbers; the first exponent is positive.
+fn product(powers: &[(usize, f64)], names: &[String]) -> Option<String> {
     let least = powers.iter().map(|(_, exponent)| exponent.abs()).fold(f64::INFINITY, f64::min);
     let sign = powers.first()?.1.signum();
     let whole = |scale: f64| {
         let rounded = |&(column, exponent): &(usize, f64)| {
             let exponent = sign * exponent / least * scale;
             let whole = exponent.round();
-            let near = whole != 0.0 && whole.abs() <= 4.0 && (exponent - whole).abs() <= tolerance * whole.abs();
+            let near = whole != 0.0 && whole.abs() <= 4.0 && (exponent - whole).abs() <= EXACTLY * whole.abs();
             near.then_some((column, whole as i32))
         };
         powers.iter().map(rounded).collect::<Option<Vec<(usize, i32)>>>()

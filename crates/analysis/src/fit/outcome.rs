@@ -147,7 +147,9 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
     names.resize(best.x.len(), "film_scale".to_owned());
     let mut lacks = identify::undetermined(&covariance.flat, &names, &best.x);
     lacks.extend(identify::weak(best, &covariance, &names));
-    lacks.extend(course.exchanges.iter().map(|pair| Undetermined {
+    let determined = |column: &usize| parameters.get(*column).is_some_and(|one| one.determined);
+    let exchanged = course.exchanges.iter().filter(|pair| pair.iter().all(determined));
+    lacks.extend(exchanged.map(|pair| Undetermined {
         lack: Lack::Exchange,
         names: pair.map(|column| names[column].clone()).to_vec(),
         combinations: Vec::new(),

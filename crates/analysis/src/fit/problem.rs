@@ -277,13 +277,16 @@ impl Problem {
         known == rows
     }
 
-    /// By number of the search: how far it may go, by its range, else by its size at the start and at `x`.
+    /// By number of the search: its size at the start or at `x`, or else how far its range lets it go.
     pub fn reach(&self, x: &[f64]) -> Vec<f64> {
         let numbers = self.bounds.iter().zip(self.own.iter().zip(x));
-        let of_number = |(&(low, high), (own, x)): (&(f64, f64), (&f64, &f64))| match high - low {
-            width if width.is_finite() => width,
-            _ if *own == 0.0 => x.abs().max(1.0),
-            _ => own.abs().max(x.abs()),
+        let of_number = |(&(low, high), (own, x)): (&(f64, f64), (&f64, &f64))| {
+            let (size, width) = (own.abs().max(x.abs()), high - low);
+            match size {
+                0.0 if width.is_finite() => width,
+                0.0 => 1.0,
+                _ => size,
+            }
         };
         numbers.map(of_number).collect()
     }

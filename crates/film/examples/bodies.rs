@@ -20,11 +20,12 @@ use film::tracking::{Known, Similarity};
 use stage::{Kind, Stage};
 use std::time::Instant;
 
+/// Films of each kind.
+const SEEDS: u64 = 10;
+
 fn main() {
     let wanted: Vec<String> = std::env::args().skip(1).collect();
     let kinds = [Kind::DoublePendulum, Kind::Twins, Kind::Leaves, Kind::Ball, Kind::Wall, Kind::Plain];
-    let seeds: u64 = std::env::var("SEEDS").ok().and_then(|text| text.parse().ok()).unwrap_or(10);
-    let detail = std::env::var("DETAIL").is_ok();
     for kind in kinds {
         let name = format!("{kind:?}");
         if !wanted.is_empty() && !wanted.iter().any(|one| name.starts_with(one.as_str())) {
@@ -34,25 +35,7 @@ fn main() {
         let mut silently = 0;
         let mut ends_wrong = 0;
         let mut tracks = 0;
-        if std::env::var("RADIUS").is_ok() {
-            let mut good = 0;
-            let mut list = Vec::new();
-            for seed in 0..seeds {
-                let stage = Stage::new(kind, seed, [240, 360, 480][seed as usize % 3], 60, seed % 2 == 0);
-                let position = stage.click(0, 20, seed, 0.6);
-                let keys = vec![Click { frame: 0, position }];
-                let mut tracker = Body::new(Settings { keys, radius: None, readout: Known::Estimated });
-                let _ = tracker.take(0, 0.0, &stage.frame(20), Similarity::IDENTITY);
-                let ratio = tracker.radius().unwrap_or(0.0) / stage.radius;
-                good += usize::from((0.75..1.3).contains(&ratio));
-                if !(0.75..1.3).contains(&ratio) {
-                    list.push(format!("{seed}:{:.0}/{:.2}", stage.radius, ratio));
-                }
-            }
-            println!("{name}: radius right in {good} of {seeds}: {}", list.join(" "));
-            continue;
-        }
-        for seed in 0..seeds {
+        for seed in 0..SEEDS {
             let height = [240, 360, 480, 720, 1080][seed as usize % 5];
             let frames = if height > 500 { 90 } else { 240 };
             let coloured = seed % 2 == 0;
@@ -91,12 +74,6 @@ fn main() {
                     } else {
                         marked += usize::from(point.doubtful);
                         squares.push(far * far);
-                    }
-                    if detail && (far > 6.0 || point.doubtful) {
-                        println!(
-                            "    frame {} off {far:.1} score {:.2} doubt {} sigma {:.2?} at {truth:.0?}",
-                            point.frame, point.score, point.doubtful, point.sigma
-                        );
                     }
                 }
                 let rms = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();

@@ -155,7 +155,7 @@ fn pauses_are_gaps() {
             let wall: Vec<f64> =
                 (0..300).map(|row| 0.01 + 0.01 * f64::from(row) + if row < 150 { 0.0 } else { pause }).collect();
             let shown = |time: f64| if time > 1.505 && !goes_on { time - pause } else { time };
-            let rows: Vec<Vec<f64>> = wall.iter().map(|time| vec![shown(*time), time.sin()]).collect();
+            let rows: Vec<Vec<f64>> = wall.iter().map(|time| vec![shown(*time), libm::sin(*time)]).collect();
             let starts = if goes_on { 1.505 + pause } else { 1.505 };
             let times = [
                 ("START", 0.0, 1.79e9),

@@ -1,7 +1,7 @@
 //! Files with headings of many kinds, generated with known truth: names, units, signs, powers of ten, errors. Each is read right, or
 //! what differs is said, or it is refused.
 
-use crate::support::variants::{Truth, Variant, body, check, column, line, rows, truth};
+use crate::support::variants::{Truth, Variant, body, check, column, line, over, rows, truth};
 use analysis::import;
 use units::Language;
 
@@ -95,15 +95,6 @@ fn few_names() -> Vec<Variant> {
         }
     }
     variants
-}
-
-/// A file with one heading over `v`.
-fn over(heading: &str, delimiter: &str) -> Vec<u8> {
-    let mut text = format!("t (s){delimiter}{heading}\n");
-    for row in rows() {
-        text.push_str(&format!("{:.2}{delimiter}{:.2}\n", row[0], row[1]));
-    }
-    text.into_bytes()
 }
 
 /// Powers of ten in headings: the heading, the factor from the number to the SI value, and whether it is clear.

@@ -118,7 +118,11 @@ fn table(rows: u16, seed: u64) -> OldWorkbook {
     for row in 1..=rows {
         let value = (random.bits() >> 40) as f64 / 7.0;
         cells.push((row, 0, Cell::Rk(compact(row.into(), true))));
-        cells.push((row, 1, if random.bits() % 3 == 0 { Cell::Rk(compact(7, true)) } else { Cell::Number(value) }));
+        cells.push((
+            row,
+            1,
+            if random.bits().is_multiple_of(3) { Cell::Rk(compact(7, true)) } else { Cell::Number(value) },
+        ));
     }
     let texts = vec![vec![("t [s]", false)], vec![("y ", false), ("[cm]", true)]];
     OldWorkbook {
@@ -214,7 +218,7 @@ fn any_change_of_an_old_workbook_is_read_or_refused() {
         for _ in 0..1 + random.bits() % 4 {
             let length = bytes.len() as u64;
             // Every second change is where the sizes are.
-            let at = (random.bits() % if random.bits() % 2 == 0 { length.min(1600) } else { length }) as usize;
+            let at = (random.bits() % if random.bits().is_multiple_of(2) { length.min(1600) } else { length }) as usize;
             match random.bits() % 5 {
                 0 => bytes[at] = random.bits() as u8,
                 1 => bytes[at] ^= 1 << (random.bits() % 8),

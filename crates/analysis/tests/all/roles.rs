@@ -9,7 +9,7 @@ use units::{Dimension, Language, Unit};
 /// The numbers of a generated column in a row.
 fn number(kind: char, row: usize, rows: usize) -> Option<f64> {
     let at = row as f64;
-    let swing = |rate: f64, phase: f64| ((rate * at + phase).sin() * 1e4).round() / 1e3;
+    let swing = |rate: f64, phase: f64| (libm::sin(rate * at + phase) * 1e4).round() / 1e3;
     let half = row < rows / 2 + 1;
     match kind {
         // Clocks of three rates; one that begins later, one that ends earlier, one of uneven steps.
@@ -17,7 +17,7 @@ fn number(kind: char, row: usize, rows: usize) -> Option<f64> {
         'u' => Some((at * 100.0).round() / 1e3),
         'w' => Some((at * 25.0 + 7.0).round() / 1e3),
         's' => half.then_some(at * 0.125),
-        'e' => Some(0.5 + at * 0.03 + 0.01 * (at * 0.7).sin()),
+        'e' => Some(0.5 + at * 0.03 + 0.01 * libm::sin(at * 0.7)),
         'm' => Some(at * 40.0),
         'U' => Some((at * 100.0 + 5000.0).round() / 1e3),
         // Values; one of half the rows, one that increases, one that decreases, a constant.
@@ -55,7 +55,10 @@ enum Truth {
 }
 use Truth::{Asked, Read};
 
-const LAYOUTS: &[(&str, &[(&str, char)], Truth)] = &[
+/// A name, the headings with the kinds of their numbers, and the truth.
+type Layout = (&'static str, &'static [(&'static str, char)], Truth);
+
+const LAYOUTS: &[Layout] = &[
     ("one clock", &[("t [s]", 't'), ("y [cm]", 'y')], Read(&[0, 0])),
     ("a clock behind", &[("y [cm]", 'y'), ("t [s]", 't'), ("z [cm]", 'z')], Read(&[1, 1, 1])),
     ("letters", &[("tA", 't'), ("yA", 'y'), ("tB", 'u'), ("yB", 'z')], Read(&[0, 0, 2, 2])),
@@ -300,8 +303,9 @@ fn names_are_matched_as_they_are_before_capitals_and_units_are_left_out() {
         ("t,y (left),y (right)", "y", Err(LookupError::Several(vec![1, 2]))),
         ("t,y (left),y (right)", "y (right)", Ok(2)),
     ] {
-        let row =
-            |row: f64| (0..heads.split(',').count()).map(move |place| (row * (1.0 + place as f64)).sin().to_string());
+        let row = |row: f64| {
+            (0..heads.split(',').count()).map(move |place| libm::sin(row * (1.0 + place as f64)).to_string())
+        };
         let rows: Vec<String> = (0..5).map(|at| row(f64::from(at)).collect::<Vec<_>>().join(",")).collect();
         let table = import(&format!("{heads}\n{}\n", rows.join("\n"))).table;
         assert_eq!(table.column(which), expected, "{which} of {heads}");
@@ -311,7 +315,8 @@ fn names_are_matched_as_they_are_before_capitals_and_units_are_left_out() {
 #[test]
 fn the_document_s_independent_variable_is_found_by_its_name_and_its_unit() {
     let hertz = Unit::parse("Hz").unwrap().dimension;
-    let cases: &[(&[(&str, char)], &str, Dimension, usize)] = &[
+    type Case<'a> = (&'a [(&'a str, char)], &'a str, Dimension, usize);
+    let cases: &[Case] = &[
         (&[("Nr", 'n'), ("f [Hz]", 'd'), ("A [mm]", 'y')], "f", hertz, 1),
         (&[("Nr", 'n'), ("f", 'd'), ("A", 'y')], "f", hertz, 1),
         (&[("Nr", 'n'), ("nu [kHz]", 'y'), ("A [mm]", 'd')], "f", hertz, 1),

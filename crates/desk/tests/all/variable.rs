@@ -26,7 +26,7 @@ fn text(heads: &str, columns: &[fn(f64) -> f64]) -> Vec<u8> {
 #[test]
 fn an_open_variable_is_asked_for_and_measures_nothing_before() {
     let mut desk = utube();
-    let data = text("t [s],y [cm],delay [ms],z [cm]", &[|at| 0.1 * at, f64::sin, |at| 40.0 * at, f64::cos]);
+    let data = text("t [s],y [cm],delay [ms],z [cm]", &[|at| 0.1 * at, libm::sin, |at| 40.0 * at, libm::cos]);
     let id = desk.add_record("a", &data).unwrap();
     let (texts, chosen) = choices(&desk);
     assert_eq!(texts[..2], ["all columns against t", "t, delay, each for its own columns"], "{texts:?}");
@@ -56,7 +56,7 @@ fn an_open_variable_is_asked_for_and_measures_nothing_before() {
 fn the_document_s_variable_is_found_and_given_back() {
     for heads in ["Nr,f [Hz],A [mm]", "Nr,nu [Hz],A [mm]", ",f,A", "t [s],f [Hz],A [mm]"] {
         let mut desk = open(RESONANCE, &[]);
-        let data = text(heads, &[|at| at, |at| 0.5 + 0.1 * at, |at| 3.0 + at.sin()]);
+        let data = text(heads, &[|at| at, |at| 0.5 + 0.1 * at, |at| 3.0 + libm::sin(at)]);
         let id = desk.add_record("a", &data).unwrap();
         assert_eq!(quantities(&desk), ["", "f", "A"], "{heads}");
         assert!(desk.has_points());

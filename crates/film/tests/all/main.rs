@@ -14,6 +14,7 @@ mod damaged_films;
 mod disturbed_columns;
 mod elements;
 mod scenes;
+#[expect(dead_code, reason = "the example `bodies` draws all kinds")]
 mod stage;
 mod staged;
 mod support;

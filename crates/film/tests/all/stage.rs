@@ -104,7 +104,7 @@ impl Stage {
             }
             Kind::Wall => {
                 shades.truncate(1);
-                blocks(&mut dice, &mut wall, [width, height], grey);
+                blocks(&mut dice, &mut wall, width, grey);
             }
             Kind::DoublePendulum => {
                 // Before a wall of nearly the same grey, if the colours differ.
@@ -245,7 +245,7 @@ fn leaves(dice: &mut Dice, wall: &mut [[f64; 3]], [width, height]: [usize; 2]) {
     for _ in 0..400 {
         let (x, y) = (dice.between(0.0, width as f64), dice.between(0.0, height as f64));
         let (long, short) = (dice.between(0.02, 0.06) * height as f64, dice.between(0.01, 0.025) * height as f64);
-        let (sine, cosine) = libm::sincos(dice.between(0.0, 3.14));
+        let (sine, cosine) = libm::sincos(dice.between(0.0, std::f64::consts::PI));
         let shade = [dice.between(40.0, 210.0), dice.between(100.0, 128.0), dice.between(95.0, 128.0)];
         for row in ((y - long).max(0.0) as usize)..((y + long).min(height as f64) as usize) {
             for column in ((x - long).max(0.0) as usize)..((x + long).min(width as f64) as usize) {
@@ -260,7 +260,7 @@ fn leaves(dice: &mut Dice, wall: &mut [[f64; 3]], [width, height]: [usize; 2]) {
 }
 
 /// Upright boards with the grey value of the body, some with another colour.
-fn blocks(dice: &mut Dice, wall: &mut [[f64; 3]], [width, height]: [usize; 2], grey: f64) {
+fn blocks(dice: &mut Dice, wall: &mut [[f64; 3]], width: usize, grey: f64) {
     for board in 0..3 {
         let left = (0.15 + 0.3 * f64::from(board)) * width as f64;
         let right = left + dice.between(0.04, 0.12) * width as f64;
@@ -269,7 +269,6 @@ fn blocks(dice: &mut Dice, wall: &mut [[f64; 3]], [width, height]: [usize; 2], g
             row[left as usize..(right as usize).min(width)].fill([shade[0], shade[1], shade[2]]);
         }
     }
-    let _ = height;
 }
 
 /// A pendulum whose greatest speed is so many radii a frame.
@@ -277,7 +276,7 @@ fn swing(dice: &mut Dice, [wide, high]: [f64; 2], radius: f64, speed: f64, count
     let (length, most) = (dice.between(0.5, 0.75) * high, dice.between(0.3, 0.8));
     // Radians a frame.
     let omega = speed * radius / (length * most);
-    let (decay, phase) = (dice.between(0.0, 0.004), dice.between(0.0, 6.28));
+    let (decay, phase) = (dice.between(0.0, 0.004), dice.between(0.0, std::f64::consts::TAU));
     let place = |k: usize| {
         let t = k as f64 / FINE as f64;
         let angle = most * libm::exp(-decay * t) * libm::cos(omega * t + phase);

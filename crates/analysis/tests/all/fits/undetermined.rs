@@ -139,7 +139,8 @@ fn a_fit_never_ends_above_the_best_that_it_had() {
             start = end;
         }
     };
-    let cases: [(&str, &[&str], &dyn Fn(f64) -> f64); 3] =
+    type Case<'a> = (&'a str, &'a [&'a str], &'a dyn Fn(f64) -> f64);
+    let cases: [Case; 3] =
         [(sum, &["a", "b", "p", "q"], &decay), (motion, &["k", "r", "m", "x_0"], &swing), (fall, &["h", "e"], &bounce)];
     for (text, names, curve) in cases {
         let model = model(text);

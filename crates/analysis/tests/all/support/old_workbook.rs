@@ -25,10 +25,14 @@ pub enum Cell {
 const STYLES: [u16; 7] = [0, 9, 14, 46, 164, 165, 10];
 const FORMATS: [(u16, &str); 2] = [(164, "yyyy-mm-dd hh:mm:ss.000"), (165, "0.0\"%\"")];
 
+/// A cell with its row and column.
+pub type Placed = (u16, u16, Cell);
+
 /// A workbook.
 #[derive(Clone, Debug, Default)]
 pub struct OldWorkbook {
-    pub sheets: Vec<(&'static str, Vec<(u16, u16, Cell)>)>,
+    /// Names, and cells with row and column.
+    pub sheets: Vec<(&'static str, Vec<Placed>)>,
     /// The shared texts. Each may be divided into pieces, behind each of which a record ends; true for two bytes a character.
     pub texts: Vec<Vec<(&'static str, bool)>>,
     pub from_1904: bool,

@@ -142,3 +142,12 @@ pub fn body(delimiter: &str, words: Option<usize>, comma: bool) -> String {
     }
     text
 }
+
+/// A file with one heading over `v`.
+pub fn over(heading: &str, delimiter: &str) -> Vec<u8> {
+    let mut text = format!("t (s){delimiter}{heading}\n");
+    for row in rows() {
+        text.push_str(&format!("{:.2}{delimiter}{:.2}\n", row[0], row[1]));
+    }
+    text.into_bytes()
+}

@@ -1,7 +1,7 @@
 //! From what was seen to a track.
 
 use crate::tracking::body::refining::Seen;
-use crate::tracking::body::{Settings, Template};
+use crate::tracking::body::template::Template;
 use crate::tracking::errors::scaled;
 use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{Known, Point, Readout, Track};
@@ -22,13 +22,13 @@ const STILL: f64 = 1.0;
 /// The track with times and errors, in the order of time. Doubts are absolute: they compare with the size of the body and with
 /// smooth motion, not with the rest of the track, most of which may be wrong.
 pub(super) fn joined(
-    settings: &Settings,
+    readout: Known,
     templates: &[Template],
     height: f64,
     (seen, cameras): (&[Seen], &[Similarity]),
     lost: Option<usize>,
 ) -> Track {
-    let readout = match settings.readout {
+    let readout = match readout {
         Known::Seconds(seconds) => Some(Readout { seconds, sigma: 0.0 }),
         Known::Estimated => None,
     };

@@ -280,7 +280,7 @@ impl Body {
             if self.seen.is_empty() || refining.step(&mut self.seen) {
                 let height = self.size.map_or(1.0, |(_, height)| height as f64);
                 let seen = (self.seen.as_slice(), self.cameras.as_slice());
-                self.track = Some(joined(&self.settings, &self.templates, height, seen, self.lost));
+                self.track = Some(joined(self.settings.readout, &self.templates, height, seen, self.lost));
             }
         }
         self.track.is_some()

@@ -4,7 +4,7 @@ use super::frames::go;
 use super::now::now;
 use super::words;
 use crate::app::App;
-use desk::Doubt;
+use desk::{Doubt, DoubtfulFrame};
 use view::icons;
 use view::views::*;
 
@@ -57,7 +57,7 @@ pub fn list(app: App) -> View {
         }
         let language = app.language.get_untracked();
         // What was lost decides over all that follows: it is never behind what is left out.
-        let (lost, others): (Vec<_>, Vec<_>) = doubts.iter().partition(|doubt| doubt.doubt == Doubt::Lost);
+        let (lost, others): (Vec<DoubtfulFrame>, Vec<_>) = doubts.iter().partition(|doubt| doubt.doubt == Doubt::Lost);
         let named = lost.iter().chain(others.iter().take(NAMED)).map(|doubt| {
             let frame = doubt.frame;
             let name = format!("{} {}: {}", words.frame, frame + 1, doubt.doubt.words().text(language));

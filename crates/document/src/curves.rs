@@ -75,25 +75,25 @@ pub fn labelled(source: &str, range: Range<usize>) -> (Range<usize>, Option<Stri
 /// Reads the curve that fills `range`.
 pub fn read(expressions: &mut Expressions, range: Range<usize>) -> Option<Placed> {
     let (range, label) = labelled(expressions.source, range);
-    let written = range.clone();
-    expression(expressions, range, written, label)
+    let value = expressions.number(range.clone())?;
+    Some(placed(expressions, value, range.clone(), range, label))
 }
 
-/// A curve with the value of the expression in `range`, which is shown as what stands in `written`.
-pub fn expression(
-    expressions: &mut Expressions,
+/// A curve with the value of the expression in `range`. Without a label it has that of the name that fills `named`, if one does.
+pub fn placed(
+    expressions: &Expressions,
+    value: crate::expressions::Placed,
     range: Range<usize>,
-    written: Range<usize>,
+    named: Range<usize>,
     label: Option<String>,
-) -> Option<Placed> {
+) -> Placed {
     let source = expressions.source;
-    let value = expressions.number(range.clone())?.value;
     let span = Span::new(range.start, range.end);
-    let named = label.is_some();
-    let label = label.or_else(|| label_of_name(expressions, range));
-    let shown = without_unit(&source[written.clone()]).len();
-    let expression = model::spaced(source, written.start..written.start + shown);
-    Some(Placed { curve: Curve { expression, label, named, value }, span })
+    let is_named = label.is_some();
+    let label = label.or_else(|| label_of_name(expressions, named));
+    let shown = without_unit(&source[range.clone()]).len();
+    let expression = model::spaced(source, range.start..range.start + shown);
+    Placed { curve: Curve { expression, label, named: is_named, value: value.value }, span }
 }
 
 /// An expression without the unit that is stated after it, which stands beside its name anyway.

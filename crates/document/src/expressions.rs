@@ -304,7 +304,7 @@ impl<'a> Expressions<'a> {
     }
 
     /// An expression with the scene's own names put in. None if something in it could not be read, or it is too large.
-    fn completed(&mut self, mut expression: Expression) -> Option<Expression> {
+    pub fn completed(&mut self, mut expression: Expression) -> Option<Expression> {
         let mut nodes = 0;
         if !self.local.is_empty() {
             self.replace(&mut expression, &mut nodes);

@@ -89,8 +89,8 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
     if points && members::find(source, parts.last()?.clone()).is_none() {
         let part = parts.last_mut()?;
         let against = find_word(source, part.clone(), "against");
-        if against.is_some_and(|against| sweeps::find(source, against.end..part.end).is_some()) {
-            kind = sweeps::Kind::Points(points_of_runs(expressions, part)?);
+        if let Some(against) = against.filter(|against| sweeps::find(source, against.end..part.end).is_some()) {
+            kind = sweeps::Kind::Points(points_of_runs(expressions, part, against.end)?);
         } else {
             at_moments = Some(moments(expressions, part)?);
         }
@@ -189,11 +189,11 @@ fn moments(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Dra
     every(expressions, part).map(Drawing::Every)
 }
 
-/// What counts the event at which points of runs are taken, `at drive` at the end of `part`, which is taken off it. A run that
-/// counts has a point at each count.
-fn points_of_runs(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Option<NodeId>> {
+/// What counts the event at which points of runs are taken, `at drive` at the end of `part` behind the parameter, which begins at
+/// `across`. It is taken off. A run that counts has a point at each count.
+fn points_of_runs(expressions: &mut Expressions, part: &mut Range<usize>, across: usize) -> Option<Option<NodeId>> {
     let source = expressions.source;
-    if let Some(at) = find_word(source, part.clone(), "at") {
+    if let Some(at) = find_word(source, part.clone(), "at").filter(|at| at.start > across) {
         let event = trim(source, at.end..part.end);
         part.end = at.start;
         return firings(expressions, event).map(Some);

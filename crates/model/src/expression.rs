@@ -19,14 +19,14 @@ use units::{Unit, words};
 /// them for one expression, is there for the next.
 #[derive(Debug)]
 pub struct Compiler<'a> {
-    model: &'a mut Model,
-    scope: Scope,
-    types: Types,
+    pub(crate) model: &'a mut Model,
+    pub(crate) scope: Scope,
+    pub(crate) types: Types,
     chains: Vec<Chain>,
     lowered: Lowered,
     functions: Functions,
     indices: Bindings,
-    vectors: Vectors,
+    pub(crate) vectors: Vectors,
     /// For the calls of functions.
     budget: Budget,
 }
@@ -113,7 +113,7 @@ impl<'a> Compiler<'a> {
     }
 
     /// An expression without functions of the author's own and without families.
-    fn single<'e>(&mut self, expression: &'e Expression) -> Result<Cow<'e, Expression>, Vec<Diagnostic>> {
+    pub(crate) fn single<'e>(&mut self, expression: &'e Expression) -> Result<Cow<'e, Expression>, Vec<Diagnostic>> {
         let mut found = Vec::new();
         let called = self.functions.expanded(expression, &mut self.budget, &mut found);
         if has_errors(&found) {
@@ -134,7 +134,7 @@ impl<'a> Compiler<'a> {
         Ok(written)
     }
 
-    fn compile_number(
+    pub(crate) fn compile_number(
         &mut self,
         expression: &Expression,
         unit: Option<&StatedUnit>,

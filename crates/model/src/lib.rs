@@ -21,6 +21,7 @@ mod matching;
 mod moments;
 mod names;
 mod notation;
+mod of_runs;
 mod parser;
 mod places;
 mod so_far;

@@ -4,14 +4,14 @@
 //! Reading checks everything that running relies on: a bundle that is read cannot make the engine reach beyond its model.
 
 use crate::{
-    Choices, Compiled, Drag, Dragged, Drawing, Drawn, Members, Model, Node, NodeId, OfDrawing, Parameter, Piece,
-    Program, Scene, Sweep, Taken, Trail,
+    Aggregate, Choices, Compiled, Drag, Dragged, Drawing, Drawn, Members, Model, Node, NodeId, OfDrawing, Parameter,
+    Piece, Program, Scene, Sweep, Taken, Trail,
 };
 
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
 /// The version of the format; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 7;
+const VERSION: u8 = 8;
 /// The longest bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
@@ -63,7 +63,8 @@ pub fn read(bytes: &[u8]) -> Result<Program, BundleError> {
 /// Whether everything that the program refers to by number is there.
 fn check(program: &Program) -> Result<(), BundleError> {
     let model = &program.model;
-    let known = |node: &NodeId| (node.0 as usize) < model.graph.len();
+    let runs = of_runs(model);
+    let known = |node: &NodeId| runs.get(node.0 as usize) == Some(&false);
     let compiled = |value: &Compiled| known(&value.node);
     let parameter = |index: &usize| *index < model.parameters.len();
     let assignments =
@@ -86,7 +87,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && program.speed.as_ref().is_none_or(|speed| speed.per_second.is_finite() && speed.per_second > 0.0)
         && program.vary.iter().all(parameter)
         && program.plots.iter().all(|plot| plot.expressions().all(|curve| compiled(&curve.value)))
-        && program.plots.iter().all(|plot| drawing_exists(&plot.drawing, plot.curves.len(), model))
+        && program.plots.iter().all(|plot| drawing_exists(&plot.drawing, plot.curves.len(), model, &known))
         && program.presets.iter().all(|preset| assignments(&preset.values))
         && program.questions.iter().enumerate().all(|(number, question)| {
             let hidden = |index: &usize| *index < model.quantities.len();
@@ -112,8 +113,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
 }
 
 /// Whether a plot of so many curves can come about as it says.
-fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model) -> bool {
-    let known = |node: &NodeId| (node.0 as usize) < model.graph.len();
+fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model, known: &impl Fn(&NodeId) -> bool) -> bool {
     match drawing {
         Drawing::Run => true,
         Drawing::At(count) => known(count),
@@ -133,11 +133,40 @@ fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model) -> bool {
                 && sweep.step > 0.0
                 && (1..=Sweep::MOST).contains(&sweep.count())
                 && sweep.taken.len() == curves
-                && sweep.taken.iter().all(|taken| *taken == Taken::Value || taken.from() < sweep.until)
+                && sweep.aggregates.len() <= Aggregate::MOST
+                && sweep.aggregates.iter().all(|one| known(&one.of) && sweep.counts_from(one.from))
+                && sweep.taken.iter().all(|taken| is_taken(*taken, sweep, model))
                 && sweep.taken.iter().all(|taken| matches!(taken, Taken::Points(_)) == sweep.is_of_points())
                 && sweep.at.as_ref().is_none_or(known)
         }
     }
+}
+
+/// Whether a curve over the values of a parameter can be computed: it reads no more numbers of a run than are taken.
+fn is_taken(taken: Taken, sweep: &Sweep, model: &Model) -> bool {
+    match taken {
+        Taken::Value => true,
+        Taken::Points(from) => sweep.counts_from(from),
+        Taken::Run(node) => {
+            let numbers = model.parameters.len() + sweep.aggregates.len();
+            (node.0 as usize) < model.graph.len()
+                && sweep.counts_from(0.0)
+                && model.depends(node).parameters.iter().all(|number| (*number as usize) < numbers)
+        }
+    }
+}
+
+/// For each node whether it is computed from parameters behind those of the model, which only [`Taken::Run`] may be.
+fn of_runs(model: &Model) -> Vec<bool> {
+    let mut found: Vec<bool> = Vec::with_capacity(model.graph.len());
+    for number in 0..model.graph.len() {
+        let id = NodeId(number as u32);
+        let mut of_run =
+            matches!(model.graph.node(id), Node::Parameter(index) if index as usize >= model.parameters.len());
+        model.graph.for_each_operand(id, |operand| of_run |= found.get(operand.0 as usize).is_none_or(|one| *one));
+        found.push(of_run);
+    }
+    found
 }
 
 /// Whether each curve that the reader draws belongs to a table, and to no other.
@@ -166,10 +195,9 @@ fn texts_exist(parameter: &Parameter, texts: usize) -> bool {
     }
 }
 
-/// Whether the graph reads parameters and states that there are.
+/// Whether the graph reads states that there are.
 fn inputs_exist(model: &Model) -> bool {
     (0..model.graph.len()).all(|number| match model.graph.node(NodeId(number as u32)) {
-        Node::Parameter(index) => (index as usize) < model.parameters.len(),
         Node::Initial(index) | Node::State(index) => (index as usize) < model.states.len(),
         _ => true,
     })

@@ -95,6 +95,8 @@ pub struct Sweep {
     pub step: f64,
     /// What is drawn of each curve, in their order.
     pub taken: Vec<Taken>,
+    /// What [`Taken::Run`] reads: the value of each is a parameter behind those of the model.
+    pub aggregates: Vec<Aggregate>,
     /// Where the runs end, SI; 0 where none are needed.
     pub until: f64,
     /// What counts the event at whose firings [`Taken::Points`] are taken; each row of a run has them where there is none.
@@ -106,26 +108,53 @@ pub struct Sweep {
 pub enum Taken {
     /// The curve's own value, which parameters alone decide.
     Value,
-    /// Its greatest value in a run from this time on, at rows and events.
-    Maximum(f64),
-    /// Its least value likewise.
-    Minimum(f64),
-    /// Its mean over the time of a run from this time on.
-    Mean(f64),
-    /// Its value at the end of a run.
-    End,
+    /// This expression of [`Sweep::aggregates`], parameters and initial values, and of states and the independent variable
+    /// at the end of the run. The curve's own value is never a number.
+    Run(NodeId),
     /// Points of a run from this time on. All curves of a plot are such, or none.
     Points(f64),
 }
 
-impl Taken {
+/// A number that is taken of a whole run: `maximum(x) from 60 [s]`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Aggregate {
+    /// Which number.
+    pub kind: AggregateKind,
+    /// What it is taken of, along the run.
+    pub of: NodeId,
     /// From when on a run counts (SI).
-    pub fn from(self) -> f64 {
-        match self {
-            Self::Maximum(from) | Self::Minimum(from) | Self::Mean(from) | Self::Points(from) => from,
-            Self::Value | Self::End => 0.0,
+    pub from: f64,
+}
+
+/// Which number is taken of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum AggregateKind {
+    /// The greatest value, at rows and events.
+    Maximum,
+    /// The least value likewise.
+    Minimum,
+    /// The mean over the independent variable.
+    Mean,
+    /// The integral over the independent variable.
+    Integral,
+}
+
+impl AggregateKind {
+    /// The kind that a function of this name takes.
+    pub fn named(name: &str) -> Option<Self> {
+        match name {
+            "maximum" => Some(Self::Maximum),
+            "minimum" => Some(Self::Minimum),
+            "mean" => Some(Self::Mean),
+            "integral" => Some(Self::Integral),
+            _ => None,
         }
     }
+}
+
+impl Aggregate {
+    /// No plot takes more of a run.
+    pub const MOST: usize = 1_000;
 }
 
 impl Sweep {
@@ -138,6 +167,11 @@ impl Sweep {
     /// Whether points are drawn, and no lines.
     pub fn is_of_points(&self) -> bool {
         self.taken.iter().any(|taken| matches!(taken, Taken::Points(_)))
+    }
+
+    /// Whether a run can count from a time on (SI).
+    pub fn counts_from(&self, from: f64) -> bool {
+        (0.0..self.until).contains(&from)
     }
 
     /// How many values there are; at most one more than [`Self::MOST`].

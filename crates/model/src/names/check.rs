@@ -209,6 +209,8 @@ impl<'a> NameCheck<'a> {
                     ))
                     .with_fix(name.span.after(), "*");
             }
+        } else if let Some(refusal) = foreign::of_runs(name, arguments) {
+            diagnostic = refusal;
         } else if let Some(hint) = foreign::instead_of(self.scope, name, arguments) {
             diagnostic = diagnostic.with_hint(hint);
             if let Some(derivative) = foreign::derivative_of(name, arguments) {

@@ -4,14 +4,12 @@ use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
 use crate::notation::{primed, quote};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name};
+use program::AggregateKind;
 use program::functions::Function;
 use units::{Words, words};
 
 /// What derivatives are written with elsewhere.
 const DERIVATIVES: [&str; 5] = ["der", "diff", "deriv", "derivative", "D"];
-
-/// What only the model has, because a run remembers it.
-const REMEMBERED: [&str; 4] = ["maximum", "minimum", "mean", "integral"];
 
 /// What vectors are made with elsewhere.
 const VECTORS: [&str; 7] = ["vector", "vec", "Vector", "vec2", "vec3", "Vec2", "Vec3"];
@@ -77,13 +75,6 @@ pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression
             "`{text}` es para vectores, y aquí no hay ninguno: se definen así: `r = (x, y)`"
         ));
     }
-    if REMEMBERED.contains(&text.as_str()) && arguments.len() == 1 {
-        let name = name.map_or("x", String::as_str);
-        return Some(words!(
-            "a run remembers only what the model asks for: write `{name}_1 = {text}({name})` there",
-            "una simulación solo recuerda lo que el modelo pide: escribe allí `{name}_1 = {text}({name})`"
-        ));
-    }
     let name = name.filter(|_| arguments.len() == 1)?;
     matches!(scope.meaning(name), Some(Meaning::Independent)).then(|| {
         words!(
@@ -91,6 +82,46 @@ pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression
             "escribe solo `{text}`: toda magnitud puede depender de `{name}`"
         )
     })
+}
+
+/// What is said of `maximum(x)` where a moment has no such value, and of `maximum(a, b)`.
+pub(super) fn of_runs(function: &Name, arguments: &[Expression]) -> Option<Diagnostic> {
+    let text = &function.text;
+    let kind = AggregateKind::named(text)?;
+    let [argument] = arguments else {
+        let count = arguments.len();
+        let message = words!(
+            "`{text}` takes 1 argument, and {count} were given",
+            "`{text}` toma 1 argumento, y se dieron {count}"
+        );
+        let of_several = match kind {
+            AggregateKind::Maximum => Some(words(
+                "the greatest of several numbers is `max(a, b)`",
+                "el mayor de varios números es `max(a, b)`",
+            )),
+            AggregateKind::Minimum => {
+                Some(words("the least of several numbers is `min(a, b)`", "el menor de varios números es `min(a, b)`"))
+            }
+            AggregateKind::Mean | AggregateKind::Integral => None,
+        };
+        let diagnostic = Diagnostic::error("wrong-argument-count", message, function.span);
+        return Some(match of_several {
+            Some(hint) => diagnostic.with_hint(hint),
+            None => diagnostic,
+        });
+    };
+    let name = match &argument.kind {
+        ExpressionKind::Name { name, order: 0 } => name.as_str(),
+        _ => "x",
+    };
+    let message = words!(
+        "`{text}` cannot stand here: it is taken of a run, and here is one moment of it",
+        "`{text}` no puede ir aquí: se toma de una simulación, y aquí solo hay un instante"
+    );
+    Some(Diagnostic::error("unknown-function", message, function.span).with_hint(words!(
+        "a run remembers only what the model asks for: write `{name}_1 = {text}({name})` there",
+        "una simulación solo recuerda lo que el modelo pide: escribe allí `{name}_1 = {text}({name})`"
+    )))
 }
 
 /// `y'` for `diff(y)` and `diff(y, t)`.

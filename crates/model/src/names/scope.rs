@@ -82,6 +82,14 @@ impl Scope {
         }
     }
 
+    /// Gives a name another meaning, or none. Returns the former one, with which the same call takes this back.
+    pub fn exchange(&mut self, name: &str, meaning: Option<Meaning>) -> Option<Meaning> {
+        match meaning {
+            Some(meaning) => self.meanings.insert(name.to_owned(), meaning),
+            None => self.meanings.remove(name),
+        }
+    }
+
     /// Declares functions of the author's own.
     pub fn declare_functions<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         self.functions.extend(names.into_iter().map(str::to_owned));

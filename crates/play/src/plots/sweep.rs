@@ -3,7 +3,7 @@
 use crate::time::course::Course;
 use engine::{Advance, Readings, Run, RunError, Setup};
 use figure::Interval;
-use program::{Model, NodeId, Plot, Sweep, Taken};
+use program::{Aggregate, AggregateKind, Model, NodeId, Plot, Sweep, Taken};
 use units::Unit;
 
 /// The curves of one plot over the values of a parameter, as far as they are computed.
@@ -13,7 +13,10 @@ pub(crate) struct Swept {
     /// The unit of the horizontal axis, and of each curve.
     unit: Unit,
     units: Vec<Unit>,
-    readings: Readings,
+    /// What is read at each row of a run: what aggregates are taken of, or what points are drawn of and their event.
+    rows: Readings,
+    /// What is drawn of each curve.
+    drawn: Readings,
     /// Computes the start of a run, on which definitions may depend.
     initial: Readings,
     /// What the values were computed with.
@@ -33,7 +36,7 @@ pub(crate) struct Swept {
 #[derive(Debug)]
 struct Going {
     run: Run,
-    /// Of each curve what was taken so far.
+    /// Of each aggregate what was taken so far.
     folds: Vec<Fold>,
     /// Time and values at the row before.
     before: Option<(f64, Vec<f64>)>,
@@ -41,28 +44,26 @@ struct Going {
     points: usize,
 }
 
-/// What is taken of one curve in one run.
+/// An aggregate of one run, as far as the run has come.
 #[derive(Clone, Copy, Debug, Default)]
 struct Fold {
     value: Option<f64>,
-    /// How long a mean has been taken.
+    /// How long an integral has been taken.
     duration: f64,
 }
 
 impl Fold {
     /// Takes the value at `time`, after that at the row before.
-    fn take(&mut self, taken: Taken, before: Option<(f64, f64)>, time: f64, value: f64) {
-        if time < taken.from() {
+    fn take(&mut self, of: &Aggregate, before: Option<(f64, f64)>, time: f64, value: f64) {
+        if time < of.from {
             return;
         }
-        match taken {
-            Taken::Value | Taken::Points(_) => {}
-            Taken::End => self.value = Some(value),
-            Taken::Maximum(_) => self.value = Some(self.value.map_or(value, |greatest| greatest.max(value))),
-            Taken::Minimum(_) => self.value = Some(self.value.map_or(value, |least| least.min(value))),
+        match of.kind {
+            AggregateKind::Maximum => self.value = Some(self.value.map_or(value, |greatest| greatest.max(value))),
+            AggregateKind::Minimum => self.value = Some(self.value.map_or(value, |least| least.min(value))),
             // The trapezoidal rule, which is right for rows at any distance.
-            Taken::Mean(from) => {
-                let Some((start, first)) = before.filter(|(start, _)| *start >= from) else { return };
+            AggregateKind::Mean | AggregateKind::Integral => {
+                let Some((start, first)) = before.filter(|(start, _)| *start >= of.from) else { return };
                 let area = (time - start) * (first + value) / 2.0;
                 self.value = Some(self.value.unwrap_or(0.0) + area);
                 self.duration += time - start;
@@ -70,9 +71,9 @@ impl Fold {
         }
     }
 
-    fn result(self, taken: Taken) -> f64 {
-        match (self.value, taken) {
-            (Some(area), Taken::Mean(_)) => area / self.duration,
+    fn result(self, of: &Aggregate) -> f64 {
+        match (self.value, of.kind) {
+            (Some(area), AggregateKind::Mean) => area / self.duration,
             (value, _) => value.unwrap_or(f64::NAN),
         }
     }
@@ -81,7 +82,16 @@ impl Fold {
 impl Swept {
     /// Of a plot over a range of values, whose curves are drawn in these units.
     pub fn new(model: &Model, plot: &Plot, sweep: &Sweep, units: Vec<Unit>) -> Self {
-        let nodes: Vec<NodeId> = plot.curves.iter().map(|curve| curve.value.node).chain(sweep.at).collect();
+        let own = |(curve, taken): (&program::Curve, &Taken)| match taken {
+            Taken::Run(node) => *node,
+            Taken::Value | Taken::Points(_) => curve.value.node,
+        };
+        let drawn: Vec<NodeId> = plot.curves.iter().zip(&sweep.taken).map(own).collect();
+        let rows: Vec<NodeId> = if sweep.is_of_points() {
+            drawn.iter().copied().chain(sweep.at).collect()
+        } else {
+            sweep.aggregates.iter().map(|aggregate| aggregate.of).collect()
+        };
         let starts: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
         let unit = plot.x.value.unit.clone();
         let count = sweep.count();
@@ -90,8 +100,8 @@ impl Swept {
             x.clear();
         }
         let y = vec![vec![f64::NAN; x.len()]; plot.curves.len()];
-        let (readings, initial) = (Readings::new(model, &nodes), Readings::new(model, &starts));
-        Self { sweep: sweep.clone(), unit, units, readings, initial, setup: None, count, x, y, done: 0, run: None }
+        let [rows, drawn, initial] = [&rows, &drawn, &starts].map(|nodes| Readings::new(model, nodes));
+        Self { sweep: sweep.clone(), unit, units, rows, drawn, initial, setup: None, count, x, y, done: 0, run: None }
     }
 
     /// Whether points are drawn, and no lines.
@@ -138,7 +148,8 @@ impl Swept {
                 *parameter = value;
             }
             let start = self.initial.at(&parameters, &nothing, 0.0, &nothing).to_vec();
-            let values = self.readings.at(&parameters, &start, 0.0, &start);
+            parameters.extend(self.sweep.aggregates.iter().map(|_| f64::NAN));
+            let values = self.drawn.at(&parameters, &start, 0.0, &start);
             for (curve, (column, taken)) in self.y.iter_mut().zip(&self.sweep.taken).enumerate() {
                 if let (Taken::Value, Some(cell), Some(unit)) = (taken, column.get_mut(place), self.units.get(curve)) {
                     *cell = unit.from_si(values.get(curve).copied().unwrap_or(f64::NAN));
@@ -184,7 +195,8 @@ impl Swept {
         let mut setup = self.setup.clone()?;
         *setup.parameters.get_mut(self.sweep.parameter)? = self.sweep.values().nth(self.done)?;
         let run = Run::start(model, setup).ok()?;
-        let mut going = Going { run, folds: vec![Fold::default(); self.sweep.taken.len()], before: None, points: 0 };
+        let mut going =
+            Going { run, folds: vec![Fold::default(); self.sweep.aggregates.len()], before: None, points: 0 };
         self.take(&mut going, 0);
         Some(going)
     }
@@ -196,14 +208,14 @@ impl Swept {
         if time > self.sweep.until * (1.0 + engine::ROUNDING) {
             return;
         }
-        let values = self.readings.at_row(history, row).to_vec();
+        let values = self.rows.at_row(history, row).to_vec();
         if self.is_of_points() {
             self.add_points(going, time, &values);
         }
-        for (curve, (fold, taken)) in going.folds.iter_mut().zip(&self.sweep.taken).enumerate() {
-            let before = going.before.as_ref().and_then(|(time, values)| Some((*time, *values.get(curve)?)));
-            if let Some(value) = values.get(curve) {
-                fold.take(*taken, before, time, *value);
+        for (number, (fold, of)) in going.folds.iter_mut().zip(&self.sweep.aggregates).enumerate() {
+            let before = going.before.as_ref().and_then(|(time, values)| Some((*time, *values.get(number)?)));
+            if let Some(value) = values.get(number) {
+                fold.take(of, before, time, *value);
             }
         }
         going.before = Some((time, values));
@@ -217,7 +229,7 @@ impl Swept {
             (Some(_), Some(before)) if values.last() > before.last() => Some(before),
             (Some(_), _) => None,
         };
-        let counts = |taken: &Taken| time >= taken.from();
+        let counts = |taken: &Taken| matches!(taken, Taken::Points(from) if time >= *from);
         let is_full = going.points >= Sweep::MOST_POINTS / self.count.max(1);
         let Some(values_taken) = taken.filter(|_| !is_full && self.sweep.taken.iter().any(counts)) else { return };
         self.x.push(self.sweep.values().nth(self.done).map_or(f64::NAN, |value| self.unit.from_si(value)));
@@ -230,6 +242,7 @@ impl Swept {
 
     /// Goes on with a run to its end, or as far as the work allows.
     fn go_on(&mut self, mut going: Going, left: &mut u64) {
+        let mut ends = true;
         while going.run.time() < self.sweep.until * (1.0 - engine::ROUNDING) {
             if *left == 0 {
                 self.run = Some(going);
@@ -246,8 +259,7 @@ impl Swept {
                 break;
             }
             if matches!(advance, Err(_) | Ok(Advance::Full)) {
-                // What has no end has no value.
-                going.folds.iter_mut().for_each(|fold| fold.value = None);
+                ends = false;
                 break;
             }
         }
@@ -257,14 +269,29 @@ impl Swept {
         for row in rows..going.run.history().len() {
             self.take(&mut going, row);
         }
-        for (curve, (fold, taken)) in going.folds.iter().zip(&self.sweep.taken).enumerate() {
-            let cell = self.y.get_mut(curve).and_then(|column| column.get_mut(self.done));
-            let is_of_run = !matches!(taken, Taken::Value | Taken::Points(_));
-            if let (Some(cell), Some(unit), true) = (cell, self.units.get(curve), is_of_run) {
-                *cell = unit.from_si(fold.result(*taken));
-            }
+        // What has no end has no value.
+        if ends {
+            self.draw(&going);
         }
         self.done += 1;
+    }
+
+    /// Computes the values of a run that is complete.
+    fn draw(&mut self, going: &Going) {
+        let history = going.run.history();
+        let last = self.sweep.until * (1.0 + engine::ROUNDING);
+        let Some(row) = (0..history.len()).rev().find(|row| history.time(*row) <= last) else { return };
+        let aggregates = going.folds.iter().zip(&self.sweep.aggregates).map(|(fold, of)| fold.result(of));
+        let parameters: Vec<f64> = history.parameters(row).iter().copied().chain(aggregates).collect();
+        let mut state = vec![0.0; history.states()];
+        history.state(row, &mut state);
+        let values = self.drawn.at(&parameters, history.initial(), history.time(row), &state);
+        let columns = self.y.iter_mut().zip(&self.sweep.taken).zip(values.iter().zip(&self.units));
+        for ((column, taken), (value, unit)) in columns {
+            if let (Some(cell), Taken::Run(_)) = (column.get_mut(self.done), taken) {
+                *cell = unit.from_si(*value);
+            }
+        }
     }
 
     /// The parameter's value and those of the definitions at the moment shown, in the units of the axes.

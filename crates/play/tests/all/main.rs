@@ -22,4 +22,5 @@ mod sharing;
 mod simulations;
 mod sizes;
 mod support;
+mod sweeps;
 mod trails;

@@ -1,0 +1,222 @@
+//! What is drawn for each value of the parameter: `A`, `maximum(x) - minimum(x) from 60 [s] in [cm] "Range"`, `x at end`.
+
+use super::range;
+use crate::curves::{self, Placed};
+use crate::expressions::Expressions;
+use crate::scan::find_word;
+use crate::source::trim;
+use model::{Diagnostic, Expression, ExpressionKind, Span, StatedUnit};
+use program::{Aggregate, AggregateKind, Taken};
+use std::ops::Range;
+use units::{Unit, words};
+
+/// A curve, and how it comes about.
+pub(super) struct Drawn {
+    pub curve: Placed,
+    pub taken: Taken,
+    /// From when on runs count (SI).
+    pub from: f64,
+}
+
+/// What stands behind an expression, in any order.
+struct Written {
+    body: Range<usize>,
+    label: Option<String>,
+    /// `in [cm]`, if something else stands before it; what stands directly behind the expression is read with it.
+    unit: Option<StatedUnit>,
+    /// The time (SI), and where it stands with its word.
+    from: Option<(f64, Span)>,
+    /// Where `at end` stands.
+    at_end: Option<Span>,
+}
+
+/// An expression of parameters, of what is taken of a run, or of values at its end.
+pub(super) fn line(
+    expressions: &mut Expressions,
+    range: Range<usize>,
+    aggregates: &mut Vec<Aggregate>,
+) -> Option<Drawn> {
+    let written = written(expressions, range)?;
+    let (value, unit) = read(expressions, &written)?;
+    let from = written.from.map_or(0.0, |(from, _)| from);
+    let known = aggregates.len();
+    // What the same function is taken of has the label of a curve of it alone.
+    let named = match &value.kind {
+        ExpressionKind::Call { function, arguments } => (arguments.first())
+            .filter(|_| AggregateKind::named(&function.text).is_some())
+            .map_or(written.body.clone(), |argument| argument.span.range()),
+        _ => written.body.clone(),
+    };
+    let of_run = of_run(expressions, value, unit.as_ref(), (from, aggregates))?;
+    let node = of_run.value.node;
+    let (dependence, own) = (expressions.model().depends(node), expressions.model().parameters.len());
+    let varies = dependence.varies();
+    let takes = aggregates.len() > known || dependence.parameters.iter().any(|number| *number as usize >= own);
+    if let (Some((_, place)), false) = (written.from, takes) {
+        nothing_taken(expressions, place, &written);
+        return None;
+    }
+    let mut curve = curves::placed(expressions, of_run, written.body, named, written.label);
+    if written.at_end.is_none() && varies {
+        refuse_varying(expressions, &curve, takes);
+        return None;
+    }
+    if written.at_end.is_none() && !takes {
+        return Some(Drawn { curve, taken: Taken::Value, from });
+    }
+    if written.at_end.is_some() {
+        curve.curve.expression.push_str(" at end");
+    }
+    curve.curve.value.node = expressions.graph().constant(f64::NAN);
+    Some(Drawn { curve, taken: Taken::Run(node), from })
+}
+
+/// `x from 60 [s] "Position"`, of which points are drawn.
+pub(super) fn points(expressions: &mut Expressions, range: Range<usize>) -> Option<Drawn> {
+    let written = written(expressions, range)?;
+    if let Some(place) = written.at_end {
+        let message = words("points are drawn of the whole run", "los puntos se dibujan de toda la serie");
+        expressions.diagnostics.push(Diagnostic::error("sweep", message, place).with_hint(words(
+            "leave out `at end`, or leave out `points` for one value of each run",
+            "quita `at end`, o quita `points` para un solo valor de cada serie",
+        )));
+        return None;
+    }
+    let (value, unit) = read(expressions, &written)?;
+    let value = expressions.place(value, unit.as_ref())?;
+    let value = expressions.expect_number(value)?;
+    let from = written.from.map_or(0.0, |(from, _)| from);
+    let named = written.body.clone();
+    let curve = curves::placed(expressions, value, written.body, named, written.label);
+    Some(Drawn { curve, taken: Taken::Points(from), from })
+}
+
+/// Takes label, unit, time and `at end` off the end of a curve.
+fn written(expressions: &mut Expressions, range: Range<usize>) -> Option<Written> {
+    let source = expressions.source;
+    let (body, label) = curves::labelled(source, range);
+    let mut written = Written { body, label, unit: None, from: None, at_end: None };
+    loop {
+        let body = written.body.clone();
+        let word = |word| find_word(source, body.clone(), word);
+        let words = [word("in"), word("from"), word("at")];
+        let Some(last) = words.iter().flatten().max_by_key(|word| word.start).cloned() else { break };
+        let (place, rest) = (Span::new(last.start, body.end), trim(source, last.end..body.end));
+        let before = trim(source, body.start..last.start);
+        match &source[last.clone()] {
+            "from" if written.from.is_none() => written.from = Some((range::moment(expressions, rest)?, place)),
+            "at" if written.at_end.is_none() && &source[rest.clone()] == "end" => written.at_end = Some(place),
+            // A unit directly behind the expression is read with it.
+            "in" if written.unit.is_none() && [word("from"), word("at")].iter().any(Option::is_some) => {
+                written.unit = Some(stated(expressions, rest)?);
+            }
+            _ => break,
+        }
+        written.body = before;
+    }
+    Some(written)
+}
+
+/// The expression and its unit.
+fn read(expressions: &mut Expressions, written: &Written) -> Option<(Expression, Option<StatedUnit>)> {
+    let (value, unit, found) = model::parse_expression(expressions.source, written.body.clone());
+    let failed = model::has_errors(&found);
+    expressions.diagnostics.extend(found);
+    if failed {
+        return None;
+    }
+    if let (Some(first), Some(second)) = (&unit, &written.unit) {
+        let message = words("the unit is stated twice", "la unidad se indica dos veces");
+        expressions.diagnostics.push(
+            Diagnostic::error("sweep", message, second.span)
+                .with_label(first.span, words("it is stated here", "se indica aquí"))
+                .with_hint(words("leave one of them out", "quita una de las dos")),
+        );
+        return None;
+    }
+    Some((value, unit.or(written.unit.clone())))
+}
+
+/// `[cm]`
+fn stated(expressions: &mut Expressions, range: Range<usize>) -> Option<StatedUnit> {
+    let text = &expressions.source[range.clone()];
+    let span = Span::new(range.start, range.end);
+    let Some(inner) = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')) else {
+        let message = words("a unit in brackets must follow `in`", "tras `in` debe ir una unidad entre corchetes");
+        expressions.diagnostics.push(
+            Diagnostic::error("sweep", message, span)
+                .with_hint(words("write it as in `in [cm]`", "escríbela como en `in [cm]`")),
+        );
+        return None;
+    };
+    match Unit::parse(inner) {
+        Ok(unit) => Some(StatedUnit { unit, span }),
+        Err(error) => {
+            expressions.diagnostics.push(Diagnostic::of_unit(error, range.start + 1, span));
+            None
+        }
+    }
+}
+
+/// An expression of what is taken of a run from a time on (SI), which is added to the aggregates.
+fn of_run(
+    expressions: &mut Expressions,
+    value: Expression,
+    unit: Option<&StatedUnit>,
+    (from, aggregates): (f64, &mut Vec<Aggregate>),
+) -> Option<crate::expressions::Placed> {
+    let value = expressions.completed(value)?;
+    match expressions.compiler.compile_of_run(&value, unit, from, aggregates) {
+        Ok(compiled) => expressions.expect_number(crate::expressions::Placed { value: compiled, span: value.span }),
+        Err(found) => {
+            expressions.diagnostics.extend(found);
+            None
+        }
+    }
+}
+
+/// Says that a time is stated from which on nothing counts.
+fn nothing_taken(expressions: &mut Expressions, place: Span, written: &Written) {
+    let source = expressions.source;
+    let body = &source[written.body.clone()];
+    let message = words!(
+        "`{}` says from when on a run counts, but of these runs only single values are drawn",
+        "`{}` dice desde cuándo cuenta una serie, pero de estas series solo se dibujan valores sueltos",
+        &source[place.range()]
+    );
+    expressions.diagnostics.push(Diagnostic::error("sweep", message, place).with_hint(words!(
+        "say what is taken of each run, as in `maximum({body})` or `mean({body})`, or leave the time out",
+        "di qué se toma de cada serie, como en `maximum({body})` o `mean({body})`, o quita el tiempo"
+    )));
+}
+
+/// Says why a curve has no value for each value of the parameter.
+fn refuse_varying(expressions: &mut Expressions, curve: &Placed, takes: bool) {
+    let name = &curve.curve.expression;
+    let dependence = expressions.model().depends(curve.curve.value.node);
+    let states = &expressions.model().states;
+    let culprit = dependence.states.first().and_then(|number| states.get(*number as usize));
+    let culprit = culprit.map_or_else(|| expressions.model().independent.name.clone(), program::State::name);
+    let diagnostic = if takes {
+        let message = words!(
+            "what `{name}` does not take of the whole run changes during the run",
+            "lo que `{name}` no toma de toda la serie cambia durante la simulación"
+        );
+        Diagnostic::error("sweep", message, curve.span)
+            .saying(words!("depends on {}", "depende de {}", format!("`{culprit}`")))
+            .with_hint(words!(
+                "for the value at the end of each run write `{name} at end`; else put `maximum`, `minimum`, `mean` or `integral` around what changes",
+                "para el valor al final de cada serie escribe `{name} at end`; si no, rodea lo que cambia con `maximum`, `minimum`, `mean` o `integral`"
+            ))
+    } else {
+        let message = words!(
+            "`{name}` changes during a run: it has no value of its own for each value of a parameter",
+            "`{name}` cambia durante la simulación: no tiene un valor propio para cada valor de un parámetro"
+        );
+        Diagnostic::error("sweep", message, curve.span).with_hint(words!(
+            "say what is taken of each run: `maximum({name})`, `minimum({name})`, `mean({name})` or `{name} at end`",
+            "di qué se toma de cada serie: `maximum({name})`, `minimum({name})`, `mean({name})` o `{name} at end`"
+        ))
+    };
+    expressions.diagnostics.push(diagnostic);
+}

@@ -1,0 +1,150 @@
+//! Curves over the values of a parameter: `A against omega in 1..12 [rad/s]`,
+//! `maximum(x) from 60 [s] against omega in 1..12 [rad/s] step 0.1`, and `points x from 50 against r in 2.5..4`.
+
+mod drawn;
+mod range;
+
+use crate::curves::{self, Placed};
+use crate::expressions::Expressions;
+use crate::scan::find_word;
+use crate::source::trim;
+use model::{Diagnostic, ExpressionKind, Name, Span};
+use program::{Choices, NodeId, Sweep, Taken};
+use range::limits;
+use std::ops::Range;
+use units::words;
+
+/// How many values a curve of a definition has where the document does not say, and how many one of runs.
+const VALUES: f64 = 500.0;
+const RUNS: f64 = 60.0;
+
+/// What is drawn over the values.
+#[derive(Clone, Copy)]
+pub enum Kind {
+    /// One value of each run, joined by lines.
+    Lines,
+    /// Points of each run: at the firings of an event that this counts, or at each row.
+    Points(Option<NodeId>),
+}
+
+/// `omega in 1..12 [rad/s] step 0.1`, as read: the parameter's name, its range and the step.
+pub struct Swept {
+    name: Range<usize>,
+    range: Range<usize>,
+}
+
+/// What stands after `against`, where it is a range of values.
+pub fn find(source: &str, range: Range<usize>) -> Option<Swept> {
+    let word = find_word(source, range.clone(), "in")?;
+    source[word.end..range.end]
+        .contains("..")
+        .then(|| Swept { name: trim(source, range.start..word.start), range: trim(source, word.end..range.end) })
+}
+
+fn span(range: &Range<usize>) -> Span {
+    Span::new(range.start, range.end)
+}
+
+/// Reads the curves in `parts` over a range of values. `until` is where the runs end (SI).
+pub fn read(
+    expressions: &mut Expressions,
+    parts: Vec<Range<usize>>,
+    (swept, kind): (&Swept, Kind),
+    until: Option<f64>,
+) -> Option<(Placed, Vec<Placed>, Sweep)> {
+    let source = expressions.source;
+    let (name, _, found) = model::parse_expression(source, swept.name.clone());
+    let ExpressionKind::Name { name, order: 0 } = name.kind else {
+        expressions.diagnostics.extend(found);
+        let message = words!(
+            "`{}` is not the name of a parameter",
+            "`{}` no es el nombre de un parámetro",
+            &source[swept.name.clone()]
+        );
+        expressions.error("sweep", message, span(&swept.name));
+        return None;
+    };
+    let parameter = expressions.parameter(&Name { text: name.clone(), span: span(&swept.name) })?;
+    let choices = expressions.model().parameters.get(parameter).map(|parameter| &parameter.choices);
+    let is_seed = choices == Some(&Choices::Seed);
+    if !is_seed && choices != Some(&Choices::Numbers) {
+        let message = words!(
+            "`{name}` has no range of values: it is a switch or a choice",
+            "`{name}` no tiene un intervalo de valores: es un interruptor o una elección"
+        );
+        let diagnostic = Diagnostic::error("sweep", message, span(&swept.name));
+        expressions.diagnostics.push(
+            diagnostic.with_hint(words("sweep a parameter that is a number", "recorre un parámetro que sea un número")),
+        );
+        return None;
+    }
+    let abscissa = curves::read(expressions, swept.name.clone())?;
+    let limits = limits(expressions, swept.range.clone(), &abscissa.curve.value.unit.clone())?;
+    let (mut drawn, mut taken, mut aggregates) = (Vec::new(), Vec::new(), Vec::new());
+    let mut first = 0.0_f64;
+    for part in parts {
+        let read = match kind {
+            Kind::Lines => drawn::line(expressions, part, &mut aggregates)?,
+            Kind::Points(_) => drawn::points(expressions, part)?,
+        };
+        first = first.max(read.from);
+        drawn.push(read.curve);
+        taken.push(read.taken);
+    }
+    let runs = taken.iter().any(|taken| *taken != Taken::Value);
+    let part = (limits.high - limits.low) / if runs { RUNS } else { VALUES };
+    let step = limits.step.unwrap_or(if is_seed { 1.0 } else { part });
+    if is_seed && [limits.low, step].iter().any(|number| number.fract() != 0.0) {
+        let message = words("a seed is a whole number", "una semilla es un número entero");
+        expressions.diagnostics.push(
+            Diagnostic::error("sweep", message, span(&swept.range))
+                .with_hint(words("write `seed in 1..60 step 1`", "escribe `seed in 1..60 step 1`")),
+        );
+        return None;
+    }
+    let at = if let Kind::Points(at) = kind { at } else { None };
+    let mut sweep = Sweep { parameter, low: limits.low, high: limits.high, step, taken, aggregates, until: 0.0, at };
+    if sweep.count() > Sweep::MOST {
+        let message = words!(
+            "a curve cannot have more than {} values",
+            "una curva no puede tener más de {} valores",
+            Sweep::MOST
+        );
+        expressions.error("too-large", message, span(&swept.range));
+        return None;
+    }
+    if runs {
+        sweep.until = end(expressions, first, until, span(&swept.range))?;
+    }
+    Some((abscissa, drawn, sweep))
+}
+
+/// Where the runs end, which must be after the time `first` from which the last of the curves counts (SI).
+fn end(expressions: &mut Expressions, first: f64, until: Option<f64>, span: Span) -> Option<f64> {
+    let Some(until) = until else {
+        expressions.diagnostics.push(
+            Diagnostic::error(
+                "sweep",
+                words("it is not said how long these runs are", "no se dice cuánto duran estas series"),
+                span,
+            )
+            .with_hint(words(
+                "write the end of a run into the front matter, such as `until: 100 [s]`",
+                "escribe el final de una serie en la cabecera, por ejemplo `until: 100 [s]`",
+            )),
+        );
+        return None;
+    };
+    if first >= until {
+        expressions.error(
+            "sweep",
+            words(
+                "the runs end before the time from which they count",
+                "las series terminan antes del tiempo desde el que cuentan",
+            ),
+            span,
+        );
+        return None;
+    }
+    Some(until)
+}

@@ -1,0 +1,130 @@
+//! The range of a sweep, and the numbers in it: `1..12 [rad/s] step 0.1`.
+
+use crate::expressions::{Expressions, dimension_error};
+use crate::scan::find_word;
+use crate::source::trim;
+use model::{Diagnostic, Span};
+use std::ops::Range;
+use units::{Unit, words};
+
+/// The ends of a range and the distance of its values, SI.
+pub(super) struct Limits {
+    pub low: f64,
+    pub high: f64,
+    pub step: Option<f64>,
+}
+
+/// `1..12 [rad/s] step 0.1`; bare numbers are in `unit`, or in the unit that is stated. SI.
+pub(super) fn limits(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Option<Limits> {
+    let source = expressions.source;
+    let word = find_word(source, range.clone(), "step");
+    let ends = trim(source, range.start..word.as_ref().map_or(range.end, |word| word.start));
+    let text = &source[ends.clone()];
+    let dots = ends.start + text.find("..")?;
+    let unit = match text.find('[') {
+        Some(bracket) => stated(expressions, ends.start + bracket..ends.end, unit)?,
+        None => unit.clone(),
+    };
+    let upper = dots + 2..text.find('[').map_or(ends.end, |bracket| ends.start + bracket);
+    let low = number(expressions, trim(source, ends.start..dots), &unit)?;
+    let high = number(expressions, trim(source, upper), &unit)?;
+    let step = match word {
+        Some(word) => Some(number(expressions, trim(source, word.end..range.end), &unit)?),
+        None => None,
+    };
+    if low >= high || step.is_some_and(|step| step <= 0.0) {
+        malformed(expressions, &range);
+        return None;
+    }
+    Some(Limits { low, high, step })
+}
+
+/// `60 [s]`, from when on a run counts: a number of the dimension of the independent variable, not negative; SI.
+pub(super) fn moment(expressions: &mut Expressions, range: Range<usize>) -> Option<f64> {
+    let unit = expressions.model().independent.unit.clone();
+    let text = &expressions.source[range.clone()];
+    let bracket = text.find('[');
+    let value = positive(&text[..bracket.unwrap_or(text.len())], &unit);
+    let Some(value) = value else {
+        let message = words(
+            "the time from which a run counts must be a number, 0 or greater",
+            "el tiempo desde el que cuenta una serie debe ser un número, 0 o mayor",
+        );
+        let stated = if unit.text.is_empty() { String::new() } else { format!(" [{unit}]") };
+        expressions.diagnostics.push(Diagnostic::error("sweep", message, Span::new(range.start, range.end)).with_hint(
+            words!("write it out, as in `from 60{stated}`", "escríbelo con cifras, como en `from 60{stated}`"),
+        ));
+        return None;
+    };
+    match bracket {
+        Some(_) => number(expressions, range, &unit),
+        None => Some(value),
+    }
+}
+
+/// A number that is not negative, in `unit`; SI.
+fn positive(text: &str, unit: &Unit) -> Option<f64> {
+    let value = text.trim().parse::<f64>().ok().map(|value| unit.to_si(value))?;
+    (value.is_finite() && value >= 0.0).then_some(value)
+}
+
+/// A number, bare (then in `unit`) or with a unit of the same dimension; SI.
+fn number(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Option<f64> {
+    let text = &expressions.source[range.clone()];
+    let (digits, unit) = match text.find('[') {
+        Some(bracket) => (&text[..bracket], stated(expressions, range.start + bracket..range.end, unit)?),
+        None => (text, unit.clone()),
+    };
+    let value = digits.trim().parse::<f64>().ok().map(|value| unit.to_si(value)).filter(|value| value.is_finite());
+    if value.is_none() {
+        malformed(expressions, &range);
+    }
+    value
+}
+
+/// `[rad/s]`, of the dimension of `unit`.
+fn stated(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Option<Unit> {
+    let text = &expressions.source[range.clone()];
+    let Some(inner) = text.strip_prefix('[').and_then(|text| text.trim_end().strip_suffix(']')) else {
+        malformed(expressions, &range);
+        return None;
+    };
+    match Unit::parse(inner) {
+        Ok(found) if found.dimension == unit.dimension => Some(found),
+        Ok(found) => {
+            let message = words("this unit has the wrong dimension", "esta unidad tiene una dimensión incorrecta");
+            let place = Span::new(range.start, range.end);
+            let mut diagnostic = dimension_error(message, (place, found.dimension), (place, unit.dimension));
+            // Both labels would lie on one another.
+            let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
+            expressions.diagnostics.push(diagnostic.with_note(words!(
+                "it must be {expected}",
+                "debe ser {expected}",
+                expected = expected
+            )));
+            None
+        }
+        Err(error) => {
+            expressions.diagnostics.push(Diagnostic::of_unit(
+                error,
+                range.start + 1,
+                Span::new(range.start, range.end),
+            ));
+            None
+        }
+    }
+}
+
+fn malformed(expressions: &mut Expressions, range: &Range<usize>) {
+    expressions.diagnostics.push(
+        Diagnostic::error(
+            "sweep",
+            words("this is no range of values", "esto no es un intervalo de valores"),
+            Span::new(range.start, range.end),
+        )
+        .with_hint(words(
+            "write numbers, the smaller one first: `omega in 1..12 [rad/s] step 0.1`",
+            "escribe números, primero el menor: `omega in 1..12 [rad/s] step 0.1`",
+        )),
+    );
+}

@@ -7,7 +7,7 @@
 
 use crate::Routine;
 use crate::cubic::Cubic;
-use program::{Model, NodeId};
+use program::{Held, Model, NodeId};
 
 /// What is compared, and where to look.
 #[derive(Clone, Debug)]
@@ -74,8 +74,8 @@ impl Looks {
     const BESIDE: f64 = 1e-6;
 
     /// `None` where no condition depends on states.
-    pub fn new(model: &Model) -> Option<Self> {
-        let compared = model.compared()?;
+    pub fn new(model: &Model, held: Option<&Held>) -> Option<Self> {
+        let compared = model.compared(held)?;
         let slopes: Vec<NodeId> = compared.values.iter().chain(&compared.rates).copied().collect();
         let rates: Vec<NodeId> = compared.model.states.iter().map(|state| state.derivative).collect();
         Some(Self {
@@ -95,7 +95,7 @@ impl Looks {
         })
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters, behind them the values at which the switches are held, and initial values.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         for routine in [&mut self.values, &mut self.slopes, &mut self.motion] {
             routine.prepare(parameters, initial);

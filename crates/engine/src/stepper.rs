@@ -19,7 +19,6 @@ use crate::rosenbrock::Rosenbrock;
 use crate::stability::Stability;
 use crate::start;
 use crate::surfaces::Surfaces;
-use crate::switches::Switches;
 use crate::{Cause, Method, Notice, Routine, RunError, Setup};
 use program::{Model, NodeId};
 
@@ -123,7 +122,7 @@ impl Stepper {
         let mut stepper = Self {
             equations,
             solver,
-            surfaces: Surfaces::new(model, held.as_ref().map(Switches::new).unwrap_or_default()),
+            surfaces: Surfaces::new(model, held.as_ref()),
             method: setup.method,
             step: setup.step,
             index: 0,
@@ -222,6 +221,7 @@ impl Stepper {
 
     fn prepare_equations(&mut self) {
         self.equations.prepare(&self.parameters, self.surfaces.switches.held(), &self.initial);
+        self.surfaces.prepare_looks(&self.parameters, &self.initial);
     }
 
     /// Holds the switches of the equations at their values here; the first that changes and with which the rates

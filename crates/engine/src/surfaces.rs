@@ -7,7 +7,7 @@ use crate::looks::{Dense, Looks};
 use crate::switches::Switches;
 use crate::timetable::Timetable;
 use crate::{Notice, NoticeKind};
-use program::Model;
+use program::{Held, Model};
 
 /// What can end a step before its time.
 #[derive(Clone, Debug)]
@@ -24,10 +24,11 @@ pub(crate) struct Surfaces {
 }
 
 impl Surfaces {
-    pub fn new(model: &Model, switches: Switches) -> Self {
+    pub fn new(model: &Model, held: Option<&Held>) -> Self {
+        let switches = held.map(Switches::new).unwrap_or_default();
         let zeros = vec![0.0; model.states.len()];
         let timetable = Timetable::new(model);
-        let looks = Looks::new(model);
+        let looks = Looks::new(model, held);
         Self { events: Events::new(model), switches, timetable, looks, before: zeros.clone(), beyond: zeros }
     }
 
@@ -41,8 +42,12 @@ impl Surfaces {
         self.events.prepare(parameters, initial);
         self.switches.prepare(parameters, initial);
         self.timetable.prepare(parameters, initial);
+    }
+
+    /// Sets them for the looks within a step, with the values at which the switches are held.
+    pub fn prepare_looks(&mut self, parameters: &[f64], initial: &[f64]) {
         if let Some(looks) = &mut self.looks {
-            looks.prepare(parameters, initial);
+            looks.prepare(&[parameters, self.switches.held()].concat(), initial);
         }
     }
 

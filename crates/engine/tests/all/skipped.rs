@@ -133,3 +133,57 @@ fn a_value_that_ceases_to_be_a_number_hides_no_event() {
     let run = counting(quiet, Method::RungeKutta4, 0.3, 7);
     assert_eq!((run.state()[1], run.notices()), (0.0, Vec::new()));
 }
+
+/// The voltage of a motor, switched by time, by an event, or by a state.
+const VOLTAGES: [&str; 8] = [
+    "if t < T then 0 [V] else 12 [V]",
+    "if t > T and t < T + 0.7 [s] then 12 [V] else 0 [V]",
+    "if mod(t, T) < 0.4*T then 12 [V] else -3 [V]",
+    "12 [V]*sign(sin(2*pi*t/T))",
+    "12 [V]*floor(t/T)/(2 + floor(t/T))",
+    "if on then 12 [V] else 0 [V]",
+    "if w < 3 [1/s] then 12 [V] else 8 [V]",
+    "10 [V] + 2 [V]*sign(3 [1/s] - w)",
+];
+
+/// A motor with this voltage and inductance in H. Events see its current and its speed, and its current has a maximum.
+fn motor(voltage: &str, moment: f64, inductance: f64) -> String {
+    format!(
+        "T = {moment} [s]\nU = {voltage}\ndiscrete on = true\ndiscrete n = 0\n\
+         {inductance} [H]*i' = U - 1 [ohm]*i - 0.5 [V s]*w\n0.05 [kg m^2]*w' = 0.5 [N m/A]*i - 0.02 [N m s]*w\n\
+         i(0) = 0 [A]\nw(0) = 0 [1/s]\nwhen w > 4 [1/s] {{ n = n + 1, on = false }}\nwhen w < 2 [1/s] {{ on = true }}\n\
+         when i > 3 [A] {{ n = n + 1 }}\ni_max = maximum(i)\nwhen i' < -5 [A/s] {{ n = n + 1 }}\n"
+    )
+}
+
+/// The slope of the current jumps with the voltage, and the number that the maximum compares jumps over zero. All of it is seen.
+#[test]
+fn a_switched_voltage_gives_no_false_alarm() {
+    for voltage in VOLTAGES {
+        for (moment, inductance, step) in
+            [(0.33, 0.1, 0.05), (0.5, 0.1, 0.01), (1.0, 0.1, 0.02), (0.7, 0.02, 0.005), (0.61, 0.3, 0.1)]
+        {
+            let text = motor(voltage, moment, inductance);
+            for method in [Method::RungeKutta4, Method::EulerRichardson, Method::DormandPrince, Method::Rosenbrock] {
+                let run = counting(&text, method, step, (2.0 / step) as usize);
+                assert_eq!(run.notices(), [], "{method}, {inductance} H, step {step}, {moment} s: {voltage}");
+            }
+        }
+    }
+}
+
+/// Beside a switched voltage, what may be skipped is still said: a mark on the axis that passes hundreds of times in a step. It acts
+/// after 99 counts only, so that none of its passages ends a step.
+#[test]
+fn a_switched_voltage_hides_no_doubt() {
+    for voltage in VOLTAGES {
+        let fast = "phi' = w + 1 [1/s]\nphi(0) = 0\nwhen sin(20000*phi) > 0 and n > 99 as mark { n = n + 1 }\n";
+        let text = format!("{}{fast}", motor(voltage, 0.05, 0.1));
+        for method in [Method::RungeKutta4, Method::DormandPrince] {
+            let run = counting(&text, method, 0.1, 1);
+            let message = run.notices().first().map(|notice| notice.message(&model(&text)));
+            let message = message.unwrap_or_else(|| panic!("{method}: nothing is said: {voltage}"));
+            assert!(message.english.starts_with("the event `mark` may be"), "{method}, {voltage}: {message:?}");
+        }
+    }
+}

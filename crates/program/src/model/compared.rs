@@ -1,6 +1,6 @@
 //! What the conditions of a model compare: numbers whose zeros are the only moments at which a condition can change.
 
-use super::switches::Motion;
+use super::switches::{Held, Motion};
 use crate::{Model, Node, NodeId, Unary};
 use std::collections::HashSet;
 
@@ -20,14 +20,16 @@ pub struct Compared {
 
 impl Model {
     /// What is compared; `None` where nothing is. What depends on the independent variable alone is scheduled
-    /// ([`Model::timed_switches`]) and not among them.
-    pub fn compared(&self) -> Option<Compared> {
+    /// ([`Model::timed_switches`]) and not among them. The switches of the equations have the values at which they are `held`
+    /// during a step, in these numbers and in their rates: at the end of a step the true ones are already those of the next.
+    pub fn compared(&self, held: Option<&Held>) -> Option<Compared> {
         let conditions = self.events.iter().enumerate().map(|(number, event)| (Some(number), event.condition));
         let switches = self.find_switches().into_iter().filter(|switch| switch.jumps);
         let roots: Vec<_> = conditions.chain(switches.map(|switch| (None, switch.node))).collect();
         let nodes: Vec<NodeId> = roots.iter().map(|(_, node)| *node).collect();
         let moving = self.moving(&self.graph.reachable(&nodes));
-        let mut compared = Compared { model: self.clone(), values: Vec::new(), rates: Vec::new(), events: Vec::new() };
+        let moved = held.map_or(self, |held| &held.model);
+        let mut compared = Compared { model: moved.clone(), values: Vec::new(), rates: Vec::new(), events: Vec::new() };
         let mut seen = HashSet::new();
         for (event, root) in roots {
             for node in self.graph.reachable(&[root]) {
@@ -35,6 +37,9 @@ impl Model {
                     compared.add(node, event, &mut seen);
                 }
             }
+        }
+        if let Some(held) = held {
+            compared.values = held.hold(&mut compared.model.graph, &compared.values);
         }
         compared.rates = compared.model.rates_of(&compared.values);
         (!compared.values.is_empty()).then_some(compared)

@@ -19,6 +19,8 @@ pub struct Held {
     pub model: Model,
     /// What is held, in the order of these parameters.
     pub switches: Vec<Switch>,
+    /// By node of the model that switches, the parameter that holds it.
+    values: HashMap<NodeId, NodeId>,
 }
 
 /// A value in the equations that changes at isolated moments only.
@@ -72,21 +74,11 @@ impl Model {
             switches.push(Switch { node, ..switch });
         }
         let rates: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();
-        let rates = model.graph.rewrite(&rates, |graph, id, node| {
-            let value = *held.get(&id)?;
-            Some(match node {
-                Node::Unary(Unary::Absolute, x) => {
-                    let negative = graph.negate(x);
-                    graph.select(value, negative, x)
-                }
-                Node::Binary(Binary::Minimum | Binary::Maximum, a, b) => graph.select(value, a, b),
-                _ => value,
-            })
-        });
+        let rates = with_held(&mut model.graph, &rates, &held);
         for (state, rate) in model.states.iter_mut().zip(rates) {
             state.derivative = rate;
         }
-        Some(Held { model, switches })
+        Some(Held { model, switches, values: held })
     }
 
     /// The switches whose moments can be known beforehand, in a graph that extends the model's.
@@ -159,6 +151,28 @@ impl Model {
         }
         found
     }
+}
+
+impl Held {
+    /// Nodes of `graph`, which extends that of [`Held::model`], with the switches in them held.
+    pub(super) fn hold(&self, graph: &mut Graph, nodes: &[NodeId]) -> Vec<NodeId> {
+        with_held(graph, nodes, &self.values)
+    }
+}
+
+/// Nodes with the switches in them replaced by what holds these.
+fn with_held(graph: &mut Graph, nodes: &[NodeId], held: &HashMap<NodeId, NodeId>) -> Vec<NodeId> {
+    graph.rewrite(nodes, |graph, id, node| {
+        let value = *held.get(&id)?;
+        Some(match node {
+            Node::Unary(Unary::Absolute, x) => {
+                let negative = graph.negate(x);
+                graph.select(value, negative, x)
+            }
+            Node::Binary(Binary::Minimum | Binary::Maximum, a, b) => graph.select(value, a, b),
+            _ => value,
+        })
+    })
 }
 
 /// Why a value changes between events; the later include the earlier.

@@ -14,7 +14,6 @@ pub(crate) fn warn(model: &Model, places: &Places, declarations: &Declarations, 
     let mut number = 0;
     for event in &declarations.events {
         let crosses = crossing(declarations, event).is_some();
-        let is_own = |name: &str| !moments::is_hidden(name) || discrete_kinds::quantity(name).is_some();
         let of_author = event.actions.iter().any(|action| is_own(&action.name.text));
         if !crosses && event.button.is_none() && (of_author || event.stops) {
             written.push((&model.events[number], places.events[number], event.condition.span));
@@ -24,6 +23,11 @@ pub(crate) fn warn(model: &Model, places: &Places, declarations: &Declarations, 
     true_at_the_start(model, &written, diagnostics);
     let written: Vec<(&Event, Span)> = written.iter().map(|&(event, place, _)| (event, place)).collect();
     set_twice(model, &written, diagnostics);
+}
+
+/// Whether what has this name is the author's own, and not what an event notes of itself.
+fn is_own(name: &str) -> bool {
+    !moments::is_hidden(name) || discrete_kinds::quantity(name).is_some()
 }
 
 /// Events whose conditions are true at the start, as far as the parameters' defaults tell: nothing becomes true there.
@@ -41,10 +45,13 @@ fn true_at_the_start(model: &Model, events: &[(&Event, Span, Span)], diagnostics
     let initial = defaults(&initial, &mut graph, &[]);
     for &(event, _, place) in events {
         let truth = defaults(&[event.condition], &mut graph, &initial);
-        // An action that sets what is set already is not missed.
+        // An action that sets what is set already is not missed, nor is what the event notes of itself.
         let values: Vec<NodeId> = event.actions.iter().map(|(_, value)| *value).collect();
         let values = defaults(&values, &mut graph, &initial);
-        let is_set = |((state, _), value): (&(u32, NodeId), &NodeId)| initial.get(*state as usize) == Some(value);
+        let is_set = |((state, _), value): (&(u32, NodeId), &NodeId)| {
+            let is_hidden = model.states.get(*state as usize).is_some_and(|state| !is_own(&state.variable));
+            is_hidden || initial.get(*state as usize) == Some(value)
+        };
         if !event.stops && event.actions.iter().zip(&values).all(is_set) {
             continue;
         }

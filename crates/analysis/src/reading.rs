@@ -71,6 +71,13 @@ pub struct Contents {
 pub enum ReadingError {
     /// The text is no table.
     Text(ImportError),
+    /// No file of an archive is a table; this is what was wrong with the first.
+    File {
+        /// Its name.
+        name: String,
+        /// Why it is none.
+        error: ImportError,
+    },
     /// No sheet is a table; this is what was wrong with the first.
     Sheet {
         /// Its name.
@@ -89,6 +96,10 @@ impl ReadingError {
     pub fn message(&self, language: Language) -> String {
         match self {
             Self::Text(error) => error.message(language),
+            Self::File { name, error } if language == Spanish => {
+                format!("archivo «{name}», {}", error.message(language))
+            }
+            Self::File { name, error } => format!("file `{name}`, {}", error.message(language)),
             Self::Sheet { name, error } if language == Spanish => format!("hoja «{name}», {}", error.message(language)),
             Self::Sheet { name, error } => format!("sheet `{name}`, {}", error.message(language)),
             Self::Workbook(error) => error.message(language),
@@ -99,7 +110,7 @@ impl ReadingError {
     /// What to do.
     pub fn hint(&self, language: Language) -> &'static str {
         match self {
-            Self::Text(error) | Self::Sheet { error, .. } => error.hint(language),
+            Self::Text(error) | Self::File { error, .. } | Self::Sheet { error, .. } => error.hint(language),
             Self::Workbook(error) => error.hint(language),
             Self::Project(error) => error.hint(language),
         }
@@ -192,6 +203,7 @@ impl Reading {
                 }
                 Progress::End => {
                     return Err(match self.passed.take() {
+                        Some((name, error)) if workbook.holds_texts() => ReadingError::File { name, error },
                         Some((name, error)) => ReadingError::Sheet { name, error },
                         None => ReadingError::Workbook(WorkbookError::NoCells),
                     });

@@ -16,7 +16,7 @@ pub(super) struct Exchange {
     pairs: Vec<[usize; 2]>,
     /// The one that is tried at present.
     present: Option<[usize; 2]>,
-    /// Which give the same curve.
+    /// Those that give the same curve.
     pub found: Vec<[usize; 2]>,
 }
 
@@ -73,7 +73,7 @@ impl Exchange {
         None
     }
 
-    /// Whether a formula with an exchanged pair is near some of the values, so that it is worth a search.
+    /// True if a formula with an exchanged pair is near some of the values, so that it is worth a search.
     fn is_near(problem: &mut Problem, best: &Search, start: &[f64]) -> bool {
         let plans: Vec<Plan> = problem.plans.iter().map(start::thinned).collect();
         let nothing = Self::NOTHING * problem.total;

@@ -239,7 +239,7 @@ fn other_archives_are_read_or_refused_with_what_is_in_them() {
     assert!(
         error.message(Language::English).contains("`b.pdf`") && error.message(Language::Spanish).contains("«b.pdf»")
     );
-    assert!(matches!(refused(&[("a.csv".to_owned(), "no table".to_owned())]), ReadingError::Sheet { .. }));
+    assert!(matches!(refused(&[("a.csv".to_owned(), "no table".to_owned())]), ReadingError::File { .. }));
     // Few bytes that become many.
     let large = "0.1,0.2\n".repeat(500_000);
     let error = refused(&[("a.csv".to_owned(), large.clone()), ("b.csv".to_owned(), large)]);

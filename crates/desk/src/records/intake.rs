@@ -183,6 +183,7 @@ impl Desk {
             said,
             against: Vec::new(),
             settled: false,
+            readings: Vec::new(),
             computed: inspection.derived.iter().map(|derived| (derived.column, derived.of)).collect(),
             made: Vec::new(),
             shown: true,

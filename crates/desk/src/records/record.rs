@@ -39,6 +39,8 @@ pub(crate) struct Record {
     pub against: Vec<usize>,
     /// Whether the independent variable is another one than the text suggests.
     pub settled: bool,
+    /// The readings of the file as read, where there are several; they stay on offer when one has been chosen.
+    pub readings: Vec<Vec<usize>>,
     /// Columns that were computed from others: which, and from which.
     pub computed: Vec<(usize, usize)>,
     /// The last columns, which a person had made of others.

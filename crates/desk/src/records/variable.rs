@@ -53,6 +53,7 @@ impl Record {
         if before {
             self.table.read_roles();
         }
+        self.readings.clone_from(&self.table.readings);
         let remark = if self.against.is_empty() {
             self.table.suit(&variable.name, variable.unit.dimension, &[])
         } else {
@@ -76,8 +77,8 @@ impl Record {
     pub(crate) fn variables(&self, language: Language) -> Vec<VariableView> {
         let table = &self.table;
         let now: Vec<usize> = table.clocks().filter(|index| *index < self.read_columns()).collect();
-        let mut found = table.readings.clone();
-        if found.is_empty() {
+        let mut found = if table.readings.is_empty() { &self.readings } else { &table.readings }.clone();
+        if table.readings.is_empty() && !found.contains(&now) {
             found.push(now.clone());
         }
         let filled = |index: &usize| table.columns.get(*index).is_some_and(|column| column.filled() > 1);

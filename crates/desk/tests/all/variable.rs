@@ -42,6 +42,7 @@ fn an_open_variable_is_asked_for_and_measures_nothing_before() {
         desk.set_record_variable(id, &reading);
         assert_eq!(quantities(&desk)[..2], ["t", "y"]);
         assert!(desk.has_points() && choices(&desk).1.is_some());
+        assert_eq!(choices(&desk).0[..2], texts[..2], "both stay on offer");
         let mut later = utube();
         bring_back_records(&mut later, &desk.saved_records());
         assert_eq!((quantities(&later), choices(&later)), (quantities(&desk), choices(&desk)));

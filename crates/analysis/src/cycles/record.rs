@@ -43,6 +43,8 @@ pub enum NoCycles {
 const BEYOND_NOISE: f64 = 3.0;
 /// Periods of sinusoids that are so many standard errors from those between crossings belong to another shape.
 const OFF: f64 = 2.5;
+/// A polynomial through a crossing misses it by this part of a period where the damping is strong, whatever the noise is.
+const SYSTEMATIC: f64 = 2e-4;
 /// So many times a drift is looked for in what is left without it.
 const DRIFT_ROUNDS: usize = 3;
 /// A cycle by itself is measured from so many rows a period at least: eight rows for the five numbers of three half-cycles.
@@ -148,5 +150,6 @@ fn is_another_shape(sinusoids: &[Cycle], crossings: &[Cycle]) -> bool {
     // Of a sinusoid, the better estimate is correlated with the other one: the variance of their difference is the difference of
     // the variances (J. A. Hausman, Econometrica 46 (1978) 1251).
     let variance = (other.error * other.error - one.error * one.error).max(0.25 * one.error * one.error);
-    (one.value - other.value).abs() > OFF * variance.sqrt()
+    let systematic = SYSTEMATIC * one.value;
+    (one.value - other.value).abs() > OFF * (variance + systematic * systematic).sqrt()
 }

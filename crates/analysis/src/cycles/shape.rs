@@ -25,8 +25,9 @@ const FREE: usize = 100;
 const STEEP: f64 = 0.7;
 
 /// Each cycle around a turning point that has two crossings to either side. A period is the mean of the two between crossings
-/// in the same direction, one downwards and one upwards; the amplitude, half the height between the turning point and the mean
-/// of its neighbours. The noise of neighbouring rows is correlated by `rho`.
+/// in the same direction, one downwards and one upwards. The decrement follows from the heights before and after the turning
+/// point, half a period apart; the amplitude is half the height between the turning point and the mean of its neighbours, of
+/// which the later one counts more as it has decayed more. The noise of neighbouring rows is correlated by `rho`.
 pub(super) fn cycles(times: &[f64], values: &[f64], rho: f64) -> Vec<Cycle> {
     let points = Points { times, values };
     let rho = rho.min(MOST);
@@ -244,15 +245,19 @@ fn cycle(crossings: &[Measured], turns: &[(Measured, Measured)]) -> Option<Cycle
     let squares = |of: &[Measured]| of.iter().map(|one| one.error * one.error).sum::<f64>();
     let period =
         Measured { value: ((c.value - a.value) + (d.value - b.value)) / 2.0, error: squares(crossings).sqrt() / 2.0 };
-    let others = (before.value + after.value) / 2.0;
-    let beside = squares(&[before, after]) / 4.0;
-    let amplitude =
-        Measured { value: (own.value - others).abs() / 2.0, error: (own.error * own.error + beside).sqrt() / 2.0 };
+    // Heights half a period apart, in which the level cancels.
+    let (early, late) = ((before.value - own.value).abs(), (own.value - after.value).abs());
+    let ratio = early / late;
+    // In a geometric decay these are as far from the level as the turning point itself.
+    let others = (before.value + ratio * after.value) / (1.0 + ratio);
+    let beside = libm::hypot(before.error, ratio * after.error) / (1.0 + ratio);
+    let amplitude = Measured { value: (own.value - others).abs() / 2.0, error: libm::hypot(own.error, beside) / 2.0 };
     let offset = Measured { value: (own.value + others) / 2.0, error: amplitude.error };
-    // One period lies between the neighbours.
-    let (early, late) = ((before.value - offset.value).abs(), (after.value - offset.value).abs());
-    let decrement =
-        Measured { value: libm::log(early / late), error: libm::hypot(before.error / early, after.error / late) };
+    let error = libm::hypot(before.error / early, after.error / late);
+    let decrement = Measured {
+        value: 2.0 * libm::log(ratio),
+        error: 2.0 * libm::hypot(error, own.error * (1.0 / early - 1.0 / late)),
+    };
     let angular_frequency =
         Measured { value: TAU / period.value, error: TAU * period.error / (period.value * period.value) };
     let damping = Measured {

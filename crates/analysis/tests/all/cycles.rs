@@ -63,6 +63,30 @@ fn without_noise_the_numbers_are_exact() {
 
 /// Frequency that grows by a tenth and damping that doubles: what a table of cycles is for.
 #[test]
+fn strong_damping_is_right_however_dense_the_rows_are() {
+    let mut counted = 0;
+    for damping in [0.05, 0.25, 0.5, 1.0, 1.4] {
+        for step in [0.01, 0.02, 0.03, 0.05] {
+            for (unit, level, phase) in [(1e-3, 0.0, 0.0), (1e-9, 0.0, 0.0), (1e-3, 3.0, 1.0), (1e-9, -2.0, 2.5)] {
+                let times: Vec<f64> = (0..(4.0 / step) as u32).map(|row| step * f64::from(row)).collect();
+                let value = |t: &f64| level + 5.0 * libm::exp(-damping * t) * libm::cos(8.0 * t + phase);
+                let values: Vec<f64> = times.iter().map(value).map(|value| (value / unit).round() * unit).collect();
+                let found = cycles(&times, &values).expect("an oscillation");
+                for cycle in &found.cycles {
+                    let off = (cycle.decrement.value - damping * core::f64::consts::TAU / 8.0).abs();
+                    let case = format!("{damping} {step} {unit} {level} {phase}: {cycle:?}");
+                    assert!(off < 5.0 * cycle.decrement.error + 1e-4, "{case}");
+                    let level_off = (cycle.offset.value - level).abs();
+                    assert!(level_off < 5.0 * cycle.offset.error + 1e-3 * cycle.amplitude.value, "{case}");
+                    counted += 1;
+                }
+            }
+        }
+    }
+    assert!(counted > 400, "{counted}");
+}
+
+#[test]
 fn a_change_during_the_record_is_seen() {
     let times: Vec<f64> = (0..400).map(|frame| f64::from(frame) / 30.0).collect();
     let phase = |t: f64| 9.0 * t + 0.5 * 0.9 / 13.3 * t * t;

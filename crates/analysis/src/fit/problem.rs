@@ -277,16 +277,13 @@ impl Problem {
         known == rows
     }
 
-    /// By number of the search: its size at the start or at `x`, or else how far its range lets it go.
+    /// By number of the search: its size at the start or at `x`; where it starts at 0, how far its range lets it go, or at least 1.
     pub fn reach(&self, x: &[f64]) -> Vec<f64> {
         let numbers = self.bounds.iter().zip(self.own.iter().zip(x));
-        let of_number = |(&(low, high), (own, x)): (&(f64, f64), (&f64, &f64))| {
-            let (size, width) = (own.abs().max(x.abs()), high - low);
-            match size {
-                0.0 if width.is_finite() => width,
-                0.0 => 1.0,
-                _ => size,
-            }
+        let of_number = |(&(low, high), (own, x)): (&(f64, f64), (&f64, &f64))| match high - low {
+            _ if *own != 0.0 => own.abs().max(x.abs()),
+            width if width.is_finite() => width,
+            _ => x.abs().max(1.0),
         };
         numbers.map(of_number).collect()
     }

@@ -85,10 +85,10 @@ fn a_set_of_tabs_names_its_files() {
 fn a_film_that_cannot_be_tracked_is_not_recommended() {
     let unmarked = |project: &str| project.replace("tracker.PointMass\"", "tracker.Vector\"");
     let hint = |project: &str| refused(&unmarked(project)).hint(English);
-    assert!(hint(FIXED).contains("meniscus track FILM"));
+    assert!(hint(FIXED).contains("track its film here"));
     let gif = FIXED.replace("media.xuggle.XuggleVideo", "media.gif.GifVideo");
     for project in [PIXELS, &without(FIXED, "videoclip"), &gif] {
-        assert!(!hint(project).contains("meniscus track"), "{}", hint(project));
+        assert!(!hint(project).contains("track its film here"), "{}", hint(project));
     }
     let remarks = shown(&read(gif.into()), English);
     assert!(remarks.contains("constant step") && !remarks.contains("meniscus track"), "{remarks}");

@@ -50,6 +50,15 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
             "dudosos: {count} de {of} fotogramas, {listed} (contados desde 1); míralos antes de usar sus filas"
         ));
     }
+    let hidden = hidden(track);
+    if !hidden.is_empty() {
+        let listed: Vec<String> = hidden.iter().take(LISTED).map(|(from, to)| format!("{from}..{to}")).collect();
+        let listed = listed.join(", ") + if hidden.len() > LISTED { ", ..." } else { "" };
+        notes.push(words!(
+            "not seen in frames {listed} (counted from 1), which have no position of it",
+            "no se ve en los fotogramas {listed} (contados desde 1), que no tienen posición suya"
+        ));
+    }
     if let Some(frame) = track.lost {
         let time = shown.get(frame).copied().unwrap_or(f64::NAN);
         // Rows go on where a key frame finds it again, and for other bodies.
@@ -69,6 +78,17 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
         ));
     }
     notes
+}
+
+/// The first and the last frame (from 1) of each gap between positions, but for that in which it was lost. Repeated frames,
+/// which are left out one by one, are no gap.
+fn hidden(track: &Track) -> Vec<(usize, usize)> {
+    let pairs = || track.points.windows(2).map(|pair| (pair[0].frame, pair[1].frame));
+    let usual = pairs().map(|(before, after)| after.saturating_sub(before)).min().unwrap_or(1).max(1);
+    let is_gap = |&(before, after): &(usize, usize)| {
+        after.saturating_sub(before) > 2 * usual && !track.lost.is_some_and(|lost| (before..=after).contains(&lost))
+    };
+    pairs().filter(is_gap).map(|(before, after)| (before + usual + 1, after + 1 - usual)).collect()
 }
 
 /// Whether the positions lie within a pixel: a mark on the wall, say, in place of the surface.

@@ -93,7 +93,9 @@ fn with_brackets(text: &str) -> String {
         rest = &rest[length..];
         inside_name = false;
         let after = rest.trim_start_matches(' ');
-        let unit = unit_at_start(after, after.len() < rest.len());
+        // Before a unit in brackets `in` is the word, and no inch.
+        let is_word = after.strip_prefix("in").is_some_and(|rest| rest.trim_start().starts_with('['));
+        let unit = if is_word { 0 } else { unit_at_start(after, after.len() < rest.len()) };
         if unit > 0 {
             let unit = after[..unit].trim_end();
             out.extend([" [", unit, "]"]);

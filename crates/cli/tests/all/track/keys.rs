@@ -12,7 +12,7 @@ fn two_balls(x: usize, y: usize, frame: u32) -> u8 {
         let far = libm::hypot(x as f64 + 0.5 - u - shift, y as f64 + 0.5 - v);
         if visible { 1.0 / (1.0 + libm::exp((far - 6.0) / 0.5)) } else { 0.0 }
     };
-    let dark = dark(0.0, !(20..30).contains(&frame)) + dark(60.0, !(40..48).contains(&frame));
+    let dark = dark(0.0, !(15..30).contains(&frame)) + dark(60.0, !(34..49).contains(&frame));
     noisy(190.0 - 110.0 * dark, x, y, frame)
 }
 
@@ -29,15 +29,15 @@ fn bodies_are_found_again_by_key_frames_of_their_own() {
     let done = track(&film, &["--body", &first, "--body", &second, "--format", "json"]);
     assert_eq!(done.code, 0, "{}", done.stderr);
     for part in [
-        "track 1: lost from frame 21 on (counted from 1; 0.666 s of the film)",
-        "track 2: lost from frame 41 on (counted from 1; 1.333 s of the film)",
+        "track 1: lost from frame 16 on (counted from 1; 0.500 s of the film)",
+        "track 2: lost from frame 35 on (counted from 1; 1.133 s of the film)",
         "it is found again later",
     ] {
         assert!(done.stderr.contains(part), "lacks «{part}»: {}", done.stderr);
     }
     let json: serde_json::Value = serde_json::from_str(&done.stdout).expect("JSON");
     assert_eq!(json["settings"]["bodies"][1]["keys"][0]["time"], 1.666);
-    for (track, shift, gap) in [(0, 0.0, 20..31), (1, 60.0, 40..50)] {
+    for (track, shift, gap) in [(0, 0.0, 15..31), (1, 60.0, 34..50)] {
         let points = json["tracks"][track]["points"].as_array().expect("points");
         let frames: Vec<u64> = points.iter().map(|point| point["frame"].as_u64().expect("a number")).collect();
         assert_eq!(frames, (0..60).filter(|frame| !gap.contains(frame)).collect::<Vec<u64>>(), "{track}");

@@ -10,8 +10,7 @@ use meniscus_fuzz::reads_the_same_in_slices;
 /// All files together may become so many bytes of text.
 const MOST: usize = 1 << 20;
 /// The files, in the order in which the bytes have their contents.
-const FILES: [&str; 5] =
-    ["meta/device.csv", "meta/time.csv", "Accelerometer.csv", "Gyroscope.csv", "GPS Location.csv"];
+const FILES: [&str; 5] = ["meta/device.csv", "meta/time.csv", "Accelerometer.csv", "Gyroscope.csv", "GPS Location.csv"];
 /// Ends the content of a file.
 const END: &[u8] = b"=====\n";
 

@@ -44,5 +44,5 @@ fn read(bytes: Vec<u8>) {
             assert!(!error.message(Language::English).is_empty() && !error.hint(Language::Spanish).is_empty())
         }
     }
-    reads_the_same_in_slices(bytes, MOST);
+    reads_the_same_in_slices(Reading::new, bytes, MOST);
 }

@@ -41,7 +41,7 @@ table_of_words! {
     save_record: "Download", "Descargar";
     column_unit_asked: "which unit?", "¿qué unidad?";
     variable: "Measured against", "Se mide frente a";
-    variable_asked: "which? The file can be read in several ways", "¿qué? El archivo se puede entender de varias maneras";
+    variable_asked: "which?", "¿cuál?";
     column_fitted: "Fit it", "Ajustarla";
     column_off: "not used", "no se usa";
     findings: "Data quality", "Calidad de los datos";

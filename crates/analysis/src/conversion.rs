@@ -13,14 +13,14 @@ pub enum UnitReading {
     FahrenheitDifference,
     /// The standard acceleration of gravity, converted to m/s².
     Gravity {
-        /// Whether the numbers are thousandths of it, `mg`.
+        /// True if the numbers are thousandths of it, `mg`.
         thousandth: bool,
     },
     /// Seconds, written as a capital letter.
     Seconds,
 }
 
-/// What the numbers of the cells were converted by: a power of ten of the heading, then the reading of the unit.
+/// The conversion of the numbers of the cells: a power of ten of the heading, then the reading of the unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Conversion {
     /// The numbers were multiplied by ten to this.

@@ -11,7 +11,7 @@ pub(crate) enum Belongs<'a> {
     ToPrevious,
 }
 
-/// What stands before the name.
+/// Beginnings, before the name.
 const BEFORE: [&str; 27] = [
     "sigma_",
     "sigma ",
@@ -41,9 +41,9 @@ const BEFORE: [&str; 27] = [
     "±",
     "+/-",
 ];
-/// What stands around it.
+/// Beginnings before the name and a closing parenthesis.
 const AROUND: [&str; 7] = ["u(", "σ(", "sigma(", "err(", "error(", "std(", "sd("];
-/// What stands behind it.
+/// Endings, behind the name.
 const BEHIND: [&str; 22] = [
     "_err",
     "_error",

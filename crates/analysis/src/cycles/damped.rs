@@ -3,7 +3,7 @@
 //! For given `w` and `g` the best `a`, `b` and `c` follow from linear equations (variable projection: Golub and Pereyra,
 //! SIAM J. Numer. Anal. 10, 413 (1973)), so that only `w` and `g` are searched for, by Gauss and Newton's steps.
 
-use crate::fit::autoregression::{Block, correlated, orthonormal};
+use crate::fit::autoregression::{Block, correlated, orthonormal, subtract_projection};
 use crate::fit::linear::dot;
 
 /// Values over time, both without gaps, the times ascending.
@@ -159,9 +159,8 @@ impl Damped {
             }));
         }
         let basis = orthonormal(columns);
-        for column in basis.iter().filter(|_| drifts) {
-            let part = dot(column, &residuals);
-            residuals.iter_mut().zip(column).for_each(|(value, entry)| *value -= part * entry);
+        if drifts {
+            subtract_projection(&basis, &mut residuals);
         }
         Block::new(basis, residuals)
     }

@@ -6,7 +6,7 @@ use super::cycle::{Cycle, Measured};
 use super::damped::Points;
 use super::estimate::centre;
 use super::lobes::{Lobe, Swings, correlated_scatter, scatter, swings};
-use crate::fit::autoregression::{Block, common_correlation, correlated, orthonormal};
+use crate::fit::autoregression::{Block, common_correlation, correlated, orthonormal, subtract_projection};
 use crate::fit::linear::{dot, norm};
 use crate::order::median;
 use crate::smoothing;
@@ -86,10 +86,7 @@ fn noise_at_crossings(points: Points, found: &Found, period: f64, white: f64) ->
             let power = |degree| times.iter().map(|time| libm::pow(*time, f64::from(degree))).collect();
             let basis = orthonormal((0..6).map(power).collect());
             let mut residuals: Vec<f64> = values.map(|value| value - found.middle).collect();
-            for column in &basis {
-                let part = dot(column, &residuals);
-                residuals.iter_mut().zip(column).for_each(|(value, entry)| *value -= part * entry);
-            }
+            subtract_projection(&basis, &mut residuals);
             Block::new(basis, residuals)
         })
         .collect();

@@ -3,7 +3,7 @@
 use units::Language::{self, Spanish};
 use units::number;
 
-/// What a person should know about data sets that were exported together.
+/// A remark on data sets that were exported together.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Remark {
     /// There are several sets; their names.

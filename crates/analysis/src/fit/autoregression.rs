@@ -135,18 +135,21 @@ pub(crate) fn common_correlation<'a>(blocks: impl Iterator<Item = &'a Block>) ->
     if rho.is_finite() { rho } else { 0.0 }
 }
 
+/// Subtracts from `values` their projection on each column of an orthonormal basis, one after the other.
+pub(crate) fn subtract_projection<'a>(basis: impl IntoIterator<Item = &'a Vec<f64>>, values: &mut [f64]) {
+    for column in basis {
+        let part = dot(column, values);
+        values.iter_mut().zip(column).for_each(|(value, entry)| *value -= part * entry);
+    }
+}
+
 /// An orthonormal basis of columns of equal length (Gram and Schmidt, twice for the last digits). Columns that depend on those
 /// before are left out.
 pub(crate) fn orthonormal(columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let mut basis: Vec<Vec<f64>> = Vec::with_capacity(columns.len());
     for mut column in columns {
         let length = dot(&column, &column).sqrt();
-        for _ in 0..2 {
-            for other in &basis {
-                let part = dot(&column, other);
-                column.iter_mut().zip(other).for_each(|(value, other)| *value -= part * other);
-            }
-        }
+        (0..2).for_each(|_| subtract_projection(&basis, &mut column));
         let left = dot(&column, &column).sqrt();
         if left > 1e-9 * length {
             column.iter_mut().for_each(|value| *value /= left);

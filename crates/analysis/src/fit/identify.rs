@@ -1,6 +1,8 @@
 //! What the data cannot determine, named.
 
+use super::autoregression::{orthonormal, subtract_projection};
 use super::covariance::Covariance;
+use super::linear::norm;
 use super::search::Search;
 use units::Language;
 
@@ -117,25 +119,18 @@ fn combinations(directions: &[Vec<f64>], members: &[usize], names: &[String], x:
     }
     // The one combination of powers: its exponents are orthogonal to all directions. What is left of each axis without its part
     // along the directions is a multiple of them.
-    let mut basis: Vec<Vec<f64>> = Vec::new();
-    let without = |mut vector: Vec<f64>, basis: &[Vec<f64>]| {
-        for one in basis {
-            let along: f64 = one.iter().zip(&vector).map(|(one, value)| one * value).sum();
-            vector.iter_mut().zip(one).for_each(|(value, one)| *value -= along * one);
-        }
-        let length = vector.iter().map(|value| value * value).sum::<f64>().sqrt();
-        (vector, length)
-    };
-    for direction in directions {
-        let (vector, length) = without(members.iter().map(|&column| direction[column]).collect(), &basis);
-        if length == 0.0 {
-            return None;
-        }
-        basis.push(vector.iter().map(|value| value / length).collect());
+    let own = |direction: &Vec<f64>| members.iter().map(|&column| direction[column]).collect();
+    let basis = orthonormal(directions.iter().map(own).collect());
+    if basis.len() < directions.len() {
+        return None;
     }
-    let axis =
-        |place: usize| without((0..members.len()).map(|other| f64::from(u8::from(other == place))).collect(), &basis);
-    let (exponents, _) = (0..members.len()).map(axis).max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let axis = |place: usize| {
+        let mut axis = vec![0.0; members.len()];
+        axis[place] = 1.0;
+        subtract_projection(&basis, &mut axis);
+        axis
+    };
+    let exponents = (0..members.len()).map(axis).max_by(|one, other| norm(one).total_cmp(&norm(other)))?;
     let powers: Vec<(usize, f64)> = members.iter().copied().zip(exponents).collect();
     Some(vec![product(&powers, names)?])
 }

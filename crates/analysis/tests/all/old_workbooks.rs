@@ -1,5 +1,6 @@
 //! Old workbooks (XLS): what stands in their cells, and what hostile ones cannot do.
 
+use crate::support::all_sheets;
 use crate::support::old_workbook::{Cell, OldWorkbook, compound};
 use analysis::reading::{Contents, Reading, ReadingError};
 use analysis::workbook::{self, Progress, SheetText, Workbook, WorkbookError};
@@ -12,15 +13,7 @@ use units::split_mix::SplitMix64;
 const MOST: usize = 1 << 20;
 
 fn sheets(bytes: Vec<u8>, budget: u64) -> Result<Vec<SheetText>, WorkbookError> {
-    let mut workbook = Workbook::open_old(bytes, MOST)?;
-    let mut found = Vec::new();
-    loop {
-        match workbook.advance(budget)? {
-            Progress::More => {}
-            Progress::Sheet(sheet) => found.push(sheet),
-            Progress::End => return Ok(found),
-        }
-    }
+    all_sheets(Workbook::open_old(bytes, MOST)?, budget)
 }
 
 fn read(bytes: Vec<u8>, budget: usize) -> Result<Contents, ReadingError> {

@@ -1,5 +1,6 @@
 //! Workbooks of other programs: what stands in their cells, and what hostile ones cannot do.
 
+use crate::support::all_sheets;
 use crate::support::packed::{Pack, ods, xlsx, xlsx_with};
 use analysis::finding::Finding;
 use analysis::reading::{self, Contents, Reading, ReadingError};
@@ -12,15 +13,7 @@ const MOST: usize = 1 << 20;
 
 /// All sheets, read in slices of so many bytes.
 fn sheets(bytes: Vec<u8>, budget: u64) -> Result<Vec<SheetText>, WorkbookError> {
-    let mut workbook = Workbook::open(bytes, MOST)?;
-    let mut found = Vec::new();
-    loop {
-        match workbook.advance(budget)? {
-            Progress::More => {}
-            Progress::Sheet(sheet) => found.push(sheet),
-            Progress::End => return Ok(found),
-        }
-    }
+    all_sheets(Workbook::open(bytes, MOST)?, budget)
 }
 
 fn text(bytes: Vec<u8>) -> String {

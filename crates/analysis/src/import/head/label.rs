@@ -205,30 +205,22 @@ fn clock_form(text: &str) -> Option<clock::Form> {
 
 /// `t/ms`, `y / mm`.
 fn divided(cell: &str) -> Option<Label> {
-    let (name, text) = cell.split_once('/')?;
-    let (name, text) = (name.trim(), text.trim());
-    if name.is_empty() || text.is_empty() {
-        return None;
-    }
-    match symbol(text, name) {
-        Some(unit) => Some(named(name, unit, UnitOrigin::Heading)),
-        None => is_time(name).then(|| unknown(name, text)),
-    }
+    name_and_unit(cell.split_once('/')?)
 }
 
 /// `t in ms`, `tiempo en segundos`.
 fn behind_word(cell: &str) -> Option<Label> {
-    let (name, text) = [" in ", " en ", " em "].iter().find_map(|word| cell.rsplit_once(word))?;
-    let (name, text) = (name.trim(), text.trim());
-    match symbol(text, name) {
-        Some(unit) => Some(named(name, unit, UnitOrigin::Heading)),
-        None => is_time(name).then(|| unknown(name, text)),
-    }
+    name_and_unit([" in ", " en ", " em "].iter().find_map(|word| cell.rsplit_once(word))?)
 }
 
 /// `Time: ms`.
 fn behind_colon(cell: &str) -> Option<Label> {
-    let (name, text) = cell.rsplit_once(':')?;
+    name_and_unit(cell.rsplit_once(':')?)
+}
+
+/// The label of a name and the text that stands apart from it. A text that is no unit counts as one that is not known where the
+/// name is that of a time.
+fn name_and_unit((name, text): (&str, &str)) -> Option<Label> {
     let (name, text) = (name.trim(), text.trim());
     if name.is_empty() || text.is_empty() {
         return None;

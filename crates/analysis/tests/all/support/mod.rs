@@ -5,6 +5,7 @@ pub mod old_workbook;
 pub mod packed;
 pub mod variants;
 
+use analysis::workbook::{Progress, SheetText, Workbook, WorkbookError};
 use std::path::Path;
 use units::split_mix::SplitMix64;
 
@@ -50,4 +51,16 @@ pub fn utube(name: &str) -> Option<Vec<Vec<f64>>> {
         }
     }
     Some(columns)
+}
+
+/// All sheets of a workbook, read in slices of so many bytes.
+pub fn all_sheets(mut workbook: Workbook, budget: u64) -> Result<Vec<SheetText>, WorkbookError> {
+    let mut found = Vec::new();
+    loop {
+        match workbook.advance(budget)? {
+            Progress::More => {}
+            Progress::Sheet(sheet) => found.push(sheet),
+            Progress::End => return Ok(found),
+        }
+    }
 }

@@ -61,8 +61,7 @@ pub(crate) const MARGIN: f64 = 5.0;
 pub struct Settings {
     /// Where the body was clicked: in the frame where tracking begins, and in key frames, from which further templates are taken.
     pub keys: Vec<Click>,
-    /// The radius of the disc that is compared, in pixels; without it that of the ring around the click on which
-    /// the grey value changes most, with a margin.
+    /// The radius of the outline in pixels; without it that of the circle around the click across which the shades differ most.
     pub radius: Option<f64>,
     /// The time that the camera takes to read a frame; not estimated for bodies, and zero unless it is known.
     pub readout: Known,
@@ -292,7 +291,7 @@ impl Body {
         self.track.clone().unwrap_or_default()
     }
 
-    /// The radius of the last disc that is compared, in pixels; `None` before the first click was taken.
+    /// The radius of the last outline, in pixels; `None` before the first click was taken.
     pub fn radius(&self) -> Option<f64> {
         self.templates.last().map(|template| template.disc.outline)
     }

@@ -1,9 +1,9 @@
 //! A run: a model in motion and the record of it.
 
-use crate::checkpoints::Checkpoints;
-use crate::ranges::Ranges;
-use crate::stability::Stability;
-use crate::stepper::grid_index;
+use crate::methods::stability::Stability;
+use crate::methods::stepper::grid_index;
+use crate::record::checkpoints::Checkpoints;
+use crate::record::ranges::Ranges;
 use crate::{History, Notice, NoticeKind, Press, Progress, Readings, RunError, Setup, Stepper};
 use program::{Model, NodeId};
 

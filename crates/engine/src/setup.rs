@@ -1,7 +1,7 @@
 //! What a run is started with.
 
 use crate::Method;
-use crate::press::{Press, fitting};
+use crate::events::press::{Press, fitting};
 use program::{Model, Program};
 
 /// What a run is started with; all values SI. The independent variable starts at 0.

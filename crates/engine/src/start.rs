@@ -1,6 +1,7 @@
 //! Whether a run can start.
 
-use crate::{Cause, Method, RunError, Setup, fixed};
+use crate::methods::fixed;
+use crate::{Cause, Method, RunError, Setup};
 use program::Model;
 
 /// Whether a run of `model` can start with this.

@@ -1,7 +1,7 @@
 //! Order conditions of one-step methods by rooted trees (Hairer, Norsett & Wanner I, section II.2, theorem 2.13; for
 //! Rosenbrock methods Hairer & Wanner II, section IV.7, theorem 7.3), to check coefficients in tests.
 
-use crate::equations::Equations;
+use super::equations::Equations;
 
 /// A rooted tree: its subtrees, in no particular order.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,7 +1,7 @@
 //! Compiles expressions of a model to register code and evaluates them.
 
+use super::compile::compile;
 use crate::code::{Code, run};
-use crate::compile::compile;
 use program::{Graph, Model, NodeId};
 
 /// How many rows are computed at a time.

@@ -1,8 +1,8 @@
 //! Linear systems with the same few entries every time: dense if they are small, banded where each unknown occurs in few equations,
 //! as in chains and in diffusion.
 
-use crate::banded::Banded;
-use crate::linear::Factors;
+use super::banded::Banded;
+use super::linear::Factors;
 use program::{banded_order, bandwidth, places};
 
 /// A square matrix and its factors.

@@ -1,7 +1,7 @@
 //! Moments: what decides how a stepper goes on, and how it goes on from there.
 
 use super::{RowWork, Solver, Stepper};
-use crate::adaptive::LastStep;
+use crate::methods::adaptive::LastStep;
 use crate::{AfterJump, Press};
 
 /// Everything that decides how a stepper goes on, besides its model and setup.

@@ -106,7 +106,7 @@ impl Banded {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::Factors;
+    use crate::methods::linear::Factors;
 
     /// Entries between -1 and 1, of which the ones on the diagonal are small, so that rows are exchanged.
     fn entry(row: usize, column: usize) -> f64 {

@@ -11,14 +11,14 @@ pub use finish::ROUNDING;
 pub(crate) use moment::{Moment, grid_index};
 use presses::Presses;
 
-use crate::adaptive::{Adaptive, Pair};
-use crate::dormand_prince::DormandPrince;
-use crate::equations::Equations;
-use crate::fixed::Fixed;
-use crate::rosenbrock::Rosenbrock;
-use crate::stability::Stability;
+use super::adaptive::{Adaptive, Pair};
+use super::dormand_prince::DormandPrince;
+use super::equations::Equations;
+use super::fixed::Fixed;
+use super::rosenbrock::Rosenbrock;
+use super::stability::Stability;
+use crate::events::surfaces::Surfaces;
 use crate::start;
-use crate::surfaces::Surfaces;
 use crate::{Cause, Method, Notice, Routine, RunError, Setup};
 use program::{Model, NodeId};
 

@@ -2,7 +2,7 @@
 
 use super::{Cell, Table};
 use crate::History;
-use crate::csv::Dialect;
+use crate::record::csv::Dialect;
 use std::fmt::{self, Write};
 
 impl Table {

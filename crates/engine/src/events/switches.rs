@@ -2,7 +2,7 @@
 //! still have them.
 
 use crate::Routine;
-use crate::equations::Equations;
+use crate::methods::equations::Equations;
 use program::{Held, NodeId, Switch};
 
 /// The switches of a model, each with the value at which it is held.

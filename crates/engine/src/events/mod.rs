@@ -10,9 +10,17 @@
 //! would follow without the action is followed in a straight line to where its condition is true; if the motion with the
 //! action makes it true there as well, the action has not prevented the crossing and the event has been used up.
 
+pub(crate) mod crossing;
+pub(crate) mod jumps;
+pub(crate) mod looks;
+pub(crate) mod press;
+pub(crate) mod surfaces;
+pub(crate) mod switches;
+pub(crate) mod timetable;
+
 use crate::Routine;
-use crate::equations::Equations;
-use crate::jumps::Jumps;
+use crate::methods::equations::Equations;
+use jumps::Jumps;
 use program::{Event, Model, NodeId};
 
 /// The conditions and actions of a model.

@@ -6,8 +6,8 @@
 //! In the transformed variables u: (1/(h gamma) - J) u_i = f(t + alpha_i h, y + sum a_ij u_j) + sum c_ij u_j / h
 //! + gamma_i h df/dt.
 
-use crate::equations::Equations;
-use crate::jacobian::Jacobian;
+use super::equations::Equations;
+use super::jacobian::Jacobian;
 
 const STAGES: usize = 6;
 const GAMMA: f64 = 0.25;
@@ -143,7 +143,7 @@ impl Rosenbrock {
         }
     }
 
-    /// The coefficients of the dense output of the last step, in the form of [`crate::dormand_prince::dense_value`].
+    /// The coefficients of the dense output of the last step, in the form of [`super::dormand_prince::dense_value`].
     pub fn dense(&self, from: &[f64], to: &[f64], coefficients: &mut [Vec<f64>; 5]) {
         let [c_0, c_1, c_2, c_3, c_4] = coefficients;
         for k in 0..from.len() {
@@ -163,8 +163,9 @@ fn weighted(weights: &[f64], solved: &[Vec<f64>], k: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::Factors;
-    use crate::order_conditions::{self, Method};
+    use crate::methods::linear::Factors;
+    use crate::methods::order_conditions;
+    use crate::methods::order_conditions::Method;
 
     fn lower(rows: [&[f64]; STAGES]) -> Vec<Vec<f64>> {
         rows.iter().map(|row| (0..STAGES).map(|k| row.get(k).copied().unwrap_or_default()).collect()).collect()
@@ -265,7 +266,7 @@ mod tests {
                     let mut coefficients = std::array::from_fn(|_| vec![0.0]);
                     step.dense(&[0.0], &[RESULT[stage]], &mut coefficients);
                     let mut value = [0.0];
-                    crate::dormand_prince::dense_value(&coefficients, part, &mut value);
+                    crate::methods::dormand_prince::dense_value(&coefficients, part, &mut value);
                     value[0]
                 })
                 .collect();

@@ -1,7 +1,7 @@
 //! Moments from which a run with an adaptive method can go on with the same bits. What such a method does next depends on the
 //! steps behind it, so that going on from an earlier row means to make the steps before it again, from a checkpoint on.
 
-use crate::stepper::{Moment, Stepper};
+use crate::methods::stepper::{Moment, Stepper};
 
 /// Checkpoints, sparse enough for memory and dense enough for going back within a moment.
 #[derive(Clone, Debug)]

@@ -4,8 +4,8 @@
 //! Differential Equations II, 2nd ed., section IV.2). Beyond, what should decay grows from step to step. The greatest |λ| of
 //! the linearized equations is estimated by power iteration with differences of the rates of change.
 
+use super::equations::Equations;
 use crate::Method;
-use crate::equations::Equations;
 
 /// How many rows lie between two looks.
 const ROWS: u32 = 256;

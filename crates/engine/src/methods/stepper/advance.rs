@@ -1,8 +1,8 @@
 //! From one point of the grid to the next: steps of the method, events on the way.
 
 use super::{RowWork, Solver, Stepper};
-use crate::adaptive::Stalled;
-use crate::crossing::Crossing;
+use crate::events::crossing::Crossing;
+use crate::methods::adaptive::Stalled;
 use crate::{AfterJump, Cause, Method, Record, RunError};
 
 /// How far [`Stepper::advance_within`] got.

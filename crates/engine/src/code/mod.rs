@@ -2,8 +2,15 @@
 //! on the platform: the four operations and the square root are exact by IEEE 754, the other functions are those of
 //! [`program::Unary::evaluate`] and [`program::Binary::evaluate`], and nothing is ever fused.
 
-use crate::column::Column;
-use crate::instruction::{Elimination, Instruction, Register, each};
+pub(crate) mod routine;
+
+mod column;
+mod columns;
+mod compile;
+mod instruction;
+
+use column::Column;
+use instruction::{Elimination, Instruction, Register, each};
 use program::Interpolation;
 use std::sync::Arc;
 

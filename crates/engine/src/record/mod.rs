@@ -1,5 +1,13 @@
 //! Who receives the rows of a run.
 
+pub mod csv;
+pub mod table;
+
+pub(crate) mod checkpoints;
+pub(crate) mod history;
+pub(crate) mod ranges;
+pub(crate) mod readings;
+
 /// Receives the rows of a run while it is made.
 pub trait Record {
     /// A row: time, state, and whether the state jumped there from the row before.

@@ -1,9 +1,9 @@
 //! What happens at moments that depend on time alone: these are known before a step is made, so that none is skipped, however
 //! soon it is over.
 
+use super::crossing::Crossing;
 use crate::Routine;
-use crate::crossing::Crossing;
-use crate::cubic::Cubic;
+use crate::methods::cubic::Cubic;
 use program::{Model, NodeId};
 
 /// The switches of a model that depend on time alone ([`Model::timed_switches`]).

@@ -1,6 +1,6 @@
 //! Instructions of the register machine.
 
-use crate::sparse::Sparse;
+use crate::methods::sparse::Sparse;
 use program::{Binary, Unary};
 
 /// The number of a register.

@@ -1,11 +1,11 @@
 //! Step size control for the methods with an error estimate.
 
+use super::dormand_prince::{DormandPrince, dense_value};
+use super::equations::Equations;
+use super::rosenbrock::Rosenbrock;
 use crate::Setup;
-use crate::crossing::Crossing;
-use crate::dormand_prince::{DormandPrince, dense_value};
-use crate::equations::Equations;
-use crate::rosenbrock::Rosenbrock;
-use crate::surfaces::Surfaces;
+use crate::events::crossing::Crossing;
+use crate::events::surfaces::Surfaces;
 use program::Model;
 
 /// Two methods in one, whose difference is the error.

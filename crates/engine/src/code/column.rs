@@ -2,7 +2,7 @@
 //! element it computes what the instruction of that operation computes, to the bit; but one dispatch serves the whole
 //! column, and the processor may treat several elements at once.
 
-use crate::instruction::{Operation, Register, each};
+use super::instruction::{Operation, Register, each};
 use program::Interpolation;
 use std::sync::Arc;
 

@@ -1,11 +1,11 @@
 //! What can end a step before its time: an event, or a switch of the equations.
 
-use crate::crossing::Crossing;
-use crate::equations::Equations;
+use super::crossing::Crossing;
+use super::looks::{Dense, Looks};
+use super::switches::Switches;
+use super::timetable::Timetable;
 use crate::events::Events;
-use crate::looks::{Dense, Looks};
-use crate::switches::Switches;
-use crate::timetable::Timetable;
+use crate::methods::equations::Equations;
 use crate::{Notice, NoticeKind};
 use program::{Held, Model};
 

@@ -1,7 +1,7 @@
 //! Finds what repeats among operations that do not need each other.
 
-use crate::column::{Column, Operand};
-use crate::instruction::{Operation, Register};
+use super::column::{Column, Operand};
+use super::instruction::{Operation, Register};
 
 /// Shorter columns cost more than instructions of their own.
 const LEAST: usize = 8;

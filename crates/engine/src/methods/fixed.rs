@@ -1,7 +1,7 @@
 //! The methods of fixed step.
 
+use super::equations::{Equations, gather, scatter};
 use crate::Method;
-use crate::equations::{Equations, gather, scatter};
 use program::{Model, Node};
 
 /// A method of fixed step and its working storage.

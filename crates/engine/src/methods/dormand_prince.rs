@@ -2,7 +2,7 @@
 //! order 4 (Dormand & Prince, J. Comp. Appl. Math. 6 (1980) 19; Hairer, Norsett & Wanner, Solving Ordinary Differential
 //! Equations I, table II.5.2 and section II.6; the dense output's last coefficients as in their code DOPRI5).
 
-use crate::equations::Equations;
+use super::equations::Equations;
 
 /// The number of stages; the last one is the first of the next step.
 const STAGES: usize = 7;
@@ -132,7 +132,8 @@ fn weighted(sum: &mut [f64], weights: &[f64], rates: &[Vec<f64>]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::order_conditions::{self, Method};
+    use crate::methods::order_conditions;
+    use crate::methods::order_conditions::Method;
 
     fn method(weights: Vec<f64>) -> Method {
         let mut matrix = vec![vec![0.0; STAGES]; STAGES];

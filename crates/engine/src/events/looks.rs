@@ -6,7 +6,7 @@
 //! Where the divisions allowed are not enough something may be missed, and that is noted.
 
 use crate::Routine;
-use crate::cubic::Cubic;
+use crate::methods::cubic::Cubic;
 use program::{Held, Model, NodeId};
 
 /// What is compared, and where to look.

@@ -1,9 +1,9 @@
 //! From expressions to register code.
 
+use super::columns::{Entry, columns};
+use super::instruction::{Elimination, Instruction, Operation, Register};
 use crate::code::Code;
-use crate::columns::{Entry, columns};
-use crate::instruction::{Elimination, Instruction, Operation, Register};
-use crate::sparse::Sparse;
+use crate::methods::sparse::Sparse;
 use program::{Binary, Graph, Node, NodeId, Unary};
 
 /// Fewer operations are not worth the search for columns.

@@ -1,6 +1,6 @@
 //! The linear systems of a stiff method, d - J with a number d and the derivatives J of the rates of change.
 
-use crate::sparse::Sparse;
+use super::sparse::Sparse;
 use program::banded_order;
 
 /// How often a step solves with one factorization.

@@ -5,8 +5,8 @@
 //! 1 - Q Q^T, are expected to be the observed ones. What is left is the bias of a ratio of moments, 2 rho/n (M. G. Kendall,
 //! Biometrika 41 (1954) 403; F. H. C. Marriott & J. A. Pope, ibid. 390).
 
+use super::judgement::statistics;
 use super::linear::dot;
-use super::statistics;
 
 /// The correlation of neighbours in fewer values than this is not asked for.
 const LONG: usize = 12;

@@ -1,18 +1,20 @@
 //! A fit: a loop over what is asked, the [`Problem`], and the [`Search`] for the least sum of squares that goes on.
 
-use super::covariance::Covariance;
-use super::elsewhere::{Beginning, Elsewhere};
-use super::exchange::Exchange;
-use super::loss::Loss;
 use super::outcome::{self, Course, Outcome};
-use super::problem::Problem;
-use super::refine::Refinement;
-use super::robust::Continuation;
+use super::search::elsewhere::{Beginning, Elsewhere};
+use super::search::loss::Loss;
+use super::search::problem::Problem;
+use super::search::refine::Refinement;
+use super::search::robust::Continuation;
+use super::search::stages;
+use super::search::stages::{Current, Stages};
+use super::search::window;
+use super::search::window::TRIALS;
 use super::search::{Search, Status};
-use super::stages::{self, Current, Stages};
 use super::task::{FitError, Task};
 use super::trace::{self, Trace};
-use super::window::{self, TRIALS};
+use super::uncertainty::covariance::Covariance;
+use super::uncertainty::exchange::Exchange;
 use program::Model;
 
 /// A fit that goes on one trial at a time.

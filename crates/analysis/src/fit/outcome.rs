@@ -1,20 +1,24 @@
 //! What is known when a fit is finished.
 
-use super::criteria::{Criteria, criteria};
-use super::elsewhere::Rival;
-use super::estimate::{self, Estimate};
-use super::film_scale::{self, FilmScale};
-use super::identify::{self, Lack, Undetermined};
+use super::judgement::criteria::{Criteria, criteria};
+use super::judgement::statistics::RunsTest;
+use super::judgement::undersampled::undersampled;
 use super::judgement::{Judgement, Outlier};
 use super::linear::{Jacobian, dot};
-use super::loss::Loss;
 use super::observed::{ObservationFit, Outside};
-use super::plan::{Plan, independent};
-use super::problem::Problem;
-use super::robust::{self, Reweighted, Reweighting};
 use super::search::Search;
-use super::statistics::RunsTest;
-use super::undersampled::undersampled;
+use super::search::elsewhere::Rival;
+use super::search::loss::Loss;
+use super::search::problem::Problem;
+use super::search::robust;
+use super::search::robust::{Reweighted, Reweighting};
+use super::task::film_scale;
+use super::task::film_scale::FilmScale;
+use super::task::plan::{Plan, independent};
+use super::uncertainty::estimate;
+use super::uncertainty::estimate::Estimate;
+use super::uncertainty::identify;
+use super::uncertainty::identify::{Lack, Undetermined};
 use std::sync::Arc;
 use units::Unit;
 

@@ -1,10 +1,10 @@
 //! The fitted curve between the measured values, finely enough to be drawn, and how far it may be off.
 
-use super::covariance::Covariance;
 use super::linear::Jacobian;
-use super::plan::{Plan, Point};
-use super::problem::Problem;
 use super::search::Search;
+use super::search::problem::Problem;
+use super::task::plan::{Plan, Point};
+use super::uncertainty::covariance::Covariance;
 
 /// The fitted curve of one observation. All numbers are SI.
 #[derive(Clone, Debug, Default, PartialEq)]

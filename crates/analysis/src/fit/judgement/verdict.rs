@@ -1,0 +1,125 @@
+//! What a fit says of its model, by the residuals.
+
+use super::Outlier;
+use crate::fit::observed::ObservationFit;
+use crate::fit::outcome::Outcome;
+
+/// Fewer independent values than this make standard errors that are uncertain by a quarter and more.
+const FEW: f64 = 15.0;
+
+/// Whether the model is compatible with the data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// There are as many values as numbers that they determine.
+    Saturated,
+    /// Nothing is left over but rounding.
+    Exact,
+    /// Values far from all others have decided the fit.
+    Misled,
+    /// Residuals look random and, where errors were given, have their size.
+    Compatible,
+    /// Residuals look random but are larger than the given errors.
+    TooLarge,
+    /// Residuals look random but are smaller than the given errors.
+    TooSmall,
+    /// Residuals are autocorrelated: the model misses something, or the measurement does.
+    Structured,
+    /// Residuals are autocorrelated, and more is left over than the curve explains: the fit misses what the data show.
+    Missed,
+    /// Neighbouring residuals have opposite signs more often than by chance.
+    Alternating,
+    /// Residuals look random, and so do the values themselves: the curve explains no more of them than a constant.
+    Nothing,
+    /// There are too few values to tell.
+    Unknown,
+}
+
+/// How the residuals compare with the given errors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::fit) enum Size {
+    /// They are larger than by chance.
+    Larger,
+    /// They are smaller than by chance.
+    Smaller,
+}
+
+/// Standard deviations: one in a hundred by chance.
+const BY_CHANCE: f64 = 2.6;
+
+/// The share of the variance below which more is left over than a curve explains.
+const EXPLAINED: f64 = 0.5;
+
+/// Of fewer values neither signs nor neighbours are judged.
+const LEAST: usize = 10;
+
+impl Outcome {
+    /// What the residuals say.
+    pub fn verdict(&self) -> Verdict {
+        if self.dof == 0 {
+            return Verdict::Saturated;
+        }
+        if self.exact {
+            return Verdict::Exact;
+        }
+        if self.misled {
+            return Verdict::Misled;
+        }
+        let known = self.judged >= LEAST;
+        let correlation = BY_CHANCE / (self.judged as f64).sqrt();
+        if known && (self.runs.is_some_and(|runs| runs.z < -BY_CHANCE) || self.autocorrelation > correlation) {
+            return if self.r2 < EXPLAINED { Verdict::Missed } else { Verdict::Structured };
+        }
+        // Each number that is adjusted makes neighbouring residuals differ a little more.
+        let adjusted = self.determined() / self.judged as f64;
+        if known && self.autocorrelation < -correlation - adjusted {
+            return Verdict::Alternating;
+        }
+        match self.size() {
+            _ if known && self.explains_nothing() => Verdict::Nothing,
+            Some(Size::Larger) => Verdict::TooLarge,
+            Some(Size::Smaller) => Verdict::TooSmall,
+            None if known => Verdict::Compatible,
+            None => Verdict::Unknown,
+        }
+    }
+
+    /// How the residuals compare with the given errors; `None` where they agree, and where no errors were given.
+    pub(in crate::fit) fn size(&self) -> Option<Size> {
+        // Chi-square has the variance of twice its degrees of freedom.
+        let by_chance = BY_CHANCE * (2.0 / self.dof as f64).sqrt();
+        let off = self.chi2_reduced? - 1.0;
+        match off.abs() > by_chance {
+            true if off > 0.0 => Some(Size::Larger),
+            true => Some(Size::Smaller),
+            false => None,
+        }
+    }
+
+    /// How many numbers the data determine.
+    fn determined(&self) -> f64 {
+        self.n.saturating_sub(self.dof) as f64
+    }
+
+    /// Whether a curve that has nothing to do with the values would explain as much of their scatter, after it was adjusted as
+    /// this one was: chi-square of the numbers beyond the mean of each observation, and besides, as in a periodogram, the greatest
+    /// of as many chances as there are values (J. D. Scargle, Astrophys. J. 263 (1982) 835), because a search may choose among
+    /// as many frequencies.
+    fn explains_nothing(&self) -> bool {
+        let means = self.observations.iter().filter(|one| !one.derived && one.inside.contains(&true)).count();
+        let free = self.determined() - means as f64;
+        let explained = self.dof as f64 * self.r2 / (1.0 - self.r2);
+        free > 0.0 && explained < free + BY_CHANCE * (2.0 * free).sqrt() + 2.0 * libm::log(self.n as f64)
+    }
+
+    /// Whether the record is short for the correlation of its errors: it is worth fewer than 15 independent values, and
+    /// would be worth more without it.
+    pub fn is_short(&self) -> bool {
+        let correlated = self.independent < 0.5 * self.judged as f64;
+        self.wanders || (correlated && self.independent < FEW)
+    }
+
+    /// The row of an outlier among its observation's columns.
+    pub fn outlying(&self, outlier: &Outlier) -> Option<&ObservationFit> {
+        self.observations.iter().find(|one| one.record == outlier.record && one.observation == outlier.observation)
+    }
+}

@@ -1,0 +1,259 @@
+//! The model's curve at measured times, with its derivatives by what is varied.
+
+use crate::fit::task::Target;
+use engine::{Method, Routine, Setup, Stepper};
+use program::{Kind, Model, Node, NodeId};
+use units::{Words, words};
+
+/// The errors of a step of equations of motion, relative to the greatest value of each state: while the answer is still far
+/// away, when it is near, and in the end. All steps together then stay below 1e-9.
+pub(crate) const TOLERANCES: [f64; 3] = [1e-6, 1e-8, 1e-10];
+/// A solution that needs more evaluations of the equations is given up.
+const MOST_EVALUATIONS: u64 = 2_000_000;
+
+/// A copy of a model without what only its author reads.
+pub(crate) fn bare(model: &Model) -> Model {
+    Model {
+        independent: model.independent.clone(),
+        parameters: model.parameters.clone(),
+        states: model.states.clone(),
+        quantities: model.quantities.clone(),
+        tables: Vec::new(),
+        events: model.events.clone(),
+        // A fit has no presses of buttons.
+        buttons: Vec::new(),
+        graph: model.graph.clone(),
+        texts: Vec::new(),
+        sizes: Vec::new(),
+        sensitive: None,
+    }
+}
+
+/// Gives the model's values of all that is observed, with derivatives, at any ascending times.
+#[derive(Clone, Debug)]
+pub(crate) struct Curve {
+    /// How many states the model has without sensitivities.
+    states: usize,
+    /// The parameters of the model among the targets, in order.
+    varied: Vec<usize>,
+    observed: usize,
+    /// By varied parameter: whether all that is observed is linear in it and the others that are marked, all together.
+    linear: Vec<bool>,
+    /// For each observed expression: its value, its derivatives by each of `varied`, and by the independent variable.
+    routine: Routine,
+    initial: Routine,
+    stepper: Option<Stepper>,
+    start: Vec<f64>,
+    zeros: Vec<f64>,
+    values: Vec<f64>,
+    row: Vec<f64>,
+}
+
+impl Curve {
+    /// Compiles `observed` expressions of `model` with derivatives by those of `targets` that are parameters, for runs that
+    /// last about `duration`. Of the methods, the one for stiff equations is kept; all others give way to Dormand and
+    /// Prince's, which reaches all [`TOLERANCES`].
+    pub fn new(
+        model: &Model,
+        observed: &[NodeId],
+        targets: &[Target],
+        parameters: &[f64],
+        (method, duration): (Method, f64),
+    ) -> Result<Self, Words> {
+        let mut varied: Vec<usize> = targets
+            .iter()
+            .filter_map(|target| match target {
+                Target::Parameter(index) => Some(*index),
+                _ => None,
+            })
+            .collect();
+        varied.dedup();
+        let states = model.states.len();
+        let mut extended = bare(model).with_sensitivities(&varied).ok_or_else(|| {
+            words(
+                "the model is too large to be differentiated by what is varied",
+                "el modelo es demasiado grande para derivarlo respecto de lo que varía",
+            )
+        })?;
+        let by_parameter: Vec<Vec<NodeId>> = varied
+            .iter()
+            .enumerate()
+            .map(|(place, &parameter)| extended.sensitivities(observed, parameter, place, states))
+            .collect();
+        // One after the other joins those before it, if no derivative by one of them depends on any other.
+        let mut linear = vec![false; varied.len()];
+        for place in 0..varied.len() {
+            linear[place] = states == 0;
+            let joined: Vec<usize> = (0..=place).filter(|&one| linear[one]).collect();
+            linear[place] &= joined.iter().flat_map(|&one| &by_parameter[one]).all(|node| {
+                let depends = extended.depends(*node).parameters;
+                joined.iter().all(|&one| !depends.contains(&(varied[one] as u32)))
+            });
+        }
+        let rates = match targets.contains(&Target::Origin) {
+            true => extended.rates_of(observed),
+            // They are not needed.
+            false => vec![extended.graph.constant(0.0); observed.len()],
+        };
+        let mut roots = Vec::new();
+        for (number, &node) in observed.iter().enumerate() {
+            roots.push(node);
+            roots.extend(by_parameter.iter().map(|nodes| nodes[number]));
+            roots.push(rates[number]);
+        }
+        let initial_nodes: Vec<NodeId> = extended.states.iter().map(|state| state.initial).collect();
+        let setup = Setup {
+            parameters: parameters.to_vec(),
+            method: if method == Method::Rosenbrock { method } else { Method::DormandPrince },
+            step: if duration > 0.0 { duration / 100.0 } else { Setup::STEP },
+            tolerance: TOLERANCES[0],
+            start: Some(vec![0.0; extended.states.len()]),
+            drawings: Vec::new(),
+            presses: Vec::new(),
+        };
+        let stepper = match states {
+            0 => None,
+            _ => Some(Stepper::new(&extended, &setup).map_err(|error| error.message(&extended))?),
+        };
+        let all = extended.states.len();
+        let mut curve = Self {
+            routine: Routine::compile(&extended, &roots),
+            initial: Routine::compile(&extended, &initial_nodes),
+            states,
+            varied,
+            linear,
+            observed: observed.len(),
+            stepper,
+            start: vec![0.0; all],
+            zeros: vec![0.0; all],
+            values: Vec::new(),
+            row: vec![0.0; roots.len()],
+        };
+        curve.set_tolerance(TOLERANCES[0]);
+        Ok(curve)
+    }
+
+    /// Integrates to `tolerance` from here on.
+    pub fn set_tolerance(&mut self, tolerance: f64) {
+        if let Some(stepper) = &mut self.stepper {
+            stepper.allow_of_peak(tolerance);
+        }
+    }
+
+    /// How many columns of [`Curve::values`] belong to one observed expression: its value, its derivatives by each varied
+    /// parameter in the order of the targets, and its derivative by the independent variable.
+    pub fn stride(&self) -> usize {
+        self.varied.len() + 2
+    }
+
+    /// Which of these columns holds the derivative by a varied parameter of the model.
+    pub fn place(&self, parameter: usize) -> usize {
+        1 + self.varied.iter().position(|varied| *varied == parameter).unwrap_or(0)
+    }
+
+    /// Whether all that is observed is linear in this parameter of the model, together with all others of which this says so;
+    /// never for equations of motion.
+    pub fn is_linear_in(&self, parameter: usize) -> bool {
+        self.varied.iter().zip(&self.linear).any(|(&varied, &linear)| varied == parameter && linear)
+    }
+
+    /// Whether there are equations of motion.
+    pub fn has_states(&self) -> bool {
+        self.states > 0
+    }
+
+    /// Computes the observed expressions, [`Curve::stride`] columns for each, at the model's `times`, ascending and not before
+    /// 0 where there are states; [`Curve::values`] holds them. The result is how many rows the solution reaches.
+    pub fn follow(&mut self, parameters: &[f64], times: &[f64]) -> usize {
+        let rows = times.len();
+        self.values.resize(self.observed * self.stride() * rows, 0.0);
+        let Some(stepper) = &mut self.stepper else {
+            self.routine.prepare(parameters, &self.zeros);
+            self.routine.evaluate_rows(times, &self.zeros, &mut self.values);
+            return rows;
+        };
+        self.initial.prepare(parameters, &self.zeros);
+        self.initial.evaluate(0.0, &self.zeros, &mut self.start);
+        if !self.start.iter().all(|value| value.is_finite()) {
+            return 0;
+        }
+        self.routine.prepare(parameters, &self.start);
+        stepper.begin(parameters.to_vec(), &self.start);
+        let before = stepper.evaluations();
+        for (row, &time) in times.iter().enumerate() {
+            if time > stepper.time()
+                && (stepper.advance_to(time).is_err() || stepper.evaluations() - before > MOST_EVALUATIONS)
+            {
+                return row;
+            }
+            self.routine.evaluate(time, stepper.state(), &mut self.row);
+            for (column, value) in self.values.chunks_mut(rows).zip(&self.row) {
+                column[row] = *value;
+            }
+        }
+        rows
+    }
+
+    /// The columns that the last [`Curve::follow`] computed, one after the other.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+}
+
+/// The derived quantities of a model that hold for a whole run, with their derivatives by parameters.
+#[derive(Clone, Debug)]
+pub(crate) struct Derived {
+    /// Which of the model's quantities.
+    pub quantities: Vec<usize>,
+    routine: Routine,
+    varied: usize,
+    states: usize,
+}
+
+impl Derived {
+    /// Those that depend on any of `varied` parameters.
+    pub fn new(model: &Model, varied: &[usize]) -> Self {
+        let depends = |node: NodeId| {
+            let mut dependence = model.depends(node);
+            for &state in &dependence.initial.clone() {
+                let initial = model.states[state as usize].initial;
+                dependence.parameters.extend(model.depends(initial).parameters);
+            }
+            varied.iter().any(|&parameter| dependence.parameters.contains(&(parameter as u32)))
+        };
+        let quantities: Vec<usize> = (0..model.quantities.len())
+            .filter(|&number| {
+                let quantity = &model.quantities[number];
+                quantity.value.kind == Kind::Number && !quantity.varies && depends(quantity.value.node)
+            })
+            .collect();
+        let mut graph = model.graph.clone();
+        let states = model.states.len();
+        // In what holds for a whole run, an initial value is its expression.
+        let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
+        let nodes: Vec<NodeId> = quantities.iter().map(|&number| model.quantities[number].value.node).collect();
+        let nodes = graph.substitute(&nodes, |_, node| match node {
+            Node::Initial(state) => initial.get(state as usize).copied(),
+            _ => None,
+        });
+        let mut roots = nodes.clone();
+        for &parameter in varied {
+            let variable = program::Variable::Parameter(parameter as u32);
+            roots.extend(program::differentiate_all(&mut graph, &nodes, variable));
+        }
+        let routine = Routine::from_graph(&graph, states, &roots);
+        Self { quantities, routine, varied: varied.len(), states }
+    }
+
+    /// The values, and for each its derivatives by the varied parameters.
+    pub fn evaluate(&mut self, parameters: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let zeros = vec![0.0; self.states];
+        let count = self.quantities.len();
+        let mut all = vec![0.0; count * (1 + self.varied)];
+        self.routine.prepare(parameters, &zeros);
+        self.routine.evaluate(0.0, &zeros, &mut all);
+        let slopes =
+            (0..count).map(|number| (1..=self.varied).map(|place| all[place * count + number]).collect()).collect();
+        (all[..count].to_vec(), slopes)
+    }
+}

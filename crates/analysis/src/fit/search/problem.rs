@@ -1,0 +1,344 @@
+//! What a fit is asked, and how that is computed: measured values beside the model's, weighted, with derivatives by every
+//! varied number.
+
+use super::curve::{self, Curve};
+use crate::fit::linear::Jacobian;
+use crate::fit::task::columns;
+use crate::fit::task::columns::Column;
+use crate::fit::task::plan;
+use crate::fit::task::plan::{Layout, Plan, Point};
+use crate::fit::task::scale;
+use crate::fit::task::scale::Prior;
+use crate::fit::task::{FitError, Record, Target, Task};
+use crate::fit::task::{check, weights};
+use crate::fit::{MOST_VALUES, MOST_VARIED};
+use program::{Model, NodeId};
+use std::sync::Arc;
+use units::words;
+
+/// A task made ready: what is asked, and how it is computed.
+#[derive(Clone, Debug)]
+pub(crate) struct Problem {
+    /// The model, without what only its author reads.
+    pub model: Model,
+    /// The model's curve.
+    pub curve: Curve,
+    /// The task.
+    pub task: Task,
+    /// The numbers of the search.
+    pub columns: Vec<Column>,
+    /// Least and greatest value of each: given, else the parameter's own range, else none.
+    pub bounds: Vec<(f64, f64)>,
+    /// Where the search begins: the given starts, else the parameters' own values, 0 for offsets.
+    pub own: Vec<f64>,
+    /// Which values are fitted.
+    pub layout: Layout,
+    /// What is fitted, by record.
+    pub plans: Arc<Vec<Plan>>,
+    /// The weighted sum of squares about the mean of each observation.
+    pub total: f64,
+    /// The standard deviation of a weighted residual, by which the priors of scales are weighed; 1 where errors are given.
+    pub deviation: f64,
+    /// Which of [`curve::TOLERANCES`] holds for equations of motion.
+    precision: usize,
+    /// Whether searches need not find the last digits.
+    rough: bool,
+    /// Model times are computed here.
+    clock: Vec<f64>,
+}
+
+impl Problem {
+    /// The part of the sum of squares that may be left to gain, for formulas.
+    const TOLERANCE: f64 = 1e-18;
+    /// The same for equations of motion, whose solutions carry the error of the integration: with each of the tolerances of the
+    /// curve.
+    const TOLERANCES_OF_MOTION: [f64; curve::TOLERANCES.len()] = [1e-8, 1e-10, 1e-12];
+
+    /// Checks a task and makes it ready.
+    pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
+        check::task(&task)?;
+        if model.is_random() {
+            return Err(FitError::Model(words(
+                "a model that draws at random is not fitted: each seed gives another curve",
+                "un modelo que sortea al azar no se ajusta: cada semilla da otra curva",
+            )));
+        }
+        let columns = columns::of(&task);
+        let mut expressions: Vec<NodeId> = Vec::new();
+        let mut values = 0;
+        for observation in task.records.iter().flat_map(|record| &record.observations) {
+            if !expressions.contains(&observation.observed.node) {
+                expressions.push(observation.observed.node);
+            }
+            values += observation.values.len();
+        }
+        if values > MOST_VALUES || columns.len() > MOST_VARIED {
+            return Err(FitError::TooLarge);
+        }
+        let targets: Vec<Target> = task.varied.iter().map(|varied| varied.target).collect();
+        let duration = task.records.iter().map(duration).fold(0.0, f64::max);
+        let curve = Curve::new(model, &expressions, &targets, &task.parameters, (task.method, duration))
+            .map_err(FitError::Model)?;
+        let varies_origin = targets.contains(&Target::Origin);
+        let forwards = curve.has_states() && !varies_origin;
+        let layout = Layout { expressions, autonomous: model.is_autonomous(), forwards };
+        let plans = layout.plans(&task, |time| task.covers(time));
+        check::points(&layout, &task, &plans, columns.iter().filter(|column| !column.is_scale()).count())?;
+        let mut problem = Self {
+            model: curve::bare(model),
+            bounds: columns::bounds(model, &task, &columns),
+            own: columns::own_start(&task, &columns, &plans),
+            curve,
+            task,
+            columns,
+            layout,
+            plans: Arc::new(plans),
+            total: 0.0,
+            deviation: 1.0,
+            precision: 0,
+            rough: false,
+            clock: Vec::new(),
+        };
+        problem.weigh(&problem.spread());
+        Ok(problem)
+    }
+
+    /// The points of all records whose times are `inside`.
+    pub fn plans_where(&self, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
+        self.layout.plans(&self.task, inside)
+    }
+
+    /// How many values are fitted that no other one repeats.
+    pub fn independent_values(&self) -> f64 {
+        plan::independent_values(&self.plans)
+    }
+
+    /// By record and observation: the scatter of the fitted values.
+    pub fn spread(&self) -> Vec<Vec<f64>> {
+        weights::spread(&self.plans)
+    }
+
+    fn weigh(&mut self, sizes: &[Vec<f64>]) {
+        let plans: &mut Vec<Plan> = Arc::make_mut(&mut self.plans);
+        weights::weigh(plans, &self.task, sizes);
+        self.total = weights::spread_sum(&self.plans);
+    }
+
+    /// Weighs several observations, and the priors of scales, by the scatter of the `residuals`; whether that changes the weights.
+    pub fn reweigh(&mut self, residuals: &[f64]) -> bool {
+        let sizes = weights::sizes(&self.plans, &self.task, residuals);
+        if let Some(sizes) = &sizes {
+            self.weigh(sizes);
+            return true;
+        }
+        let deviation = self.deviation_of(residuals);
+        let changed = (deviation / self.deviation - 1.0).abs() > 1e-3;
+        if changed {
+            self.deviation = deviation;
+        }
+        changed
+    }
+
+    /// How many of the numbers of the search, the last ones, are scales of films. Each has a prior, which adds a row below the
+    /// residuals of the values.
+    pub fn scales(&self) -> usize {
+        self.columns.iter().filter(|column| column.is_scale()).count()
+    }
+
+    /// All fitted points, to be trusted more or less.
+    pub fn points_mut(&mut self) -> impl Iterator<Item = &mut Point> {
+        Arc::make_mut(&mut self.plans).iter_mut().flat_map(|plan| &mut plan.points)
+    }
+
+    /// The part of the sum of squares that a search may leave to be gained.
+    pub fn tolerance(&self) -> f64 {
+        match self.curve.has_states() {
+            true => Self::TOLERANCES_OF_MOTION[if self.rough { 0 } else { self.precision }],
+            false => Self::TOLERANCE,
+        }
+    }
+
+    /// Searches of equations of motion need not find the last digits from here on: weights that follow the residuals are settled
+    /// in many rounds.
+    pub fn search_roughly(&mut self) {
+        self.rough = true;
+    }
+
+    /// Integrates equations of motion more exactly from here on, if that is possible.
+    pub fn refine(&mut self) -> bool {
+        let possible = self.curve.has_states() && self.precision + 1 < curve::TOLERANCES.len();
+        if possible {
+            self.integrate_to(self.precision + 1);
+        }
+        possible
+    }
+
+    /// Integrates equations of motion as exactly as in the end.
+    pub fn refine_fully(&mut self) {
+        self.integrate_to(curve::TOLERANCES.len() - 1);
+    }
+
+    fn integrate_to(&mut self, precision: usize) {
+        self.precision = precision;
+        self.curve.set_tolerance(curve::TOLERANCES[precision]);
+    }
+
+    /// All parameters of the model in a record, with the varied ones from `x`.
+    pub fn parameters(&self, record: usize, x: &[f64]) -> Vec<f64> {
+        let mut parameters = self.task.parameters.clone();
+        for &(index, value) in &self.task.records[record].fixed {
+            if let Some(parameter) = parameters.get_mut(index) {
+                *parameter = value;
+            }
+        }
+        for (column, &value) in self.columns.iter().zip(x) {
+            if let Some(Target::Parameter(index)) = column.target()
+                && column.belongs_to(record)
+                && let Some(parameter) = parameters.get_mut(index)
+            {
+                *parameter = value;
+            }
+        }
+        parameters
+    }
+
+    /// The residuals of all points of `plans`, model minus measured, times weight, and below them one for the prior of each scale,
+    /// with their derivatives.
+    pub fn residuals(&mut self, plans: &[Plan], x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
+        let mut base = 0;
+        for (record, plan) in plans.iter().enumerate() {
+            if !self.record_residuals(record, plan, x, base, residuals, jacobian) {
+                return false;
+            }
+            base += plan.points.len();
+        }
+        scale::add_priors((&self.priors(), self.deviation), x, base, residuals, jacobian);
+        residuals.iter().all(|value| value.is_finite())
+    }
+
+    /// Those of one record, from row `base` on. False if the solution does not reach all points; only those that it reaches
+    /// are then set.
+    pub fn record_residuals(
+        &mut self,
+        record: usize,
+        plan: &Plan,
+        x: &[f64],
+        base: usize,
+        residuals: &mut [f64],
+        jacobian: &mut Jacobian,
+    ) -> bool {
+        let stride = self.curve.stride();
+        let parameters = self.parameters(record, x);
+        let origin = self.origin(record, plan, x);
+        // Where the origin is varied, nothing has moved before it.
+        let earliest = if self.curve.has_states() { 0.0 } else { f64::NEG_INFINITY };
+        self.clock.clear();
+        self.clock.extend(plan.times.iter().map(|time| (time - origin).max(earliest)));
+        let rows = self.clock.len();
+        let known = self.curve.follow(&parameters, &self.clock);
+        let points = &plan.points[..plan.points.partition_point(|point| point.row < known)];
+        let values = self.curve.values();
+        let place = |point: &Point, column| (plan.expressions[point.observation] * stride + column) * rows + point.row;
+        let residuals = &mut residuals[base..][..points.len()];
+        for (residual, point) in residuals.iter_mut().zip(points) {
+            *residual = values[place(point, 0)];
+        }
+        for (number, column) in self.columns.iter().enumerate() {
+            let slopes = &mut jacobian.column_mut(number)[base..][..points.len()];
+            let rows = slopes.iter_mut().zip(points);
+            match column.target() {
+                _ if !column.belongs_to(record) => slopes.fill(0.0),
+                Some(Target::Parameter(index)) => {
+                    let of_parameter = self.curve.place(index);
+                    rows.for_each(|(slope, point)| *slope = point.factor() * values[place(point, of_parameter)]);
+                }
+                Some(Target::Origin) => {
+                    // What has not moved yet does not begin to move where the origin does.
+                    let moves = |point: &Point| plan.times[point.row] - origin >= earliest;
+                    rows.for_each(|(slope, point)| {
+                        *slope = if moves(point) { point.factor() * -values[place(point, stride - 1)] } else { 0.0 };
+                    });
+                }
+                Some(Target::Offset(observation)) => {
+                    for ((slope, point), residual) in rows.zip(residuals.iter_mut()) {
+                        let own = point.observation == observation;
+                        *slope = if own { point.factor() } else { 0.0 };
+                        *residual += if own { x[number] } else { 0.0 };
+                    }
+                }
+                // It follows when all terms are together.
+                None => {}
+            }
+        }
+        let of_record = |column: &Column| column.is_scale() && column.belongs_to(record);
+        if let Some(number) = self.columns.iter().position(of_record) {
+            let powers = self.task.records[record].observations.iter().map(columns::power_of_length).collect();
+            scale::apply(powers, (number, x[number]), points, (base, residuals, jacobian));
+        }
+        for (residual, point) in residuals.iter_mut().zip(points) {
+            *residual = point.factor() * (*residual - point.value);
+        }
+        known == rows
+    }
+
+    /// By number of the search: its size at the start or at `x`; where it starts at 0, how far its range lets it go, or at least 1.
+    pub fn reach(&self, x: &[f64]) -> Vec<f64> {
+        let numbers = self.bounds.iter().zip(self.own.iter().zip(x));
+        let of_number = |(&(low, high), (own, x)): (&(f64, f64), (&f64, &f64))| match high - low {
+            _ if *own != 0.0 => own.abs().max(x.abs()),
+            width if width.is_finite() => width,
+            _ => x.abs().max(1.0),
+        };
+        numbers.map(of_number).collect()
+    }
+
+    /// The priors of the scales, in the order of their columns.
+    pub fn priors(&self) -> Vec<Prior> {
+        let prior = |(number, column): (usize, &Column)| {
+            let record = column.record.filter(|_| column.is_scale())?;
+            Some(Prior { number, record, error: self.task.records[record].scale_error? })
+        };
+        self.columns.iter().enumerate().filter_map(prior).collect()
+    }
+
+    /// The standard deviation of a weighted residual: 1 where errors are given or nothing has a prior, else by the `residuals` at the
+    /// end of a search, but not below that of an exact fit.
+    fn deviation_of(&self, residuals: &[f64]) -> f64 {
+        let scales = self.scales();
+        if scales == 0 || self.task.errors_given() {
+            return 1.0;
+        }
+        let values = &residuals[..residuals.len() - scales];
+        let squares = values.iter().fold(0.0, |sum, residual| sum + residual * residual);
+        let freedom = self.independent_values() - (self.own.len() - scales) as f64;
+        let least = weights::EXACT * (self.total / values.len() as f64).sqrt();
+        (squares / freedom.max(1.0)).sqrt().max(least).max(f64::MIN_POSITIVE)
+    }
+
+    /// The columns in which the residuals are linear, all of them together.
+    pub fn linear_columns(&self) -> Vec<usize> {
+        let linear = |target| match target {
+            Some(Target::Parameter(index)) => self.curve.is_linear_in(index),
+            Some(Target::Offset(_)) => true,
+            Some(Target::Origin) | None => false,
+        };
+        (0..self.columns.len()).filter(|&number| linear(self.columns[number].target())).collect()
+    }
+
+    /// The clock's reading at the model's 0.
+    pub fn origin(&self, record: usize, plan: &Plan, x: &[f64]) -> f64 {
+        let varied = self
+            .columns
+            .iter()
+            .zip(x)
+            .find(|(column, _)| column.target() == Some(Target::Origin) && column.belongs_to(record));
+        varied.map_or(plan.origin, |(_, value)| *value)
+    }
+}
+
+fn duration(record: &Record) -> f64 {
+    let times = record.observations.iter().flat_map(|observation| &observation.times).filter(|time| time.is_finite());
+    let (low, high) =
+        times.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &time| (low.min(time), high.max(time)));
+    if low < high { high - low } else { 0.0 }
+}

@@ -1,0 +1,317 @@
+//! Where to begin, found from the data.
+//!
+//! For formulas: rates and times among what is varied get the frequency and the damping that the data show, in every
+//! order; what the formula is linear in, and the phase, then follow from linear least squares. For any model: the record is
+//! fitted from its beginning in windows that grow, so that the frequency is never wrong by half a period.
+
+use super::problem::Problem;
+use crate::cycles::{Estimate, estimate};
+use crate::fit::linear::{Decomposition, Jacobian};
+use crate::fit::task::Target;
+use crate::fit::task::plan::{Plan, Point};
+use units::Dimension;
+
+/// What a varied parameter does in a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Role {
+    /// The formula is linear in it.
+    Linear,
+    /// 1/time.
+    Rate,
+    /// A time.
+    Time,
+    /// A pure number, perhaps a phase.
+    Number,
+    /// Anything else; it keeps its value.
+    Other,
+}
+
+/// How many rows are looked at to find a start.
+pub(crate) const ROWS: usize = 64;
+
+/// The damped oscillation that each record's first observation shows.
+pub(crate) fn estimates(problem: &Problem) -> Vec<Option<Estimate>> {
+    problem
+        .plans
+        .iter()
+        .map(|plan| {
+            let first = plan.points.first()?.observation;
+            let of_first = || plan.points.iter().filter(|point| point.observation == first);
+            let times: Vec<f64> = of_first().map(|point| plan.times[point.row]).collect();
+            let values: Vec<f64> = of_first().map(|point| point.value).collect();
+            estimate(&times, &values)
+        })
+        .collect()
+}
+
+/// A start for a formula, from the estimated oscillation of each record; `None` for equations of motion, or where nothing
+/// varied is a rate or a time.
+pub(crate) fn from_estimates(problem: &mut Problem, estimates: &[Option<Estimate>]) -> Option<Vec<f64>> {
+    if problem.curve.has_states() {
+        return None;
+    }
+    let roles = roles(problem);
+    let mut start = problem.own.clone();
+    // A shared number comes from the first record; those of each record from its own.
+    for (record, estimate) in estimates.iter().enumerate() {
+        let Some(estimate) = estimate else { continue };
+        // A reciprocal of no damping would be no time.
+        let damping = estimate.damping.max(1e-3 * estimate.angular_frequency);
+        let plan = thinned(&problem.plans[record]);
+        let mine: Vec<usize> = (0..problem.columns.len())
+            .filter(|&number| problem.columns[number].record.map_or(record == 0, |own| own == record))
+            .collect();
+        let rates: Vec<usize> =
+            mine.iter().copied().filter(|&number| matches!(roles[number], Role::Rate | Role::Time)).collect();
+        let mut best = (f64::INFINITY, start.clone());
+        for order in orders(rates.len()) {
+            let mut trial = start.clone();
+            for (&number, value) in rates.iter().zip(order) {
+                trial[number] = match (value, roles[number]) {
+                    (Shown::Frequency, Role::Rate) => estimate.angular_frequency,
+                    (Shown::Frequency, _) => 2.0 * std::f64::consts::PI / estimate.angular_frequency,
+                    (Shown::Damping, Role::Rate) => damping,
+                    (Shown::Damping, _) => 1.0 / damping,
+                    (Shown::Own, _) => problem.own[number],
+                };
+            }
+            if let Some(sum) = complete(problem, record, &plan, &roles, &mine, &mut trial)
+                && sum < best.0
+            {
+                best = (sum, trial);
+            }
+        }
+        start = best.1;
+    }
+    (start != problem.own).then_some(start)
+}
+
+/// What the data show of an oscillation.
+#[derive(Clone, Copy, Debug)]
+enum Shown {
+    Frequency,
+    Damping,
+    Own,
+}
+
+/// The ways to give the frequency and the damping to so many rates.
+fn orders(rates: usize) -> Vec<Vec<Shown>> {
+    // Of more than four rates, the last ones keep their values.
+    let few = rates.min(4);
+    let mut orders = Vec::new();
+    for frequency in 0..few {
+        for damping in 0..=few {
+            if frequency == damping || (damping == few && few > 1) {
+                continue;
+            }
+            let mut order = vec![Shown::Own; rates];
+            order[frequency] = Shown::Frequency;
+            if let Some(place) = order.get_mut(damping) {
+                *place = Shown::Damping;
+            }
+            orders.push(order);
+        }
+    }
+    orders
+}
+
+fn roles(problem: &Problem) -> Vec<Role> {
+    let rate = Dimension::TIME.inverse();
+    problem
+        .columns
+        .iter()
+        .map(|column| match column.target() {
+            Some(Target::Offset(_)) => Role::Linear,
+            Some(Target::Origin) | None => Role::Other,
+            Some(Target::Parameter(index)) => {
+                let dimension = problem.model.parameters.get(index).map(|parameter| parameter.unit.dimension);
+                if problem.curve.is_linear_in(index) {
+                    Role::Linear
+                } else if dimension == Some(rate) {
+                    Role::Rate
+                } else if dimension == Some(Dimension::TIME) {
+                    Role::Time
+                } else if dimension.is_some_and(|dimension| dimension.is_none()) {
+                    Role::Number
+                } else {
+                    Role::Other
+                }
+            }
+        })
+        .collect()
+}
+
+/// A part of the rows of a plan, evenly taken.
+pub(crate) fn thinned(plan: &Plan) -> Plan {
+    let every = plan.times.len().div_ceil(ROWS).max(1);
+    let kept: Vec<Point> = plan
+        .points
+        .iter()
+        .filter(|point| point.row % every == 0)
+        .map(|point| Point { row: point.row / every, ..*point })
+        .collect();
+    Plan { times: plan.times.iter().copied().step_by(every).collect(), points: kept, ..plan.clone() }
+}
+
+/// Finds what the formula is linear in, and the phase, for the rates in `trial`; the sum of squares reached.
+///
+/// A sinusoid of any phase is a sum of those of phase 0 and of a quarter turn: f(phi) = f(0) cos phi + f(pi/2) sin phi. So
+/// both are offered to linear least squares, and the amplitude and the phase follow from the two coefficients.
+fn complete(
+    problem: &mut Problem,
+    record: usize,
+    plan: &Plan,
+    roles: &[Role],
+    mine: &[usize],
+    trial: &mut [f64],
+) -> Option<f64> {
+    let rows = plan.points.len();
+    let linear: Vec<usize> = mine.iter().copied().filter(|&number| roles[number] == Role::Linear).collect();
+    let phase = mine.iter().copied().find(|&number| roles[number] == Role::Number);
+    let at = |problem: &mut Problem, x: &[f64]| {
+        let mut residuals = vec![0.0; rows];
+        let mut jacobian = Jacobian::new(rows, x.len());
+        problem.record_residuals(record, plan, x, 0, &mut residuals, &mut jacobian).then_some((residuals, jacobian))
+    };
+    // With nothing but the linear part at zero, the residuals are what the linear part has to explain.
+    let mut bare = trial.to_vec();
+    linear.iter().for_each(|&number| bare[number] = 0.0);
+    if let Some(phase) = phase {
+        bare[phase] = 0.0;
+    }
+    let (residuals, first) = at(problem, &bare)?;
+    let Some(phase) = phase.filter(|_| !linear.is_empty()) else {
+        let solved = solve(&first, &linear, &residuals)?;
+        linear.iter().zip(&solved.0).for_each(|(&number, value)| bare[number] = *value);
+        trial.copy_from_slice(&bare);
+        return Some(solved.1);
+    };
+    let mut turned = bare.clone();
+    turned[phase] = std::f64::consts::FRAC_PI_2;
+    let (_, second) = at(problem, &turned)?;
+    let mut best: Option<(f64, Vec<f64>)> = None;
+    for &amplitude in &linear {
+        // The basis: every linear column at phase 0, and this one's at a quarter turn besides.
+        let mut basis = Jacobian::new(rows, linear.len() + 1);
+        for (place, &number) in linear.iter().enumerate() {
+            basis.column_mut(place).copy_from_slice(first.column(number));
+        }
+        basis.column_mut(linear.len()).copy_from_slice(second.column(amplitude));
+        let all: Vec<usize> = (0..=linear.len()).collect();
+        let Some((values, sum)) = solve(&basis, &all, &residuals) else { continue };
+        if best.as_ref().is_some_and(|(least, _)| *least <= sum) {
+            continue;
+        }
+        let mut x = bare.clone();
+        linear.iter().zip(&values).for_each(|(&number, value)| x[number] = *value);
+        let (cosine, sine) = (x[amplitude], values[linear.len()]);
+        x[amplitude] = libm::hypot(cosine, sine);
+        x[phase] = libm::atan2(sine, cosine);
+        best = Some((sum, x));
+    }
+    let (sum, x) = best?;
+    trial.copy_from_slice(&x);
+    Some(sum)
+}
+
+/// Linear least squares: the values that make `residuals` plus the columns times the values smallest, and the sum of
+/// squares that is left.
+fn solve(columns: &Jacobian, chosen: &[usize], residuals: &[f64]) -> Option<(Vec<f64>, f64)> {
+    let scale: Vec<f64> = (0..columns.columns)
+        .map(|column| {
+            let length = crate::fit::linear::norm(columns.column(column));
+            if length > 0.0 { length } else { 1.0 }
+        })
+        .collect();
+    let decomposition = Decomposition::new(columns, chosen, &scale, residuals);
+    let flat = 1e-10 * decomposition.greatest();
+    let step = decomposition.combine(|value| if value > flat { 1.0 / value } else { 0.0 });
+    let values: Vec<f64> = chosen.iter().zip(&step).map(|(&column, step)| -step / scale[column]).collect();
+    let mut sum = 0.0;
+    for (row, residual) in residuals.iter().enumerate() {
+        let explained =
+            chosen.iter().zip(&values).fold(0.0, |sum, (&column, value)| sum + columns.column(column)[row] * value);
+        sum += (residual + explained) * (residual + explained);
+    }
+    (sum.is_finite() && values.iter().all(|value| value.is_finite())).then_some((values, sum))
+}
+
+/// Windows that grow from the beginning of each record: the durations, the last of which takes in everything.
+pub(crate) fn windows(problem: &Problem, estimates: &[Option<Estimate>]) -> Vec<f64> {
+    let mut duration: f64 = 0.0;
+    let mut first: f64 = f64::INFINITY;
+    for (plan, estimate) in problem.plans.iter().zip(estimates) {
+        let (Some(start), Some(end)) = (plan.times.first(), plan.times.last()) else { continue };
+        duration = duration.max(end - start);
+        let period = match estimate {
+            Some(estimate) => 2.0 * std::f64::consts::PI / estimate.angular_frequency,
+            None => (end - start) / 6.0,
+        };
+        first = first.min(period);
+    }
+    let mut windows = Vec::new();
+    let mut window = 0.75 * first;
+    while window < 0.7 * duration && window > 0.0 && windows.len() < 12 {
+        windows.push(window);
+        window *= 1.7;
+    }
+    windows.push(f64::INFINITY);
+    windows
+}
+
+/// The plans cut to a duration, each from its own beginning.
+pub(crate) fn cut(plans: &[Plan], duration: f64) -> Vec<Plan> {
+    plans
+        .iter()
+        .map(|plan| {
+            let end = plan.times.first().map_or(0.0, |start| start + duration);
+            let rows = plan.times.partition_point(|time| *time <= end);
+            Plan {
+                times: plan.times[..rows].to_vec(),
+                points: plan.points.iter().copied().filter(|point| point.row < rows).collect(),
+                ..plan.clone()
+            }
+        })
+        .collect()
+}
+
+/// Starts spread over the ranges, evenly however many there are (Halton, Numer. Math. 2 (1960) 84): the one of number
+/// `index`. Without a range, from a fifth of the start to five times it, and every other time from a three-hundredth to three
+/// hundred times.
+pub(crate) fn spread(own: &[f64], bounds: &[(f64, f64)], index: usize) -> Vec<f64> {
+    own.iter()
+        .zip(bounds)
+        .enumerate()
+        .map(|(place, (&value, &(low, high)))| {
+            let part = halton(index, place);
+            if low.is_finite() && high.is_finite() {
+                // Small values are as likely as large ones where the range reaches over decades.
+                if low > 0.0 && high > 20.0 * low {
+                    low * libm::exp(part * libm::log(high / low))
+                } else {
+                    low + part * (high - low)
+                }
+            } else {
+                let scale = if value == 0.0 { 1.0 } else { value };
+                let reach: f64 = if index.is_multiple_of(2) { 5.0 } else { 300.0 };
+                scale * libm::exp((2.0 * part - 1.0) * libm::log(reach))
+            }
+        })
+        .collect()
+}
+
+/// Number `place` of the point of number `index` in the unit cube.
+pub(crate) fn halton(index: usize, place: usize) -> f64 {
+    const PRIMES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+    radical_inverse(index + 1, PRIMES[place % PRIMES.len()])
+}
+
+fn radical_inverse(mut index: usize, base: usize) -> f64 {
+    let (mut result, mut digit) = (0.0, 1.0);
+    while index > 0 {
+        digit /= base as f64;
+        result += digit * (index % base) as f64;
+        index /= base;
+    }
+    result
+}

@@ -1,11 +1,11 @@
 //! What a list of documents shows of a file: its title, a sentence and its topics. They are read without the model, so that
 //! a long list is quick.
 
-use crate::block::BlockKind;
-use crate::fences;
-use crate::front_matter::{FrontMatter, Value, read};
-use crate::outline::LENGTH;
+use crate::blocks::front_matter::{FrontMatter, Value, read};
 use crate::prose::Prose;
+use crate::text::block::BlockKind;
+use crate::text::fences;
+use crate::text::outline::LENGTH;
 use model::{Diagnostic, Span};
 use program::Block;
 use units::markup::escaped;

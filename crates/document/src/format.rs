@@ -1,10 +1,11 @@
 //! One layout for documents, whoever wrote them.
 
-use crate::block::{Block, BlockKind};
-use crate::fences::safe_length;
-use crate::outline::Outline;
-use crate::source::{Line, lines, trim};
-use crate::{prose, questions};
+use crate::blocks::questions;
+use crate::prose;
+use crate::text::block::{Block, BlockKind};
+use crate::text::fences::safe_length;
+use crate::text::outline::Outline;
+use crate::text::source::{Line, lines, trim};
 use model::{Edit, Form, Span};
 use std::ops::Range;
 

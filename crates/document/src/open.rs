@@ -1,17 +1,19 @@
 //! From text to document.
 
-use crate::block::BlockKind;
+use crate::blocks::questions;
+use crate::blocks::questions::{QUESTIONS, RawQuestion};
+use crate::blocks::settings;
+use crate::blocks::{plots, presets, vary};
 use crate::card;
 use crate::checks::Checks;
 use crate::document::{Document, Opened};
 use crate::expressions::Expressions;
-use crate::findings::limited;
-use crate::outline::Outline;
 use crate::prose::Prose;
-use crate::questions::{self, QUESTIONS, RawQuestion};
+use crate::scene;
 use crate::scene::SceneText;
-use crate::settings;
-use crate::{plots, presets, scene, vary};
+use crate::text::block::BlockKind;
+use crate::text::findings::limited;
+use crate::text::outline::Outline;
 use model::{Checked, Diagnostic, Span, Statement};
 use program::{Edition, Program, Question, QuestionText};
 use std::collections::BTreeMap;

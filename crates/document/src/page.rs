@@ -65,7 +65,8 @@ pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<
     if let Some(title) = &options.title {
         replace_between(&mut head, "<title>", "</title>", &units::markup::escaped(title));
     }
-    if let Some(language) = options.language.as_ref().filter(|language| crate::settings::is_language(language)) {
+    if let Some(language) = options.language.as_ref().filter(|language| crate::blocks::settings::is_language(language))
+    {
         replace_between(&mut head, "<html lang=\"", "\"", language);
     }
     let encoded = |bytes: &Vec<u8>| base64::engine::general_purpose::STANDARD.encode(bytes);

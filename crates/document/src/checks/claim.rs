@@ -3,8 +3,8 @@
 use super::identity::remark_on_identity;
 use super::tolerance::tolerance;
 use crate::expressions::{Expressions, Placed, dimension_error};
-use crate::scan::{find_word, top_level};
-use crate::source::trim;
+use crate::text::scan::{find_word, top_level};
+use crate::text::source::trim;
 use model::{BinaryOperator, Diagnostic, ExpressionKind, Span};
 use program::{Claim, Kind, Moment, Relation, Sides, Test};
 use std::ops::Range;

@@ -5,8 +5,8 @@ mod identity;
 mod tolerance;
 
 use crate::expressions::Expressions;
-use crate::scan::{leading_text, statements};
-use crate::source::trim;
+use crate::text::scan::{leading_text, statements};
+use crate::text::source::trim;
 use model::{Diagnostic, Span};
 use program::{Assignment, Check};
 use std::ops::Range;

@@ -1,7 +1,8 @@
 //! How far off a claim may be: `1e-6` and `0.1 %` are fractions, `1 [mm]` is a quantity.
 
+use crate::blocks::tolerances;
+use crate::blocks::tolerances::Form;
 use crate::expressions::{Expressions, Placed};
-use crate::tolerances::{self, Form};
 use model::{Diagnostic, Span};
 use program::Tolerance;
 use std::ops::Range;

@@ -15,7 +15,7 @@ pub enum Axis {
 
 /// The components of a point: those of its pair that stands without a factor. `None` if it has no such pair.
 pub(crate) fn components(source: &str, value: Span) -> Option<(Range<usize>, Range<usize>)> {
-    let range = crate::source::trim(source, value.range());
+    let range = crate::text::source::trim(source, value.range());
     let pairs = pairs(source, range.clone())?;
     let is_plain = |pair: &Range<usize>| {
         let before = source[range.start..pair.start].trim_end();
@@ -33,7 +33,7 @@ pub(crate) fn at_axis(source: &str, value: Span, axis: Axis) -> Option<Range<usi
         Axis::Across => across,
         Axis::Along => along,
     };
-    Some(crate::source::trim(source, range))
+    Some(crate::text::source::trim(source, range))
 }
 
 /// What one component of a point follows: the name of a quantity, if it is that alone or with a distance added; an empty text if it

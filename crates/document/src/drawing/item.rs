@@ -2,8 +2,8 @@
 
 use super::shapes::{holds_others, kind_of, shows_text};
 use crate::BlockKind;
-use crate::outline::Outline;
 use crate::scene::{Part, RawChild, RawElement, parse};
+use crate::text::outline::Outline;
 use model::Span;
 use std::ops::Range;
 

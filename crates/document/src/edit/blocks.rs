@@ -2,9 +2,9 @@
 
 use super::layout::{Layout, begin_line, line_end, with_line_ends_of};
 use super::{Edit, EditError};
-use crate::block::{Block, BlockKind};
-use crate::fences::safe_length;
-use crate::outline::Outline;
+use crate::text::block::{Block, BlockKind};
+use crate::text::fences::safe_length;
+use crate::text::outline::Outline;
 use model::Span;
 
 /// Replaces the content of the block with this index in [`Outline::blocks`]; its fence lines stay. The content gets the

@@ -6,7 +6,7 @@ use super::obstacle::Obstacle;
 use super::rename::rename_with;
 use super::{Edit, EditError};
 use crate::form::{CellKind, Part, structure};
-use crate::outline::{Outline, read};
+use crate::text::outline::{Outline, read};
 use model::Span;
 
 /// Gives a cell of the statement with this number in the [form](crate::form::Form) another text, as its author typed it. An empty

@@ -76,7 +76,7 @@ impl EditError {
             Self::TooLong => words!(
                 "a document cannot be longer than {} bytes",
                 "un documento no puede tener más de {} bytes",
-                crate::outline::LENGTH
+                crate::text::outline::LENGTH
             ),
             Self::UnknownParameter(name) => {
                 words!("the model has no parameter `{name}`", "el modelo no tiene ningún parámetro `{name}`")

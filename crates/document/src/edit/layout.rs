@@ -1,9 +1,11 @@
 //! What the text must be read as after an edit.
 
 use super::{Edit, EditError, apply};
-use crate::block::{Block, BlockKind};
-use crate::outline::{LENGTH, Outline};
-use crate::{FrontMatter, fences, front_matter};
+use crate::FrontMatter;
+use crate::blocks::front_matter;
+use crate::text::block::{Block, BlockKind};
+use crate::text::fences;
+use crate::text::outline::{LENGTH, Outline};
 
 /// The entries of the front matter and the contents of the blocks, without places.
 #[derive(Debug, PartialEq, Eq)]

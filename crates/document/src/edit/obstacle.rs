@@ -1,7 +1,7 @@
 //! What keeps a text out of a cell or an element.
 
-use crate::questions::key_in;
-use crate::scan::find_any_word;
+use crate::blocks::questions::key_in;
+use crate::text::scan::find_any_word;
 use units::{Words, words};
 
 /// What keeps a text out of a cell or an element: it would be read as a part of what stands around it.

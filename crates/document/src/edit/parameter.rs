@@ -2,7 +2,7 @@
 
 use super::columns::keeping_columns;
 use super::{Edit, EditError, layout};
-use crate::outline::Outline;
+use crate::text::outline::Outline;
 use model::{ExpressionKind, ParameterForm, Span, StatementKind};
 
 /// Replaces the default value of a parameter by `text`, a number in the declared unit, or the value of a size. Unit, range, label and comment

@@ -7,8 +7,8 @@ use super::lines::{exchanged, lines_around};
 use super::obstacle::Obstacle;
 use super::{Edit, EditError};
 use crate::form::{PlotCell, PlotPart, plots};
-use crate::outline::{Outline, read};
-use crate::scan::{find_word, split};
+use crate::text::outline::{Outline, read};
+use crate::text::scan::{find_word, split};
 use crate::{BlockKind, assist};
 use model::Span;
 

@@ -4,9 +4,11 @@ use super::blocks::{insert_block, remove_block};
 use super::layout::{begin_line, line_end, result, with_line_ends_of};
 use super::obstacle::Obstacle;
 use super::{Edit, EditError};
-use crate::outline::{Outline, read};
+use crate::asked;
+use crate::blocks::questions;
+use crate::text::outline::{Outline, read};
 use crate::translating::question_at;
-use crate::{Asked, BlockKind, QuestionPart, asked, questions};
+use crate::{Asked, BlockKind, QuestionPart};
 use model::Span;
 
 /// A question whose answer the model computes.

@@ -3,7 +3,7 @@
 use super::{Edit, EditError, layout};
 use crate::Opened;
 use crate::assist::{NameAt, name_at, names_in, word_at};
-use crate::outline::{Outline, read};
+use crate::text::outline::{Outline, read};
 use model::{ExpressionKind, Severity, Span};
 use program::Program;
 use program::functions::Function;

@@ -2,8 +2,8 @@
 
 use super::layout::{begin_line, line_end, result};
 use super::{Edit, EditError};
-use crate::front_matter::{FrontMatter, Value, is_key, trimmed};
-use crate::outline::Outline;
+use crate::blocks::front_matter::{FrontMatter, Value, is_key, trimmed};
+use crate::text::outline::Outline;
 use model::Span;
 
 /// Gives a key of the front matter a value, or removes it. The value of a key that is there is replaced: of several, the

@@ -6,7 +6,7 @@ use super::lines::{exchanged, lines_around};
 use super::obstacle::Obstacle;
 use super::{Edit, EditError};
 use crate::form::{CellKind, Part, Place, shown, structure};
-use crate::outline::Outline;
+use crate::text::outline::Outline;
 use model::Span;
 
 /// Exchanges two statements of the [form](crate::form::Form) with the comments on their lines, which changes the order of controls or

@@ -7,7 +7,7 @@ use super::lines::lines_around;
 use super::{Edit, EditError};
 use crate::BlockKind;
 use crate::form::{CellKind, Part, Section, structure};
-use crate::outline::Outline;
+use crate::text::outline::Outline;
 use model::Span;
 
 /// Adds statements under a heading of the form: on lines of their own behind the last one there, or else at the end of the last

@@ -7,7 +7,7 @@ use super::question::write_part;
 use super::settings::set_front_matter;
 use super::{Edit, EditError};
 use crate::BlockKind;
-use crate::outline::{Outline, read};
+use crate::text::outline::{Outline, read};
 use crate::translating::{TextKey, entry_in, prose_at, question_at, values};
 use model::Span;
 

@@ -1,7 +1,7 @@
 //! The cells of a statement that is a row: found in its text, so that a cell can hold something wrong while it is edited.
 
-use crate::scan::{find_any_word, top_level};
-use crate::source::trim;
+use crate::text::scan::{find_any_word, top_level};
+use crate::text::source::trim;
 use model::{ExpressionKind, Span, Statement, StatementKind};
 use std::ops::Range;
 

@@ -13,7 +13,7 @@ pub use proposal::proposal;
 pub use section::Section;
 pub use shown::{Place, Shown, plottable, shown};
 
-use crate::source::trim;
+use crate::text::source::trim;
 use crate::{BlockKind, Outline};
 use model::Span;
 

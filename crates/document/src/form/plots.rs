@@ -1,11 +1,11 @@
 //! The plots of a document as forms show them, found in their text, so that each part can hold something wrong while it is edited.
 
 use crate::BlockKind;
-use crate::outline::Outline;
-use crate::plots::{POINTS, begins_with, is_equal_axes};
-use crate::profiles::HISTOGRAM;
-use crate::scan::{find_any_word, leading_text, split, statements};
-use crate::source::trim;
+use crate::blocks::plots::{POINTS, begins_with, is_equal_axes};
+use crate::blocks::profiles::HISTOGRAM;
+use crate::text::outline::Outline;
+use crate::text::scan::{find_any_word, leading_text, split, statements};
+use crate::text::source::trim;
 use model::Span;
 use std::ops::Range;
 

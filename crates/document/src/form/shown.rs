@@ -1,7 +1,7 @@
 //! What a page shows of the model, in its order: the controls of parameters, and the values that are read off.
 
 use crate::Outline;
-use crate::source::trim;
+use crate::text::source::trim;
 use model::{Expression, Members, Quoted, Span, Statement, StatementKind};
 use program::{Kind, Program, Role};
 

@@ -1,7 +1,7 @@
 //! Blanks at the ends of lines of Markdown.
 
 use super::html::options;
-use crate::source::lines;
+use crate::text::source::lines;
 use model::{Edit, Span};
 use pulldown_cmark::{Event, Parser, Tag};
 use std::ops::Range;

@@ -7,7 +7,7 @@ mod text;
 
 pub use blanks::without_trailing_blanks;
 
-use crate::source::trim;
+use crate::text::source::trim;
 use html::{Piece, render};
 use model::Diagnostic;
 use program::{Block, Section};

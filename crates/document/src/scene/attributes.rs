@@ -5,7 +5,7 @@ use super::appearance::misfit;
 use super::builder::Builder;
 use super::colours::{is_colour, palette};
 use super::template::{self, RawPiece};
-use crate::source::trim;
+use crate::text::source::trim;
 use model::{Diagnostic, Span};
 use program::{Attribute, Kind, Piece, Template};
 use std::ops::Range;

@@ -2,9 +2,9 @@
 
 use super::allowed::is_id;
 use super::builder::Builder;
-use super::frame::four_numbers;
-use super::marks::Marks;
 use super::space::Space;
+use super::space::frame::four_numbers;
+use super::space::marks::Marks;
 use super::translate::SceneText;
 use super::xml::{RawChild, RawElement, parse};
 use crate::expressions::Expressions;
@@ -84,7 +84,7 @@ fn build_with(
                 None,
             ),
             RawChild::Text(text) => {
-                let text = crate::source::trim(source, text);
+                let text = crate::text::source::trim(source, text);
                 if !text.is_empty() {
                     builder.refuse(
                         words("this text stands outside the drawing", "este texto está fuera del dibujo"),

@@ -1,7 +1,7 @@
 //! What a scene is built with: the values, texts and references so far, and where the building is.
 
-use super::marks::Marks;
 use super::space::Space;
+use super::space::marks::Marks;
 use super::translate::SceneText;
 use crate::expressions::Expressions;
 use model::{Diagnostic, Span};

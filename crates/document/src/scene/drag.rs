@@ -24,7 +24,7 @@ impl Builder<'_, '_> {
             }
             return None;
         };
-        let place = crate::source::trim(self.expressions.source, place);
+        let place = crate::text::source::trim(self.expressions.source, place);
         let target = self.dragged(&place)?;
         if dragging.up.is_none() && dragging.right.is_none() && (self.space.framed || anchor.is_some()) {
             return self.along(target, anchor, place);

@@ -3,7 +3,7 @@
 use super::allowed::ELEMENTS;
 use super::builder::{Builder, Dragging};
 use super::parts::{Given, PARTS, Part, part_of, title};
-use super::shapes::{Geometry, is_geometry};
+use super::space::shapes::{Geometry, is_geometry};
 use super::style;
 use super::translate::SceneText;
 use super::xml::{RawChild, RawElement};
@@ -196,7 +196,7 @@ impl Builder<'_, '_> {
                     element.children.extend(self.text(text).map(Child::Text));
                 }
                 RawChild::Text(text) => {
-                    let text = crate::source::trim(self.expressions.source, text);
+                    let text = crate::text::source::trim(self.expressions.source, text);
                     if !text.is_empty() {
                         self.refuse(
                             words("text is shown inside `<text>` only", "el texto solo se muestra dentro de `<text>`"),

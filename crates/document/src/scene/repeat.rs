@@ -1,7 +1,7 @@
 //! Copies of an element for each value of an index, and lists of points that are computed: `i in 1..N`.
 
 use super::builder::Builder;
-use super::points;
+use super::space::points;
 use model::{Expression, ExpressionKind, Span};
 use program::Piece;
 use std::ops::Range;
@@ -111,16 +111,16 @@ impl Builder<'_, '_> {
                 self.write_spot(spot?, &mut pieces);
             }
         }
-        self.fits(pieces.len(), rest).then(|| super::shapes::merged(pieces))
+        self.fits(pieces.len(), rest).then(|| super::space::shapes::merged(pieces))
     }
 
     /// Takes `i in 1..N` apart.
     fn index(&mut self, range: Range<usize>) -> Option<Index> {
-        let range = crate::source::trim(self.expressions.source, range);
+        let range = crate::text::source::trim(self.expressions.source, range);
         let text = self.source(&range);
         let parts = text.split_once(" in ").map(|(name, rest)| (name.len(), rest.len()));
         let parts = parts.and_then(|(name, rest)| {
-            let name = crate::source::trim(self.expressions.source, range.start..range.start + name);
+            let name = crate::text::source::trim(self.expressions.source, range.start..range.start + name);
             let (low, high) = points::interval(self.expressions.source, &(range.end - rest..range.end))?;
             let text = self.source(&name);
             let is_name = text.starts_with(|c: char| c.is_ascii_alphabetic())

@@ -19,7 +19,7 @@ pub fn rules(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
             Err((message, range)) => diagnostics.push(refusal(message, range)),
         }
     }
-    let rest = crate::source::trim(source, at..range.end);
+    let rest = crate::text::source::trim(source, at..range.end);
     if !rest.is_empty() {
         diagnostics.push(refusal(words("the rule is not closed with `}`", "la regla no se cierra con `}`"), rest));
     }
@@ -56,7 +56,7 @@ fn rule(source: &str, rule: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> 
     let mut confined = String::new();
     let mut at = rule.end - declarations.len();
     for declaration in declarations.split(';') {
-        let range = crate::source::trim(source, at..at + declaration.len());
+        let range = crate::text::source::trim(source, at..at + declaration.len());
         at += declaration.len() + 1;
         if range.is_empty() {
             continue;

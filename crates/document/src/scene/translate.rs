@@ -1,7 +1,7 @@
 //! The texts of a scene in another language.
 
 use super::template::{self, RawPiece};
-use crate::translation::Texts;
+use crate::translating::translation::Texts;
 use model::Diagnostic;
 use program::{Child, Element, Piece, Scene, Template};
 use units::{Language, Words, words};

@@ -1,5 +1,8 @@
 //! The texts of a document beside those of a translation. [`crate::edit::set_translation`] writes one.
 
+pub(crate) mod edition;
+pub(crate) mod translation;
+
 mod key;
 mod short_texts;
 mod values;

@@ -1,10 +1,10 @@
 //! The texts of a file by their keys, with their places.
 
 use super::key::TextKey;
-use crate::questions;
-use crate::scan::statements;
+use super::translation::entry;
+use crate::blocks::questions;
 use crate::scene::normalised;
-use crate::translation::entry;
+use crate::text::scan::statements;
 use crate::{BlockKind, Outline};
 use std::ops::Range;
 

@@ -6,8 +6,8 @@ use super::expect::drawing;
 use crate::BlockKind;
 use crate::drawing::{Drawing, Part, shows_text};
 use crate::edit::{Edit, EditError, insert_block, line_end};
-use crate::outline::Outline;
 use crate::scene::part_of;
+use crate::text::outline::Outline;
 use model::Span;
 use units::Language;
 

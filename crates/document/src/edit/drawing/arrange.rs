@@ -5,7 +5,7 @@ use super::expect::{Shape, drawing, expect, item, shapes};
 use super::shift::shift;
 use crate::drawing::{Drawing, Grip, Item};
 use crate::edit::{Edit, EditError, Obstacle, apply, line_end};
-use crate::outline::Outline;
+use crate::text::outline::Outline;
 use model::Span;
 
 /// Where an element goes among those beside it. What comes later in the text is drawn on top.
@@ -128,7 +128,7 @@ pub(super) fn expect_beside(
     count: usize,
 ) -> Result<(), EditError> {
     let text = apply(outline.source(), std::slice::from_ref(edit))?;
-    let after = crate::outline::read(&text);
+    let after = crate::text::outline::read(&text);
     let added = crate::drawing::read(&after).map(|after| shapes(&text, &after)).unwrap_or_default();
     let added = added.get(place..place + count).ok_or(EditError::NotOneElement(Obstacle::Other))?;
     let mut expected = shapes(outline.source(), drawing);

@@ -3,7 +3,7 @@
 use super::expect::{drawing, expect, item, shapes};
 use crate::drawing::{Drawing, Item, shows_text};
 use crate::edit::{Edit, EditError, Obstacle};
-use crate::outline::Outline;
+use crate::text::outline::Outline;
 use model::Span;
 
 /// Gives an element of the [drawing](crate::drawing::Drawing) an attribute, changes it, or with an empty text removes it.

@@ -3,7 +3,8 @@
 use crate::drawing::{Drawing, Item, read};
 use crate::edit::layout::{Layout, result};
 use crate::edit::{Edit, EditError, Obstacle};
-use crate::outline::{self, Outline};
+use crate::text::outline;
+use crate::text::outline::Outline;
 
 /// An element without its places: its name, how many frames and groups are around it, its attributes.
 pub(super) type Shape = (&'static str, usize, Vec<(String, String)>);

@@ -5,7 +5,7 @@ use super::distance::split_distance;
 use super::expect::{drawing, item};
 use crate::drawing::{Axis, at_axis};
 use crate::edit::{Edit, EditError};
-use crate::outline::Outline;
+use crate::text::outline::Outline;
 
 /// Lets one component of a point follow a quantity, from where it is: `3 [cm]` becomes `y + 3 [cm]`. What it followed before is
 /// replaced; with an empty name it stays at its distance.

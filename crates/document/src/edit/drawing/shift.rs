@@ -5,8 +5,8 @@ use super::distance::Measure;
 use super::expect::{drawing, item};
 use crate::drawing::{Grip, Item, components};
 use crate::edit::{Edit, EditError, apply};
-use crate::outline::Outline;
 use crate::scene::{Step, steps};
+use crate::text::outline::Outline;
 use model::Span;
 use std::f64::consts::PI;
 
@@ -147,7 +147,7 @@ impl Changes<'_> {
     ) -> Result<String, EditError> {
         let (first, second) = components(self.source, value).ok_or(EditError::NotAPoint)?;
         let one = |number: usize, range: &std::ops::Range<usize>| {
-            let place = crate::source::trim(self.source, range.clone());
+            let place = crate::text::source::trim(self.source, range.clone());
             Edit {
                 text: change(number, &self.source[place.clone()], by[number]),
                 span: Span::new(place.start, place.end),
@@ -184,7 +184,7 @@ impl Changes<'_> {
         for step in steps {
             let Step::Point(pair) = step else { continue };
             for (range, by) in [(pair.first, by[0]), (pair.second, by[1])] {
-                let place = crate::source::trim(self.source, range);
+                let place = crate::text::source::trim(self.source, range);
                 let text = self.measure.moved(&self.source[place.clone()], by);
                 edits.push(Edit { span: Span::new(place.start, place.end), text });
             }

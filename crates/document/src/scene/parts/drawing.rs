@@ -1,9 +1,9 @@
 //! What parts are drawn with: lines and paths along the way from one point to another, in units of the drawing.
 
 use super::super::builder::Builder;
-use super::super::shapes::merged;
 use super::super::space::Spot;
 use super::Given;
+use crate::scene::space::shapes::merged;
 use program::{Attribute, Binary, Child, Element, NodeId, Piece, Unary};
 
 /// The colour of what a part is drawn in.

@@ -1,7 +1,7 @@
 //! `vary: b, v_0`: the parameters that a fit of the document varies unless another choice is made.
 
+use super::front_matter::Value;
 use crate::expressions::Expressions;
-use crate::front_matter::Value;
 use model::{ExpressionKind, Name, Span};
 use units::words;
 
@@ -13,7 +13,7 @@ pub fn read(expressions: &mut Expressions, value: &Value) -> Vec<usize> {
     let mut start = value.span.start + text.find(inside).unwrap_or(0);
     let mut varied = Vec::new();
     for piece in inside.split(',') {
-        let range = crate::source::trim(source, start..start + piece.len());
+        let range = crate::text::source::trim(source, start..start + piece.len());
         start += piece.len() + 1;
         let span = Span::new(range.start, range.end);
         if range.is_empty() {

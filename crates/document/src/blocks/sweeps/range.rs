@@ -1,8 +1,8 @@
 //! The range of a sweep, and the numbers in it: `1..12 [rad/s] step 0.1`.
 
 use crate::expressions::{Expressions, dimension_error};
-use crate::scan::find_word;
-use crate::source::trim;
+use crate::text::scan::find_word;
+use crate::text::source::trim;
 use model::{Diagnostic, Span};
 use std::ops::Range;
 use units::{Unit, words};

@@ -1,6 +1,6 @@
 //! The lines between `---` at the beginning of a document: `key: value`.
 
-use crate::source::{Line, lines};
+use crate::text::source::{Line, lines};
 use model::{Diagnostic, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;

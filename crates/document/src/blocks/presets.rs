@@ -1,8 +1,8 @@
 //! Presets: `"Mercury": rho = 13534 [kg/m^3]`, in groups.
 
 use crate::expressions::Expressions;
-use crate::scan::{leading_text, statements};
-use crate::source::trim;
+use crate::text::scan::{leading_text, statements};
+use crate::text::source::trim;
 use model::{Diagnostic, Span};
 use program::Preset;
 use std::ops::Range;

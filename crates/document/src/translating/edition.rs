@@ -1,10 +1,11 @@
 //! A translation: the words of a document in another language.
 
-use crate::block::BlockKind;
+use super::translation::Texts;
+use crate::blocks::{questions, settings};
 use crate::card;
 use crate::open::{File, Read};
-use crate::translation::Texts;
-use crate::{questions, scene, settings};
+use crate::scene;
+use crate::text::block::BlockKind;
 use model::{Diagnostic, Span};
 use program::{Block, Edition, Section};
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! Tolerances of answers and of checks: `0.1 %` is a fraction, `1 [mm]` a quantity.
 
 use crate::expressions::{Expressions, Placed, dimension_error};
-use crate::source::trim;
+use crate::text::source::trim;
 use model::{Diagnostic, ExpressionKind, Span};
 use program::Tolerance;
 use std::ops::Range;

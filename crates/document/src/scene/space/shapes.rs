@@ -1,8 +1,8 @@
 //! The elements of SVG in a frame: their coordinates and lengths are those of the problem.
 
-use super::builder::Builder;
+use super::Spot;
 use super::points::{Step, steps};
-use super::space::Spot;
+use crate::scene::builder::Builder;
 use program::{Attribute, NodeId, Piece};
 use std::collections::BTreeMap;
 use std::ops::Range;

@@ -99,7 +99,7 @@ pub fn leading_text(source: &str, range: Range<usize>) -> Option<(&str, usize)> 
 pub fn statements(source: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let mut statements: Vec<Range<usize>> = Vec::new();
     let mut goes_on = false;
-    for line in crate::source::lines(source, range) {
+    for line in super::source::lines(source, range) {
         let line = without_comment(source, line.range());
         if line.is_empty() {
             continue;
@@ -122,7 +122,7 @@ fn without_comment(source: &str, line: Range<usize>) -> Range<usize> {
             letter == '#' && !quoted
         })
         .map_or(line.end, |at| line.start + at);
-    crate::source::trim(source, line.start..end)
+    super::source::trim(source, line.start..end)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! One curve of a figure: `y'`, or `(h_l + h_r)/2 + y "Left level"`.
 
 use crate::expressions::{Expressions, dimension_error};
-use crate::source::trim;
+use crate::text::source::trim;
 use model::{Diagnostic, Span};
 use program::{Curve, Drawing, Plot};
 use std::ops::Range;

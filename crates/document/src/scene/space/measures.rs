@@ -1,9 +1,9 @@
 //! Lengths, angles and points as attributes have them, in the units of the problem or of the drawing.
 
-use super::builder::Builder;
+use super::Spot;
 use super::points;
-use super::space::Spot;
 use crate::expressions::{Placed, dimension_error};
+use crate::scene::builder::Builder;
 use model::{Diagnostic, Span};
 use program::NodeId;
 use std::ops::Range;
@@ -12,7 +12,7 @@ use units::{Dimension, words};
 impl Builder<'_, '_> {
     /// What stands in an attribute, without the braces that may stand around it.
     pub fn inside_braces(&self, range: Range<usize>) -> Range<usize> {
-        let range = crate::source::trim(self.expressions.source, range);
+        let range = crate::text::source::trim(self.expressions.source, range);
         let text = self.source(&range);
         let is_one = text.starts_with('{') && text.find('}') == Some(text.len() - 1);
         if is_one { range.start + 1..range.end - 1 } else { range }

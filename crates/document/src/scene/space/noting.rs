@@ -1,9 +1,9 @@
 //! Notes of where the elements come to stand, taken while a scene is built.
 
-use super::builder::Builder;
 use super::marks::Marked;
 use super::shapes::is_geometry;
-use super::space::{Space, Spot};
+use super::{Space, Spot};
+use crate::scene::builder::Builder;
 use program::NodeId;
 use std::ops::Range;
 

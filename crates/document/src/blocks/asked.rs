@@ -1,6 +1,7 @@
 //! The questions of a document as they are written, for the teacher's view of them.
 
-use crate::{BlockKind, Outline, questions};
+use super::questions;
+use crate::{BlockKind, Outline};
 use model::{Span, StatementKind};
 use program::Program;
 

@@ -1,9 +1,10 @@
 //! Values over the members of families: `x[i] against i*a for i in 0..N+1`.
 
-use crate::curves::{self, Placed};
+use super::curves;
+use super::curves::Placed;
 use crate::expressions::{Expressions, dimension_error};
-use crate::scan::find_word;
-use crate::source::trim;
+use crate::text::scan::find_word;
+use crate::text::source::trim;
 use model::{Diagnostic, Name, Over, Span};
 use program::{Members, NodeId};
 use std::ops::{Range, RangeInclusive};

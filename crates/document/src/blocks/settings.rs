@@ -1,7 +1,7 @@
 //! What the front matter says about the run.
 
+use super::front_matter::{FrontMatter, Value};
 use crate::expressions::dimension_error;
-use crate::front_matter::{FrontMatter, Value};
 use model::{Diagnostic, Span};
 use program::{Method, Model, Speed};
 use units::{Dimension, Unit, words};

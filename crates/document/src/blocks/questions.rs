@@ -1,10 +1,10 @@
 //! Questions: words, and an answer that the document computes.
 
+use super::tolerances;
 use crate::expressions::Expressions;
 use crate::prose::Prose;
-use crate::scan::find_word;
-use crate::source::{lines, trim};
-use crate::tolerances;
+use crate::text::scan::find_word;
+use crate::text::source::{lines, trim};
 use model::{Diagnostic, ExpressionKind, Span};
 use program::{Question, QuestionText};
 use std::ops::Range;

@@ -1,13 +1,15 @@
 //! Figures: `"Phase portrait": y' against y`, `"Orbits": y_1 against x_1, y_2 against x_2, equal axes`,
 //! `"Section": points theta' against theta every 2*pi/Omega`, `... at drive`, `"Resonance": A against omega in 1..12 [rad/s]`, `"Bifurcations": points x from 50 against r in 2.5..4`.
 
-use crate::curves::{self, Placed};
+use super::curves;
+use super::curves::Placed;
+use super::members;
+use super::profiles;
+use super::profiles::HISTOGRAM;
+use super::sweeps;
 use crate::expressions::{Expressions, dimension_error};
-use crate::members;
-use crate::profiles::{self, HISTOGRAM};
-use crate::scan::{find_word, leading_text, split, statements};
-use crate::source::trim;
-use crate::sweeps;
+use crate::text::scan::{find_word, leading_text, split, statements};
+use crate::text::source::trim;
 use model::{Diagnostic, Span};
 use program::{Curve, Drawing, Every, Node, NodeId, Plot, Profile};
 use std::ops::Range;

@@ -1,7 +1,7 @@
 //! Where the blocks of a document begin and end.
 
-use crate::block::{Block, BlockKind, Fence};
-use crate::source::{Line, lines};
+use super::block::{Block, BlockKind, Fence};
+use super::source::{Line, lines};
 use model::{Diagnostic, Span};
 use std::ops::Range;
 use units::alphabet::without_accent;

@@ -4,10 +4,11 @@
 mod drawn;
 mod range;
 
-use crate::curves::{self, Placed};
+use super::curves;
+use super::curves::Placed;
 use crate::expressions::Expressions;
-use crate::scan::find_word;
-use crate::source::trim;
+use crate::text::scan::find_word;
+use crate::text::source::trim;
 use model::{Diagnostic, ExpressionKind, Name, Span};
 use program::{Choices, NodeId, Sweep, Taken};
 use range::limits;

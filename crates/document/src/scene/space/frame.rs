@@ -1,9 +1,9 @@
 //! `<frame x="-2..2 [m]" y="-1..2 [m]">`: inside it lengths are those of the problem, and y goes up.
 
-use super::builder::Builder;
 use super::points;
-use super::space::{Space, Spot};
+use super::{Space, Spot};
 use crate::expressions::{Placed, dimension_error};
+use crate::scene::builder::Builder;
 use model::Span;
 use program::{Attribute, Binary, Compiled, Graph, Kind, NodeId, Piece};
 use std::f64::consts::PI;
@@ -80,7 +80,7 @@ impl Builder<'_, '_> {
 
     /// `-2..2 [m]`
     fn axis(&mut self, range: Range<usize>) -> Option<Axis> {
-        let range = crate::source::trim(self.expressions.source, range);
+        let range = crate::text::source::trim(self.expressions.source, range);
         let Some((low, high)) = points::interval(self.expressions.source, &range) else {
             self.refuse(
                 words(

@@ -1,8 +1,8 @@
 //! The texts of a document in another language: lines `"Damping" = "Amortiguamiento"`.
 
-use crate::scan::{leading_text, statements};
 use crate::scene::normalised;
-use crate::source::trim;
+use crate::text::scan::{leading_text, statements};
+use crate::text::source::trim;
 use model::{Diagnostic, Span};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;

@@ -1,10 +1,12 @@
 //! Plots of one moment: `"Shape": x[i] against i*a for i in 0..N+1`, and how often values occur:
 //! `"Speeds": histogram v[i] for i in 1..N`.
 
-use crate::curves::{self, add, malformed};
+use super::curves;
+use super::curves::{add, malformed};
+use super::members;
+use super::members::Index;
 use crate::expressions::Expressions;
-use crate::members::{self, Index};
-use crate::scan::{find_word, split};
+use crate::text::scan::{find_word, split};
 use model::{Diagnostic, Span};
 use program::{Drawing, Members, Plot};
 use std::ops::Range;

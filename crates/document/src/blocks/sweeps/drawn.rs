@@ -1,10 +1,11 @@
 //! What is drawn for each value of the parameter: `A`, `maximum(x) - minimum(x) from 60 [s] in [cm] "Range"`, `x at end`.
 
 use super::range;
-use crate::curves::{self, Placed};
+use crate::blocks::curves;
+use crate::blocks::curves::Placed;
 use crate::expressions::Expressions;
-use crate::scan::find_word;
-use crate::source::trim;
+use crate::text::scan::find_word;
+use crate::text::source::trim;
 use model::{Diagnostic, Expression, ExpressionKind, Span, StatedUnit};
 use program::{Aggregate, AggregateKind, Taken};
 use std::ops::Range;

@@ -1,9 +1,11 @@
 //! The structure of a document's text: its front matter and its blocks, with their places. The text need not make sense:
 //! names, units and values are not checked, so that an author sees the structure while there are errors in it.
 
-use crate::block::{Block, BlockKind};
-use crate::findings::limited;
-use crate::{FrontMatter, fences, front_matter};
+use super::block::{Block, BlockKind};
+use super::fences;
+use super::findings::limited;
+use crate::FrontMatter;
+use crate::blocks::front_matter;
 use model::{Diagnostic, Span, Statement};
 use std::ops::Range;
 use units::words;

@@ -1,6 +1,6 @@
 //! Where the elements of a scene come to stand while it is built, for those who draw by hand.
 
-use super::space::{Space, Spot};
+use super::{Space, Spot};
 use program::NodeId;
 use std::collections::BTreeMap;
 use units::Dimension;

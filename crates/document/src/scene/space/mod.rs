@@ -1,5 +1,12 @@
 //! Coordinates: where a point of the problem lies in the drawing. Outside a `<frame>` they are those of the drawing.
 
+pub(in crate::scene) mod frame;
+pub(in crate::scene) mod marks;
+pub(in crate::scene) mod measures;
+pub(in crate::scene) mod noting;
+pub(in crate::scene) mod points;
+pub(in crate::scene) mod shapes;
+
 use model::Span;
 use program::{Graph, NodeId, Unary};
 use units::Dimension;

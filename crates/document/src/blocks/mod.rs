@@ -1,0 +1,14 @@
+//! Blocks of a document beside model and drawing: what each may say, and what the program gets from it.
+
+pub(crate) mod asked;
+pub(crate) mod curves;
+pub(crate) mod front_matter;
+pub(crate) mod members;
+pub(crate) mod plots;
+pub(crate) mod presets;
+pub(crate) mod profiles;
+pub(crate) mod questions;
+pub(crate) mod settings;
+pub(crate) mod sweeps;
+pub(crate) mod tolerances;
+pub(crate) mod vary;

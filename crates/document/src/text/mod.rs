@@ -1,0 +1,8 @@
+//! The text of a document: its lines, its blocks, and where things stand in it.
+
+pub(crate) mod block;
+pub(crate) mod fences;
+pub(crate) mod findings;
+pub(crate) mod outline;
+pub(crate) mod scan;
+pub(crate) mod source;

@@ -55,31 +55,13 @@
 //! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is reported
 //! once. Nesting is bounded, so that no text can exhaust the stack, here or in what walks the tree later.
 
-mod bare_unit;
-mod button;
-mod choice;
-mod comma;
 mod cursor;
-mod declaration;
-mod discrete;
-mod drawn;
 mod ending;
-mod event;
 mod expression;
-mod family;
-mod function;
-mod group;
-mod juxtaposed;
 mod layout;
-mod map;
-mod operand;
-mod random;
 mod statement;
-mod switch;
-mod table;
 #[cfg(test)]
 mod tests;
-mod vector;
 
 use crate::{Assignment, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, Statement, lexer};
 use cursor::Cursor;

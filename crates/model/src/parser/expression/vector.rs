@@ -1,15 +1,15 @@
 //! Vectors: `(1, 0) [au]` by their components, and components, `r[i].x`, `(a - b).y`.
 
-use super::cursor::{Cursor, Read};
-use super::expression::{Tree, leaf};
+use super::{Tree, leaf};
 use crate::components::AXES;
 use crate::lexer::{Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read};
 use crate::{Diagnostic, Expression, ExpressionKind, Span, limits};
 use units::words;
 
 impl Cursor<'_> {
     /// `(1, 0) [au]`, of which the first component has been read; `open` is its parenthesis.
-    pub(super) fn tuple(&mut self, first: Tree, open: Span) -> Read<Tree> {
+    pub(in crate::parser) fn tuple(&mut self, first: Tree, open: Span) -> Read<Tree> {
         let mut height = first.height;
         let mut parts = vec![first.expression];
         while self.take(Symbol::Comma).is_some() {
@@ -45,7 +45,7 @@ impl Cursor<'_> {
     }
 
     /// A component of what has been read, if it comes next.
-    pub(super) fn component_of(&mut self, whole: Tree) -> Read<Tree> {
+    pub(in crate::parser) fn component_of(&mut self, whole: Tree) -> Read<Tree> {
         let TokenKind::Component { axis, order } = *self.peek() else { return Ok(whole) };
         if order > 0 {
             return self.prime_after();
@@ -56,7 +56,7 @@ impl Cursor<'_> {
     }
 
     /// The component after an index and its primes, if it comes next, and how many primes there are with those after it.
-    pub(super) fn axis_after(&mut self, order: u32) -> Read<(Option<usize>, u32)> {
+    pub(in crate::parser) fn axis_after(&mut self, order: u32) -> Read<(Option<usize>, u32)> {
         let TokenKind::Component { axis, order: more } = *self.peek() else { return Ok((None, order)) };
         if order + more > limits::ORDER {
             let wrong = words!("{} primes are too many", "{} primas son demasiadas", order + more);
@@ -80,7 +80,7 @@ impl Cursor<'_> {
     }
 
     /// `r[1].x(0) = 2`: the start of a vector is given as a whole.
-    pub(super) fn component_at_start(&mut self, left: &Expression) -> bool {
+    pub(in crate::parser) fn component_at_start(&mut self, left: &Expression) -> bool {
         let ExpressionKind::Component { of, .. } = &left.kind else { return false };
         let ExpressionKind::Member { at_start: true, .. } = &of.kind else { return false };
         let wrong = words(

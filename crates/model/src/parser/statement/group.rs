@@ -1,8 +1,8 @@
 //! `group "Circuit"`: the heading under which the controls of the parameters after it stand.
 
-use super::cursor::Cursor;
-use super::statement::{Salvaged, nothing};
+use super::{Salvaged, nothing};
 use crate::lexer::TokenKind;
+use crate::parser::cursor::Cursor;
 use crate::{Diagnostic, Statement, StatementKind};
 use units::{Words, words};
 
@@ -10,7 +10,7 @@ const GROUP_FORM: Words = words("the form is: group \"NAME\"", "la forma es: gro
 
 impl Cursor<'_> {
     /// Whether a statement begins with `group` and what may be meant as a name.
-    pub(super) fn is_group(&self) -> bool {
+    pub(in crate::parser) fn is_group(&self) -> bool {
         let named = || {
             matches!(
                 self.peek_ahead(1),
@@ -21,7 +21,7 @@ impl Cursor<'_> {
     }
 
     /// `group "Circuit"`
-    pub(super) fn group(&mut self) -> Salvaged {
+    pub(in crate::parser) fn group(&mut self) -> Salvaged {
         let start = self.advance();
         let Some(name) = self.label() else {
             let wrong = words!(
@@ -41,7 +41,7 @@ impl Cursor<'_> {
     }
 
     /// Refuses what other statements may have and a group may not.
-    pub(super) fn check_group(&mut self, statement: &Statement) {
+    pub(in crate::parser) fn check_group(&mut self, statement: &Statement) {
         let StatementKind::Group(_) = &statement.kind else { return };
         let more = statement.over.first().map(|over| over.index.span);
         if let Some(more) = more.or(statement.label.as_ref().map(|label| label.span)) {

@@ -1,6 +1,6 @@
 //! Commas: the decimal comma, and what separates arguments.
 
-use super::cursor::{Cursor, Read};
+use crate::parser::cursor::{Cursor, Read};
 use crate::{Diagnostic, Name, Span};
 use units::words;
 
@@ -12,7 +12,7 @@ const THOUSANDS: usize = 3;
 
 impl Cursor<'_> {
     /// A comma where none can stand; if it stands between digits, it was meant as a decimal point.
-    pub(super) fn decimal_comma<T>(&mut self) -> Read<T> {
+    pub(in crate::parser) fn decimal_comma<T>(&mut self) -> Read<T> {
         let comma = self.span();
         if !self.is_between_digits(comma) {
             let wrong = words("a comma cannot stand here", "aquí no puede haber una coma");
@@ -40,14 +40,14 @@ impl Cursor<'_> {
     }
 
     /// Whether it stands directly between two digits.
-    pub(super) fn is_between_digits(&self, comma: Span) -> bool {
+    pub(in crate::parser) fn is_between_digits(&self, comma: Span) -> bool {
         let bytes = self.source.as_bytes();
         let is_digit = |at: Option<usize>| at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit);
         is_digit(comma.start.checked_sub(1)) && is_digit(Some(comma.end))
     }
 
     /// `max(1,5; 2)` and `max(1,5)`: where a semicolon separates arguments, commas are decimal; alone they may be.
-    pub(super) fn check_separators(&mut self, function: &Name, separators: &[Span], end: Span) {
+    pub(in crate::parser) fn check_separators(&mut self, function: &Name, separators: &[Span], end: Span) {
         let source = self.source;
         let is_semicolon = |span: &&Span| &source[span.range()] == ";";
         if let Some(first) = separators.iter().find(is_semicolon) {

@@ -1,5 +1,11 @@
 //! Expressions, by precedence climbing (Pratt's method): each operator binds the operands around it with a strength.
 
+mod bare_unit;
+mod comma;
+mod juxtaposed;
+mod operand;
+mod vector;
+
 use super::cursor::{Cursor, Read};
 use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};

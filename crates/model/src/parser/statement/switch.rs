@@ -1,25 +1,25 @@
 //! `switch drag = on "With drag"`: a parameter that is on or off.
 
-use super::cursor::{Cursor, Read};
-use super::statement::{Salvaged, nothing};
+use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read};
 use crate::{Diagnostic, ParameterForm, ParameterStatement, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
     /// Whether a statement begins with this word and a name. The word is free for other use everywhere else.
-    pub(super) fn begins_with(&self, word: &str) -> bool {
+    pub(in crate::parser) fn begins_with(&self, word: &str) -> bool {
         let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word);
         here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
     }
 
     /// Whether a statement begins with `switch NAME`.
-    pub(super) fn is_switch(&self) -> bool {
+    pub(in crate::parser) fn is_switch(&self) -> bool {
         self.begins_with("switch")
     }
 
     /// `switch drag = on`
-    pub(super) fn switch(&mut self) -> Salvaged {
+    pub(in crate::parser) fn switch(&mut self) -> Salvaged {
         let start = self.advance();
         let name = match self.plain_name(&words("a switch", "un interruptor")) {
             Ok(name) => name,

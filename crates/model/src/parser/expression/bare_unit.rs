@@ -1,23 +1,23 @@
 //! Units without their brackets: `20 N/m`, `9.81 (m/s^2)`, `F = -k*y in N`.
 
-use super::cursor::Cursor;
 use crate::lexer::{Symbol, TokenKind};
+use crate::parser::cursor::Cursor;
 use crate::{Diagnostic, Span};
 use units::{Unit, words};
 
 /// The tokens from the next one on that together read as a unit.
-pub(super) struct BareUnit<'a> {
+pub(in crate::parser) struct BareUnit<'a> {
     /// The unit, without the parentheses around it.
-    pub(super) text: &'a str,
-    pub(super) span: Span,
+    pub(in crate::parser) text: &'a str,
+    pub(in crate::parser) span: Span,
     is_round: bool,
     /// Whether it is a quotient, such as `N/m`, and so hardly a product of quantities.
-    pub(super) is_certain: bool,
+    pub(in crate::parser) is_certain: bool,
 }
 
 impl<'a> Cursor<'a> {
     /// The longest unit that the tokens from the next one on can be.
-    pub(super) fn bare_unit(&self) -> Option<BareUnit<'a>> {
+    pub(in crate::parser) fn bare_unit(&self) -> Option<BareUnit<'a>> {
         let first = self.peek();
         if !matches!(first, TokenKind::Name { order: 0, .. } | TokenKind::Symbol(Symbol::LeftParenthesis)) {
             return None;
@@ -35,7 +35,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// The next token, taken for a unit.
-    pub(super) fn bare_name(&self) -> BareUnit<'a> {
+    pub(in crate::parser) fn bare_name(&self) -> BareUnit<'a> {
         let span = self.span();
         BareUnit { text: &self.source[span.range()], span, is_round: false, is_certain: false }
     }
@@ -54,7 +54,7 @@ impl<'a> Cursor<'a> {
 
 impl BareUnit<'_> {
     /// What is said of a unit that follows the number `number`.
-    pub(super) fn after(&self, number: &str) -> Diagnostic {
+    pub(in crate::parser) fn after(&self, number: &str) -> Diagnostic {
         let Self { text, span, .. } = self;
         let wrong = if self.is_round {
             words!("the unit `{text}` stands in round brackets", "la unidad `{text}` va entre paréntesis")
@@ -65,7 +65,7 @@ impl BareUnit<'_> {
     }
 
     /// Adds the remedy: the same unit in brackets after `number`.
-    pub(super) fn with_brackets(&self, diagnostic: Diagnostic, number: &str) -> Diagnostic {
+    pub(in crate::parser) fn with_brackets(&self, diagnostic: Diagnostic, number: &str) -> Diagnostic {
         let Self { text, span, .. } = self;
         diagnostic
             .with_hint(words!(

@@ -1,7 +1,7 @@
 //! Two operands with nothing between them: a product as textbooks print it, the argument of a function, a unit without brackets.
 
-use super::cursor::Cursor;
 use crate::lexer::{Symbol, TokenKind};
+use crate::parser::cursor::Cursor;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
 use program::functions::Function;
 use units::words;
@@ -62,7 +62,7 @@ impl Cursor<'_> {
     }
 
     /// Says what is missing between an expression and the operand that follows it.
-    pub(super) fn missing_operator(&mut self, left: &Expression) {
+    pub(in crate::parser) fn missing_operator(&mut self, left: &Expression) {
         if let Some(power) = power_of_function(left) {
             return self.power_before_argument(&power);
         }

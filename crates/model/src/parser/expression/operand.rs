@@ -1,15 +1,15 @@
 //! Operands: numbers with their units, texts, names, initial values, calls and parentheses.
 
-use super::cursor::{Cursor, Read};
-use super::expression::{DEEPEST, Tree, leaf};
+use super::{DEEPEST, Tree, leaf};
 use crate::lexer::{Keyword, Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
 use program::functions::Function;
 use units::words;
 
 impl Cursor<'_> {
     /// An operand, and the component of it that may follow.
-    pub(super) fn operand(&mut self) -> Read<Tree> {
+    pub(in crate::parser) fn operand(&mut self) -> Read<Tree> {
         let whole = self.whole_operand()?;
         self.component_of(whole)
     }
@@ -153,7 +153,7 @@ impl Cursor<'_> {
     }
 
     /// Reads the `)` that belongs to the `(` at `open`.
-    pub(super) fn close(&mut self, open: Span) -> Read<Span> {
+    pub(in crate::parser) fn close(&mut self, open: Span) -> Read<Span> {
         if let Some(end) = self.take(Symbol::RightParenthesis) {
             return Ok(end);
         }

@@ -1,10 +1,10 @@
 //! Families: `size N = 20`, members such as `x[i+1]''`, and `for i in 1..N`.
 
-use super::cursor::{Cursor, Read};
-use super::expression::{Tree, leaf};
-use super::layout;
-use super::statement::{Salvaged, nothing};
+use super::{Salvaged, nothing};
 use crate::lexer::{self, Keyword, Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read};
+use crate::parser::expression::{Tree, leaf};
+use crate::parser::layout;
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Over, SizeStatement, Span, StatementKind, limits};
 use std::ops::Range;
 use units::alphabet::primes;
@@ -15,13 +15,13 @@ const REDUCTIONS: [&str; 3] = ["sum", "min", "max"];
 
 impl Cursor<'_> {
     /// Whether a statement begins with `size NAME`: a word that is free for other use everywhere else.
-    pub(super) fn is_size(&self) -> bool {
+    pub(in crate::parser) fn is_size(&self) -> bool {
         let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "size");
         here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
     }
 
     /// `size N = 20 in 2..200`
-    pub(super) fn size(&mut self) -> Salvaged {
+    pub(in crate::parser) fn size(&mut self) -> Salvaged {
         let start = self.advance();
         let name = match self.plain_name(&words("a size", "un tamaño")) {
             Ok(name) => name,
@@ -62,7 +62,7 @@ impl Cursor<'_> {
     }
 
     /// Whether `for NAME in` comes next: a word that is free for other use everywhere else.
-    pub(super) fn at_for(&self) -> bool {
+    pub(in crate::parser) fn at_for(&self) -> bool {
         matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "for") && self.at_index(1)
     }
 
@@ -72,7 +72,7 @@ impl Cursor<'_> {
     }
 
     /// Reads `for i in 1..N, j in 1..M` if it comes next.
-    pub(super) fn over(&mut self) -> Read<Vec<Over>> {
+    pub(in crate::parser) fn over(&mut self) -> Read<Vec<Over>> {
         let mut over = Vec::new();
         if !self.at_for() {
             return Ok(over);
@@ -105,7 +105,7 @@ impl Cursor<'_> {
     }
 
     /// `x[i+1]''`, `x[i](0)`: `name` has been read, and its index comes next.
-    pub(super) fn member(&mut self, name: Name) -> Read<Tree> {
+    pub(in crate::parser) fn member(&mut self, name: Name) -> Read<Tree> {
         let (indices, mut height) = self.indices()?;
         height += 1;
         let order = self.primes_here()?;
@@ -127,12 +127,12 @@ impl Cursor<'_> {
     }
 
     /// Whether an index comes next: brackets without a blank before them.
-    pub(super) fn at_indices(&self) -> bool {
+    pub(in crate::parser) fn at_indices(&self) -> bool {
         matches!(self.peek(), TokenKind::Brackets(_)) && self.span().start == self.last_span().end
     }
 
     /// Reads `[i, j+1]`, and says how many levels its tree has.
-    pub(super) fn indices(&mut self) -> Read<(Vec<Expression>, usize)> {
+    pub(in crate::parser) fn indices(&mut self) -> Read<(Vec<Expression>, usize)> {
         let TokenKind::Brackets(inside) = self.peek().clone() else {
             return Ok((Vec::new(), 0));
         };
@@ -167,7 +167,7 @@ impl Cursor<'_> {
     }
 
     /// The primes that follow an index without a blank.
-    pub(super) fn primes_here(&mut self) -> Read<u32> {
+    pub(in crate::parser) fn primes_here(&mut self) -> Read<u32> {
         if *self.peek() != TokenKind::Primes || self.span().start != self.last_span().end {
             return Ok(0);
         }
@@ -186,7 +186,7 @@ impl Cursor<'_> {
     }
 
     /// `sum(x[i] for i in 1..N)`, of which everything up to `for` has been read.
-    pub(super) fn reduction(&mut self, function: Name, body: Vec<Tree>, open: Span) -> Read<Tree> {
+    pub(in crate::parser) fn reduction(&mut self, function: Name, body: Vec<Tree>, open: Span) -> Read<Tree> {
         let place = self.span();
         let over = self.over()?;
         let end = self.close(open)?;

@@ -1,8 +1,8 @@
 //! `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`: quantities that depend on what the reader chooses.
 
-use super::cursor::{Cursor, Read, Told};
-use super::statement::{Salvaged, nothing};
+use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read, Told};
 use crate::{Alternative, ChoiceStatement, ChosenValue, Diagnostic, Quoted, StatementKind};
 use units::{Words, words};
 
@@ -13,12 +13,12 @@ const FORM: Words = words(
 
 impl Cursor<'_> {
     /// Whether a statement begins with `choice NAME`.
-    pub(super) fn is_choice(&self) -> bool {
+    pub(in crate::parser) fn is_choice(&self) -> bool {
         self.begins_with("choice")
     }
 
     /// `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3], eta = 1 [mPa s] }`
-    pub(super) fn choice(&mut self) -> Salvaged {
+    pub(in crate::parser) fn choice(&mut self) -> Salvaged {
         let start = self.advance();
         let name = match self.plain_name(&words("a choice", "una elección")) {
             Ok(name) => name,
@@ -59,7 +59,7 @@ impl Cursor<'_> {
         }
     }
 
-    pub(super) fn skip_separators(&mut self) {
+    pub(in crate::parser) fn skip_separators(&mut self) {
         while self.take(Symbol::Semicolon).is_some()
             || self.take(Symbol::Comma).is_some()
             || *self.peek() == TokenKind::Newline

@@ -2,10 +2,10 @@
 //! `let u = e*y'`), and events at equal intervals, `every 0.1 [s] from 0 [s]`. The words are free as names everywhere else.
 
 use super::button::BUTTON_FORM;
-use super::cursor::{Cursor, Read, Told};
-use super::statement::{Salvaged, nothing};
-use super::unread;
+use super::{Salvaged, nothing};
 use crate::lexer::{Keyword, Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read, Told};
+use crate::parser::unread;
 use crate::{Action, Diagnostic, Edit, EventExtras, Span, StatementKind};
 use units::{Words, words};
 
@@ -14,7 +14,7 @@ const EVENT_FORM: Words =
 
 impl Cursor<'_> {
     /// `when y < 0 [m] { y' = -e*y' }`
-    pub(super) fn event(&mut self) -> Salvaged {
+    pub(in crate::parser) fn event(&mut self) -> Salvaged {
         let start = self.advance();
         let condition = match self.expression() {
             Ok(tree) => tree.expression,
@@ -30,7 +30,12 @@ impl Cursor<'_> {
     }
 
     /// `{ y' = -e*y', stop }`
-    pub(super) fn actions(&mut self, start: Span, actions: &mut Vec<Action>, extras: &mut EventExtras) -> Read<()> {
+    pub(in crate::parser) fn actions(
+        &mut self,
+        start: Span,
+        actions: &mut Vec<Action>,
+        extras: &mut EventExtras,
+    ) -> Read<()> {
         let form = if extras.button.is_some() { BUTTON_FORM } else { EVENT_FORM };
         let Some(open) = self.open_brace() else {
             let expected = self.brace_expected("missing-braces", self.last_span());
@@ -108,7 +113,7 @@ impl Cursor<'_> {
     }
 
     /// `y' = -e*y'`
-    pub(super) fn new_value(&mut self) -> Read<Action> {
+    pub(in crate::parser) fn new_value(&mut self) -> Read<Action> {
         let span = self.span();
         let TokenKind::Name { text, order, end } = self.peek().clone() else {
             let wrong = words!(
@@ -148,12 +153,12 @@ impl Cursor<'_> {
     }
 
     /// Whether a statement begins with `every` and an interval.
-    pub(super) fn is_every(&self) -> bool {
+    pub(in crate::parser) fn is_every(&self) -> bool {
         self.at_word("every") && matches!(self.peek_ahead(1), TokenKind::Number(_) | TokenKind::Name { .. })
     }
 
     /// `every 0.1 [s] from 0 [s] as tick { N = N - 1 }`
-    pub(super) fn every(&mut self) -> Salvaged {
+    pub(in crate::parser) fn every(&mut self) -> Salvaged {
         let start = self.advance();
         let interval = match self.expression() {
             Ok(tree) => tree.expression,
@@ -176,7 +181,7 @@ impl Cursor<'_> {
     }
 
     /// Whether what follows an expression is `as NAME` or `from` and a number or name: a word and no further operand.
-    pub(super) fn at_event_word(&self) -> bool {
+    pub(in crate::parser) fn at_event_word(&self) -> bool {
         let name = |ahead: usize| matches!(self.peek_ahead(ahead), TokenKind::Name { .. });
         let brace =
             |ahead: usize| matches!(self.peek_ahead(ahead), TokenKind::Symbol(Symbol::LeftBrace) | TokenKind::Newline);
@@ -185,7 +190,7 @@ impl Cursor<'_> {
     }
 
     /// `as landing`, if it is there.
-    pub(super) fn event_name(&mut self, extras: &mut EventExtras) -> Read<()> {
+    pub(in crate::parser) fn event_name(&mut self, extras: &mut EventExtras) -> Read<()> {
         if !self.at_word("as") {
             return Ok(());
         }
@@ -195,7 +200,7 @@ impl Cursor<'_> {
     }
 
     /// Whether an action is `stop`.
-    pub(super) fn at_stop(&self) -> bool {
+    pub(in crate::parser) fn at_stop(&self) -> bool {
         use Symbol::{Comma, RightBrace, Semicolon};
         let ends = matches!(
             self.peek_ahead(1),
@@ -205,7 +210,7 @@ impl Cursor<'_> {
     }
 
     /// Whether an action is `let NAME ...`.
-    pub(super) fn at_let(&self) -> bool {
+    pub(in crate::parser) fn at_let(&self) -> bool {
         self.at_word("let") && matches!(self.peek_ahead(1), TokenKind::Name { .. })
     }
 }

@@ -1,16 +1,16 @@
 //! Maps: `independent k by 1` counts, and `next p = r*p*(1 - p)` gives the value at the next count. Both words are free as
 //! names everywhere else.
 
-use super::cursor::{Cursor, Read};
-use super::statement::{Salvaged, nothing};
-use super::unread;
+use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read};
+use crate::parser::unread;
 use crate::{Diagnostic, EventExtras, StatedUnit, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
     /// `by 1`, if it is there: whether the independent variable counts.
-    pub(super) fn counting(&mut self, unit: Option<&StatedUnit>) -> Read<bool> {
+    pub(in crate::parser) fn counting(&mut self, unit: Option<&StatedUnit>) -> Read<bool> {
         if !self.at_word("by") {
             return Ok(false);
         }
@@ -40,12 +40,12 @@ impl Cursor<'_> {
     }
 
     /// Whether a statement begins with `next NAME`.
-    pub(super) fn is_next(&self) -> bool {
+    pub(in crate::parser) fn is_next(&self) -> bool {
         self.begins_with("next")
     }
 
     /// `next p = r*p*(1 - p)`
-    pub(super) fn next_value(&mut self) -> Salvaged {
+    pub(in crate::parser) fn next_value(&mut self) -> Salvaged {
         let start = self.advance();
         if self.is_at_the_start() {
             let place = start.to(self.span());

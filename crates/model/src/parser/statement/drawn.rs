@@ -1,7 +1,7 @@
 //! `drawn in -5..5 from 0 [s] until 10 [s]`: what the reader may draw in the place of a table.
 
-use super::cursor::{Cursor, Read};
 use crate::lexer::{Keyword, Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read};
 use crate::{Diagnostic, DrawnRange, StatedUnit};
 use units::{Words, words};
 
@@ -19,7 +19,7 @@ const END: Words =
 
 impl Cursor<'_> {
     /// `drawn in -5..5 from 0 [s] until 10 [s]`. The unit of the arguments stands behind the first of them.
-    pub(super) fn drawn(&mut self, unit: &mut Option<StatedUnit>) -> Read<DrawnRange> {
+    pub(in crate::parser) fn drawn(&mut self, unit: &mut Option<StatedUnit>) -> Read<DrawnRange> {
         self.advance();
         let keyword = self.span();
         if *self.peek() != TokenKind::Keyword(Keyword::In) {
@@ -47,7 +47,7 @@ impl Cursor<'_> {
     }
 
     /// Whether the next line begins with a number.
-    pub(super) fn points_follow(&self) -> bool {
+    pub(in crate::parser) fn points_follow(&self) -> bool {
         self.at_line_end() && matches!(self.peek_ahead(1), TokenKind::Number(_) | TokenKind::Symbol(Symbol::Minus))
     }
 

@@ -1,15 +1,15 @@
 //! Statements that begin with a word of the language, and the assignments of presets.
 
-use super::cursor::{Cursor, Read};
-use super::statement::{Salvaged, nothing};
-use super::unread;
+use super::{Salvaged, nothing};
 use crate::lexer::{Keyword, Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read};
+use crate::parser::unread;
 use crate::{Assignment, Bounds, Diagnostic, Edit, ParameterForm, ParameterStatement, Span, StatedUnit, StatementKind};
 use units::{Words, words};
 
 impl Cursor<'_> {
     /// `parameter b = 50 [kg/s] in 0..20000 step 1`
-    pub(super) fn parameter(&mut self) -> Salvaged {
+    pub(in crate::parser) fn parameter(&mut self) -> Salvaged {
         let start = self.advance();
         let name = match self.plain_name(&words("a parameter", "un parámetro")) {
             Ok(name) => name,
@@ -152,7 +152,7 @@ impl Cursor<'_> {
     }
 
     /// `0..30` after `in`.
-    pub(super) fn bounds(&mut self, keyword: Span) -> Read<Bounds> {
+    pub(in crate::parser) fn bounds(&mut self, keyword: Span) -> Read<Bounds> {
         let start = self.span();
         if let TokenKind::Brackets(_) = self.peek() {
             let wrong = words(
@@ -220,7 +220,7 @@ impl Cursor<'_> {
     }
 
     /// A number with an optional sign. If there is none, at most the sign is read.
-    pub(super) fn signed_number(&mut self) -> Option<f64> {
+    pub(in crate::parser) fn signed_number(&mut self) -> Option<f64> {
         let negative = self.take(Symbol::Minus).is_some();
         if !negative {
             self.take(Symbol::Plus);
@@ -243,7 +243,7 @@ impl Cursor<'_> {
     }
 
     /// `independent x in [m]`
-    pub(super) fn independent(&mut self) -> Salvaged {
+    pub(in crate::parser) fn independent(&mut self) -> Salvaged {
         let start = self.advance();
         let name = match self.plain_name(&words("the independent variable", "la variable independiente")) {
             Ok(name) => name,
@@ -258,7 +258,7 @@ impl Cursor<'_> {
     }
 
     /// Assignments up to the end.
-    pub(super) fn assignments(&mut self) -> Vec<Assignment> {
+    pub(in crate::parser) fn assignments(&mut self) -> Vec<Assignment> {
         let mut assignments = Vec::new();
         loop {
             self.skip_lines();

@@ -1,8 +1,8 @@
 //! `table eta(T) in [mPa s] "Viscosity" { 273 [K] 1.792  293 1.002 }`: a function that is given by its points.
 
-use super::cursor::{Cursor, Read, Told};
-use super::statement::{Salvaged, nothing};
+use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read, Told};
 use crate::tables::too_many_points;
 use crate::{Diagnostic, Point, StatedUnit, StatementKind, TableStatement, limits};
 use program::Course;
@@ -16,7 +16,7 @@ const FORM: Words = words(
 impl Cursor<'_> {
     /// Whether a statement begins with `table NAME`, `smooth table NAME` or `steps table NAME`: words that are free for other
     /// use everywhere else.
-    pub(super) fn is_table(&self) -> bool {
+    pub(in crate::parser) fn is_table(&self) -> bool {
         if self.begins_with("table") {
             return true;
         }
@@ -27,7 +27,7 @@ impl Cursor<'_> {
     }
 
     /// A table. If `whole`, its points may be all that follows up to the end, without braces.
-    pub(super) fn table(&mut self, whole: bool) -> Salvaged {
+    pub(in crate::parser) fn table(&mut self, whole: bool) -> Salvaged {
         let course = match () {
             () if self.at_word("smooth") => Course::Smooth,
             () if self.at_word("steps") => Course::Steps,
@@ -149,7 +149,7 @@ impl Cursor<'_> {
     }
 
     /// A number in the unit of its column. The first number of a column may state the unit of all of them.
-    pub(super) fn table_number(&mut self, column: &mut Option<StatedUnit>, first: bool) -> Read<f64> {
+    pub(in crate::parser) fn table_number(&mut self, column: &mut Option<StatedUnit>, first: bool) -> Read<f64> {
         let start = self.span();
         let Some(value) = self.signed_number() else {
             let wrong = words!(

@@ -1,6 +1,20 @@
 //! Statements, and where one ends after an error. What could be read of a wrong statement is kept, so that the names
 //! it defines are known to the others.
 
+mod button;
+mod choice;
+mod declaration;
+mod discrete;
+mod drawn;
+mod event;
+mod family;
+mod function;
+mod group;
+mod map;
+mod random;
+mod switch;
+mod table;
+
 use super::cursor::{Cursor, Read, Told};
 use super::expression::Tree;
 use super::unread;

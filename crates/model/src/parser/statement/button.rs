@@ -1,23 +1,23 @@
 //! `button "Kick" { x' = x' + 1 [m/s] }`: an event that happens when the reader presses a button.
 
-use super::cursor::Cursor;
-use super::statement::{Salvaged, nothing};
+use super::{Salvaged, nothing};
 use crate::lexer::TokenKind;
+use crate::parser::cursor::Cursor;
 use crate::{BinaryOperator, Diagnostic, EventExtras, Expression, Span, Statement, StatementKind};
 use units::{Words, words};
 
 /// How a button is written.
-pub(super) const BUTTON_FORM: Words =
+pub(in crate::parser) const BUTTON_FORM: Words =
     words("the form is: button \"TITLE\" { y' = EXPRESSION }", "la forma es: button \"TÍTULO\" { y' = EXPRESIÓN }");
 
 impl Cursor<'_> {
     /// Whether a statement begins with `button` and a text or a name.
-    pub(super) fn is_button(&self) -> bool {
+    pub(in crate::parser) fn is_button(&self) -> bool {
         self.at_word("button") && matches!(self.peek_ahead(1), TokenKind::Text(_) | TokenKind::Name { .. })
     }
 
     /// `button "Kick" as kick { x' = x' + 1 [m/s] }`
-    pub(super) fn button(&mut self) -> Salvaged {
+    pub(in crate::parser) fn button(&mut self) -> Salvaged {
         let start = self.advance();
         let Some(title) = self.label() else {
             let wrong = words!(
@@ -41,7 +41,7 @@ impl Cursor<'_> {
     }
 
     /// Refuses what an event may have and a button may not.
-    pub(super) fn check_button(&mut self, statement: &Statement) {
+    pub(in crate::parser) fn check_button(&mut self, statement: &Statement) {
         let StatementKind::Event { extras: EventExtras { button: Some(title), .. }, .. } = &statement.kind else {
             return;
         };

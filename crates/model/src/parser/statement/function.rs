@@ -1,21 +1,21 @@
 //! `function Re(v, d) = rho*abs(v)*d/eta`: a function of the author's own.
 
-use super::cursor::{Cursor, Read};
-use super::statement::{Salvaged, nothing};
-use super::unread;
+use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read};
+use crate::parser::unread;
 use crate::{Diagnostic, FunctionStatement, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
     /// Whether a statement begins with `function NAME`: a word that is free for other use everywhere else.
-    pub(super) fn is_function(&self) -> bool {
+    pub(in crate::parser) fn is_function(&self) -> bool {
         let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "function");
         here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
     }
 
     /// `function Re(v, d) = rho*abs(v)*d/eta in [1]`
-    pub(super) fn function(&mut self) -> Salvaged {
+    pub(in crate::parser) fn function(&mut self) -> Salvaged {
         let start = self.advance();
         let name = match self.plain_name(&words("a function", "una función")) {
             Ok(name) => name,

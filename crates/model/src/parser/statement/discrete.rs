@@ -1,21 +1,21 @@
 //! `discrete n = 0`: a quantity that only events change.
 
-use super::cursor::{Cursor, Read};
-use super::statement::{Salvaged, nothing};
-use super::unread;
+use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
+use crate::parser::cursor::{Cursor, Read};
+use crate::parser::unread;
 use crate::{Diagnostic, Expression, Members, Name, StatedUnit, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
     /// Whether a statement begins with `discrete NAME`: a word that is free for other use everywhere else.
-    pub(super) fn is_discrete(&self) -> bool {
+    pub(in crate::parser) fn is_discrete(&self) -> bool {
         let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "discrete");
         here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
     }
 
     /// `discrete n = 0 in [cm]`
-    pub(super) fn discrete(&mut self) -> Salvaged {
+    pub(in crate::parser) fn discrete(&mut self) -> Salvaged {
         let start = self.advance();
         let name = match self.plain_name(&words("a discrete quantity", "una magnitud discreta")) {
             Ok(name) => name,

@@ -1,7 +1,7 @@
 //! `random seed = 1 in 1..9999 "Seed"`: the whole number that decides all random draws of a run.
 
-use super::cursor::Cursor;
-use super::statement::Salvaged;
+use super::Salvaged;
+use crate::parser::cursor::Cursor;
 use crate::{Diagnostic, ParameterForm, StatementKind};
 use units::words;
 
@@ -10,12 +10,12 @@ const GREATEST: f64 = 9_007_199_254_740_992.0;
 
 impl Cursor<'_> {
     /// Whether a statement begins with `random NAME`.
-    pub(super) fn is_random(&self) -> bool {
+    pub(in crate::parser) fn is_random(&self) -> bool {
         self.begins_with("random")
     }
 
     /// `random seed = 1 in 1..9999`
-    pub(super) fn random(&mut self) -> Salvaged {
+    pub(in crate::parser) fn random(&mut self) -> Salvaged {
         let (mut kind, mut read) = self.parameter();
         if let StatementKind::Parameter(seed) = &mut kind {
             seed.form = ParameterForm::Seed;

@@ -4,13 +4,13 @@ mod figure;
 mod record;
 mod text;
 
+use crate::arguments::variable::Stated;
 use crate::arguments::{Cycles, CyclesFormat};
 use crate::columns;
 use crate::data;
 use crate::failure::Failure;
-use crate::output;
 use crate::terminal::Terminal;
-use crate::variable::Stated;
+use crate::terminal::output;
 use analysis::csv::{self, Dialect};
 use analysis::cycles;
 use record::{Record, record};

@@ -1,8 +1,8 @@
 //! Files of measured data: text in any form, spreadsheets, and projects of Tracker.
 
-use crate::assignments::{Assignment, Observe};
+use crate::arguments::assignments::{Assignment, Observe};
+use crate::arguments::variable::{Stated, choices, choose, find, quoted};
 use crate::failure::Failure;
-use crate::variable::{Stated, choices, choose, find, quoted};
 use analysis::finding::Finding;
 use analysis::import::{self, Format};
 use analysis::inspection::{Derived, doubtful_times, inspect};

@@ -1,13 +1,13 @@
 //! `meniscus derivatives`: velocity and acceleration computed from a measured column.
 
+use crate::arguments::assignments::Observe;
+use crate::arguments::variable::Stated;
 use crate::arguments::{Derivatives, Difference};
-use crate::assignments::Observe;
 use crate::columns;
 use crate::data;
 use crate::failure::Failure;
-use crate::output;
 use crate::terminal::Terminal;
-use crate::variable::Stated;
+use crate::terminal::output;
 use analysis::csv::{self, Dialect};
 use analysis::derivative::{self, Differentiation};
 use analysis::smoothing::WIDEST;

@@ -3,9 +3,9 @@
 use crate::arguments::Export;
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
-use crate::output::Output;
 use crate::page;
 use crate::terminal::Terminal;
+use crate::terminal::output::Output;
 use std::io::Write;
 
 /// Writes the page; refuses a document with errors.

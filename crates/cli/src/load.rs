@@ -1,7 +1,7 @@
 //! Documents from files: a base document with the translations beside it, or the sources inside an exported page or a project.
 
 use crate::failure::Failure;
-use crate::quoted::quoted;
+use crate::terminal::quoted::quoted;
 use document::Opened;
 use document::page::{Source, read};
 use document::project::{PROJECT_ENDING, Project, ProjectError};

@@ -1,37 +1,24 @@
 //! The `meniscus` command line: a thin layer over the other crates that adds files, the terminal and a server.
 
 mod arguments;
-mod assignments;
 mod authoring;
 mod check;
-mod claims;
 mod columns;
 mod command;
 mod cycles;
 mod data;
 mod derivatives;
-mod drawn;
-mod excerpt;
 mod export;
 mod failure;
 mod fitting;
-mod language;
-mod limits;
 mod load;
 mod lsp;
-mod output;
 mod page;
-mod quoted;
-mod rows;
 mod run;
 mod serve;
-mod settings;
 mod site;
 mod terminal;
 mod track;
-mod unfinished;
-mod variable;
-mod visible;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -48,7 +35,7 @@ fn main() -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
-    let terminal = Terminal::new(arguments.color, language::chosen(arguments.language));
+    let terminal = Terminal::new(arguments.color, terminal::language::chosen(arguments.language));
     let result = match &arguments.command {
         Command::Serve(serve) => serve::serve(serve, terminal),
         Command::Run(run) => run::run(run, terminal),

@@ -3,8 +3,8 @@
 use super::arguments::Format;
 use crate::failure::Failure;
 use crate::load::{Sources, text_of};
-use crate::output;
 use crate::terminal::Terminal;
+use crate::terminal::output;
 use document::{edit, read};
 use model::Diagnostic;
 use std::path::Path;

@@ -2,8 +2,8 @@
 
 use super::arguments::New;
 use crate::failure::Failure;
-use crate::quoted::quoted;
 use crate::terminal::Terminal;
+use crate::terminal::quoted::quoted;
 use document::TEMPLATES;
 use std::fs::{self, OpenOptions};
 use std::io::Write;

@@ -1,10 +1,10 @@
 //! What was measured, and which part of it is divided into cycles.
 
 use crate::arguments::Cycles;
-use crate::assignments::Observe;
+use crate::arguments::assignments::Observe;
+use crate::arguments::limits::limits;
 use crate::data::Measured;
 use crate::failure::Failure;
-use crate::limits::limits;
 use analysis::cycles;
 use units::Language;
 

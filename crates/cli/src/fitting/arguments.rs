@@ -1,6 +1,6 @@
 //! What can be typed after `meniscus fit` and `meniscus rank`.
 
-use crate::assignments::{Assignment, Observe, assignment, observe};
+use crate::arguments::assignments::{Assignment, Observe, assignment, observe};
 use analysis::fit::Loss;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;

@@ -1,14 +1,14 @@
 //! From the words of a command line to a task.
 
 use super::arguments::Common;
-use crate::assignments::Assignment;
+use crate::arguments::assignments::Assignment;
+use crate::arguments::limits::nothing_between;
+use crate::arguments::settings::{Reader, positive, unknown};
+use crate::arguments::variable::find;
 use crate::data::Measured;
 use crate::failure::Failure;
-use crate::limits::nothing_between;
 use crate::load::{self, Loaded, Sources};
-use crate::settings::{Reader, positive, unknown};
 use crate::terminal::Terminal;
-use crate::variable::find;
 use analysis::fit::{Observation, Record, Target, Task, Varied, observation};
 use analysis::lookup::LookupError;
 use document::Document;

@@ -4,7 +4,7 @@
 use super::files::Files;
 use super::names::WORKER;
 use crate::failure::Failure;
-use crate::unfinished::Unfinished;
+use crate::terminal::unfinished::Unfinished;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;

@@ -2,8 +2,8 @@
 
 use super::arguments::{Place, Track as Arguments};
 use super::opened::{Opened, refused, refused_with};
+use crate::arguments::limits::limits;
 use crate::failure::Failure;
-use crate::limits::limits;
 use film::timing::{Finding, Intervals, TimeBase, slow_motion};
 use std::ops::RangeInclusive;
 use units::number::fixed;

@@ -13,8 +13,8 @@ mod project;
 mod report;
 
 use crate::failure::Failure;
-use crate::output;
 use crate::terminal::Terminal;
+use crate::terminal::output;
 use analysis::csv::{self, Dialect};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 use arguments::{Track as Arguments, TrackFormat};

@@ -1,12 +1,14 @@
 //! `meniscus check`: what is wrong with documents, for people and for programs.
 
+mod claims;
+
 use crate::arguments::{Check, Findings};
-use crate::claims::Claims;
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
-use crate::output::Output;
+use crate::terminal::output::Output;
+use crate::terminal::visible::visible;
 use crate::terminal::{Terminal, findings_as_json, findings_as_text};
-use crate::visible::visible;
+use claims::Claims;
 use std::io::Write;
 use std::path::PathBuf;
 use units::Language;

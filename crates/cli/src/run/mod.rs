@@ -1,19 +1,21 @@
 //! `meniscus run`: a document's table, row by row as it is computed.
 
+pub(crate) mod drawn;
+pub(crate) mod rows;
+
+use crate::arguments::assignments::names_in;
+use crate::arguments::settings;
 use crate::arguments::{Format, Run};
-use crate::assignments::names_in;
-use crate::drawn;
 use crate::failure::Failure;
 use crate::load::{self, Loaded, Sources};
-use crate::output::Output;
-use crate::rows::Rows;
-use crate::settings;
 use crate::terminal::Terminal;
+use crate::terminal::output::Output;
 use document::Document;
 use engine::table::Table;
 use engine::{RunError, Subject};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use model::{Diagnostic, Span};
+use rows::Rows;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 

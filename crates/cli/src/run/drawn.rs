@@ -1,10 +1,10 @@
 //! `--draw F=push.csv`: a curve from a file in the place of one that the reader of the document draws.
 
-use crate::assignments::Assignment;
+use crate::arguments::assignments::Assignment;
+use crate::arguments::settings::unknown;
+use crate::arguments::variable::Stated;
 use crate::data;
 use crate::failure::Failure;
-use crate::settings::unknown;
-use crate::variable::Stated;
 use document::Document;
 use program::{Drawn, Interpolation, Table};
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! From the words after `meniscus run DOC` to what the engine starts with.
 
+use super::assignments::Assignment;
 use crate::arguments::Run;
-use crate::assignments::Assignment;
 use crate::failure::{Failure, listed};
 use crate::load::Sources;
 use crate::terminal::Terminal;

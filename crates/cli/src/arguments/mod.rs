@@ -1,9 +1,14 @@
 //! What can be typed after `meniscus`.
 
-use crate::assignments::{Assignment, Observe, assignment, observe, press};
+pub(crate) mod assignments;
+pub(crate) mod limits;
+pub(crate) mod settings;
+pub(crate) mod variable;
+
 use crate::authoring::arguments::{FORMAT_EXAMPLES, Format as FormatDocuments, NEW_EXAMPLES, New};
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
+use assignments::{Assignment, Observe, assignment, observe, press};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 use units::Language;
@@ -22,7 +27,7 @@ pub struct Arguments {
     pub color: Color,
 
     /// Language of messages, en or es [default: as LC_ALL, LC_MESSAGES or LANG]
-    #[arg(long, global = true, value_parser = crate::language::parse, value_name = "TAG", display_order = 101)]
+    #[arg(long, global = true, value_parser = crate::terminal::language::parse, value_name = "TAG", display_order = 101)]
     pub language: Option<Language>,
 }
 

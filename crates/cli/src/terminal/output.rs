@@ -1,9 +1,9 @@
 //! Where results go: the standard output, or a file that appears whole or not at all.
 
+use super::unfinished::Unfinished;
+use super::visible::Visible;
 use crate::failure::Failure;
 use crate::load::Sources;
-use crate::unfinished::Unfinished;
-use crate::visible::Visible;
 use std::fs;
 use std::io::{self, BufWriter, IsTerminal, StdoutLock, Write};
 use std::path::{Path, PathBuf};

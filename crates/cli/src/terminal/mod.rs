@@ -1,17 +1,24 @@
 //! Diagnostics for people, with the line of the source under them, and for programs, as JSON.
 
+pub(crate) mod excerpt;
+pub(crate) mod language;
+pub(crate) mod output;
+pub(crate) mod quoted;
+pub(crate) mod unfinished;
+pub(crate) mod visible;
+
 use crate::arguments::Color;
-use crate::excerpt::Excerpt;
 use crate::load::{Loaded, Sources};
-use crate::visible::{Visible, visible};
 use codespan_reporting::diagnostic as shown;
 use codespan_reporting::files::SimpleFiles;
 use codespan_reporting::term;
 use codespan_reporting::term::termcolor::{Ansi, NoColor, WriteColor};
+use excerpt::Excerpt;
 use model::{Diagnostic, Severity, Span};
 use serde::Serialize;
 use std::io::{IsTerminal, Write};
 use units::{Language, Words};
+use visible::{Visible, visible};
 
 /// How messages are written to the terminal.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! The columns that a person names, and the choice of the independent variable.
 
-use crate::assignments::{Assignment, Observe};
+use super::assignments::{Assignment, Observe};
 use crate::failure::{Failure, listed};
 use analysis::lookup::LookupError;
 use analysis::origin::Reason;

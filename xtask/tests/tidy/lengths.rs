@@ -1,4 +1,4 @@
-//! How long a file may be.
+//! How long a file may be, and how many of them a folder may hold.
 
 use crate::texts::{all_texts, holds, root};
 
@@ -34,4 +34,25 @@ fn files_hold_one_subject() {
 fn comments_and_blank_lines_do_not_count() {
     let text = "//! A file.\n\n/* of\nmany lines\n*/\nlet a = 1; // one\n    /// doc\nlet b = 2;\n/* one line */\nlet c = 3;\n";
     assert_eq!(lines_of_code(text), 3);
+}
+
+/// Files of code in one folder.
+const MOST: usize = 24;
+
+/// Folders that the layout of the page is going to divide.
+const UNDIVIDED: [&str; 2] = ["crates/lab/src", "crates/view/src"];
+
+#[test]
+fn folders_hold_what_can_be_seen_at_once() {
+    let root = root();
+    let mut folders = std::collections::BTreeMap::<String, usize>::new();
+    for (path, _) in all_texts().iter().filter(|(path, _)| ["rs", "mjs"].iter().any(|ending| holds(path, ending))) {
+        let folder = path.strip_prefix(&root).unwrap_or(path).parent().map(|folder| folder.display().to_string());
+        *folders.entry(folder.unwrap_or_default().replace('\\', "/")).or_default() += 1;
+    }
+    let full: Vec<String> = (folders.iter())
+        .filter(|(folder, count)| **count > MOST && !UNDIVIDED.contains(&folder.as_str()))
+        .map(|(folder, count)| format!("{folder} has {count} files of code"))
+        .collect();
+    assert!(full.is_empty(), "at most {MOST} files of code in a folder: {full:#?}");
 }

@@ -1,7 +1,7 @@
 //! Plots, controls and values by forms: text and form agree, other bytes stay, and what was changed can be taken back.
 
-use crate::edit::documents;
-use crate::form::inverse;
+use crate::editing::edit::documents;
+use crate::editing::form::inverse;
 use document::edit::{
     Edit, EditError, NewPlot, Obstacle, add_group, add_plot, apply, exchange_plots, exchange_statements, remove_plot,
     remove_statement, set_hidden, set_label, set_plot,

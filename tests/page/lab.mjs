@@ -79,11 +79,11 @@ export const meniscus = (...words) => execFileSync(program, words, { cwd: root, 
 /** For axe, which judges the colours of the moment: what would fade stays until it goes. */
 export const STILL = { motion: "reduce" };
 
-/** A test: somebody opens a page and does something with it. */
+/** A test: somebody opens a page and does something with it. `skip` is the reason why it cannot be run here, if there is one. */
 export function visit(title, ...rest) {
   const does = rest.pop();
-  const options = rest.pop() ?? {};
-  test(title, async () => {
+  const { skip = false, ...options } = rest.pop() ?? {};
+  test(title, { skip }, async () => {
     const lab = await Lab.open(options);
     try {
       await does(lab);

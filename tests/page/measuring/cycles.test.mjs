@@ -153,11 +153,7 @@ visit("LibreOffice opens the workbook of the page", async (lab) => {
   assert.equal(text.trim().split("\n").length, rows + 1);
 });
 
-visit("a real film has cycles that the linear theory does not allow", { language: "es-ES" }, async (lab) => {
-  if (!existsSync(measured)) {
-    console.error("skipped: ../shared/data/utube is not here");
-    return;
-  }
+visit("a real film has cycles that the linear theory does not allow", { language: "es-ES", skip: !existsSync(measured) && "needs ../shared/data/utube" }, async (lab) => {
   const file = temporary("U3.txt");
   writeFileSync(file, readFileSync(measured));
   await lab.tab("Medir");

@@ -172,11 +172,7 @@ visit("a pasted table is read, its columns renamed and switched off", async (lab
   await eventually(async () => assert.match(await lab.page.locator("#record-refusal").innerText(), /measures something else/));
 });
 
-visit("a real film is fitted", async (lab) => {
-  if (!existsSync(measured)) {
-    console.error("skipped: ../shared/data/utube is not here");
-    return;
-  }
+visit("a real film is fitted", { skip: !existsSync(measured) && "needs ../shared/data/utube" }, async (lab) => {
   await openTheory(lab, "Damped cosine");
   const file = temporary("U3.txt");
   writeFileSync(file, readFileSync(measured));

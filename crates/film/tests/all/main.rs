@@ -15,6 +15,7 @@ mod cut_avi;
 mod damaged_films;
 mod disturbed_columns;
 mod elements;
+mod repeats;
 mod scenes;
 #[expect(dead_code, reason = "the example `bodies` draws all kinds")]
 mod stage;

@@ -1,5 +1,6 @@
 //! Infers what kind of value an expression has, and of which dimension.
 
+use super::alike::Alike;
 use super::form::{Conflict, Form, Solver};
 use super::terms::{Place, Term};
 use super::types::{Type, Types};
@@ -18,12 +19,15 @@ pub(crate) struct Inference<'a> {
     pub scope: &'a Scope,
     pub types: &'a mut Types,
     pub solver: Solver,
+    pub alike: Alike,
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl Inference<'_> {
     /// The type of an expression.
     pub fn expression(&mut self, expression: &Expression) -> Type {
+        #[cfg(test)]
+        super::tests::count();
         match &expression.kind {
             ExpressionKind::Number { unit: Some(unit), .. } => Type::Number(unit.dimension.into()),
             ExpressionKind::Number { value: 0.0, unit: None } => Type::Number(self.solver.fresh()),

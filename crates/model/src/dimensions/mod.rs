@@ -1,5 +1,6 @@
 //! Dimensions of expressions: inferred where they are not stated, and checked everywhere.
 
+mod alike;
 mod call;
 mod check;
 mod describe;
@@ -9,9 +10,12 @@ mod infer;
 mod mismatch;
 mod remedy;
 mod terms;
+#[cfg(test)]
+mod tests;
 mod tuple;
 mod types;
 
+pub(crate) use alike::Alike;
 pub(crate) use check::check_dimensions;
 pub(crate) use form::{Form, Solver};
 pub(crate) use infer::Inference;

@@ -112,11 +112,7 @@ impl Source {
             Err(_) => None,
         };
         let supported = supported.and_then(|answer| Reflect::get(&answer, &"supported".into()).ok());
-        if supported.is_some_and(|supported| supported.is_truthy()) {
-            Ok(())
-        } else {
-            Err(no_decoder())
-        }
+        if supported.is_some_and(|supported| supported.is_truthy()) { Ok(()) } else { Err(no_decoder()) }
     }
 
     /// What a decoder is configured with.

@@ -1,16 +1,11 @@
-//! Expressions that are alike: so are those of all members of a family, whose dimensions are checked once.
+//! The parts of expressions that decide their dimensions: they are equal in all members of a family.
 
-use super::infer::Inference;
-use super::types::Type;
 use crate::components::vector_or_family;
 use crate::names::{Meaning, Unknown};
-use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator};
+use crate::{BinaryOperator, ExpressionKind, UnaryOperator};
 use std::collections::{HashMap, HashSet};
-use std::mem::{Discriminant, discriminant};
+use std::mem::Discriminant;
 use units::Dimension;
-
-/// Calls with fewer arguments are not those of a sum over a family.
-const LEAST_ARGUMENTS: usize = 3;
 
 /// A part of an expression, as far as it decides a dimension. Expressions with equal parts, in the order of the text, have the same
 /// dimension under the same conditions.
@@ -36,11 +31,11 @@ pub(super) enum Part {
 #[derive(Debug, Default)]
 pub(crate) struct Alike {
     /// Of each unknown the first one of its family.
-    unknowns: Vec<usize>,
+    pub(super) unknowns: Vec<usize>,
     /// Of definitions the first one that is alike, if it is another.
-    definitions: HashMap<usize, usize>,
-    checked: HashSet<Vec<Part>>,
-    defined: HashMap<Vec<Part>, usize>,
+    pub(super) definitions: HashMap<usize, usize>,
+    pub(super) checked: HashSet<Vec<Part>>,
+    pub(super) defined: HashMap<Vec<Part>, usize>,
 }
 
 impl Alike {
@@ -56,100 +51,5 @@ impl Alike {
     /// The first unknown of the family or vector of one.
     pub fn first(&self, unknown: usize) -> usize {
         self.unknowns.get(unknown).copied().unwrap_or(unknown)
-    }
-}
-
-impl Inference<'_> {
-    /// Checks what has these parts, unless something with them has been checked and found right.
-    pub(super) fn check_once(&mut self, parts: Vec<Part>, check: impl FnOnce(&mut Self)) {
-        if self.alike.checked.contains(&parts) {
-            return;
-        }
-        let reported = self.diagnostics.len();
-        check(self);
-        if self.diagnostics.len() == reported {
-            self.alike.checked.insert(parts);
-        }
-    }
-
-    /// True if the arguments are those of a sum over members of a family, which are all alike.
-    pub(super) fn are_alike(&self, arguments: &[Expression]) -> bool {
-        let [first, others @ ..] = arguments else { return false };
-        if arguments.len() < LEAST_ARGUMENTS {
-            return false;
-        }
-        let first = self.parts(&[first]);
-        others.iter().all(|other| self.parts(&[other]) == first)
-    }
-
-    /// The parts of expressions that stand together.
-    pub(super) fn parts(&self, expressions: &[&Expression]) -> Vec<Part> {
-        let mut parts = Vec::new();
-        for expression in expressions {
-            self.add_parts(expression, false, &mut parts);
-        }
-        parts
-    }
-
-    /// The type of a definition without a stated unit: that of one before that is alike, if there is one.
-    pub(super) fn defined(&mut self, index: usize, value: &Expression) -> Type {
-        let parts = self.parts(&[value]);
-        if let Some(&first) = self.alike.defined.get(&parts) {
-            self.alike.definitions.insert(index, first);
-            return self.types.definitions[first].clone();
-        }
-        let reported = self.diagnostics.len();
-        let found = self.expression(value);
-        // Each bare zero has a dimension of its own.
-        let is_free = parts.contains(&Part::Number(None, Some(0)));
-        if self.diagnostics.len() == reported && matches!(found, Type::Number(_)) && !is_free {
-            self.alike.defined.insert(parts, index);
-        }
-        found
-    }
-
-    /// `is_exact` in exponents, whose values decide.
-    fn add_parts(&self, expression: &Expression, is_exact: bool, parts: &mut Vec<Part>) {
-        parts.push(match &expression.kind {
-            ExpressionKind::Number { value, unit } => {
-                let decides = is_exact || (*value == 0.0 && unit.is_none());
-                Part::Number(unit.as_ref().map(|unit| unit.dimension), decides.then_some(value.to_bits()))
-            }
-            ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } => {
-                match self.meaning(name, is_exact) {
-                    Some((meaning, value)) => Part::Name(meaning, *order, value),
-                    None => Part::Call(name.clone(), 0),
-                }
-            }
-            ExpressionKind::Unary(operator, _) => Part::Unary(*operator),
-            ExpressionKind::Binary(operator, ..) => Part::Binary(*operator),
-            ExpressionKind::Component { axis, .. } => Part::Component(*axis),
-            ExpressionKind::Call { function, arguments } => Part::Call(function.text.clone(), arguments.len()),
-            ExpressionKind::Expansion(expansion) => {
-                let unit = expansion.unit.as_ref().map(|stated| stated.unit.dimension);
-                Part::Expansion(expansion.function.clone(), unit)
-            }
-            ExpressionKind::Tuple { parts, .. } => Part::Kind(discriminant(&expression.kind), parts.len()),
-            kind => Part::Kind(discriminant(kind), 0),
-        });
-        let is_power = matches!(expression.kind, ExpressionKind::Binary(BinaryOperator::Power, ..));
-        let mut place = 0;
-        expression.for_each_operand(|operand| {
-            self.add_parts(operand, is_exact || (is_power && place == 1), parts);
-            place += 1;
-        });
-    }
-
-    /// The meaning of a name, and its value where it is a fixed number that decides.
-    fn meaning(&self, name: &str, is_exact: bool) -> Option<(Meaning, Option<u64>)> {
-        Some(match self.scope.meaning(name)? {
-            Meaning::Variable(index) => (Meaning::Variable(self.alike.first(index)), None),
-            Meaning::Definition(index) => {
-                let value = self.types.numbers.get(index).copied().flatten().filter(|_| is_exact);
-                let first = self.alike.definitions.get(&index).copied().unwrap_or(index);
-                (Meaning::Definition(first), value.map(f64::to_bits))
-            }
-            other => (other, None),
-        })
     }
 }

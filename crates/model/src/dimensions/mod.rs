@@ -8,6 +8,7 @@ mod expansion;
 mod form;
 mod infer;
 mod mismatch;
+mod once;
 mod remedy;
 mod terms;
 #[cfg(test)]

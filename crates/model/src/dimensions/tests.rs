@@ -1,17 +1,7 @@
 //! The dimensions of a family are checked once, whatever the number of its members.
 
+use super::infer::INFERRED;
 use crate::compile;
-use std::cell::Cell;
-
-thread_local! {
-    /// Expressions whose type was inferred.
-    static INFERRED: Cell<usize> = const { Cell::new(0) };
-}
-
-/// Counts one more expression.
-pub(super) fn count() {
-    INFERRED.set(INFERRED.get() + 1);
-}
 
 /// How many types are inferred to check a model, and what is found.
 fn inferred(model: &str, members: usize) -> (usize, Vec<(&'static str, String)>) {

@@ -85,7 +85,8 @@ fn the_phase_of_a_pattern_may_change() {
     assert!(missed <= 100 && wrong == 0, "{missed} {wrong}");
 }
 
-/// Differences measured in films of a tube and of a ball that `ffmpeg` coded from pictures with noise of 0.5 and 2 grey values.
+/// Differences measured in films of a tube and of a ball: 120 drawn pictures of 320 x 240 pixels with noise of 0.5 or 2 grey values, coded by
+/// `libx264` and `mpeg4` of ffmpeg 5.1 as the lines of the file say.
 #[test]
 fn repeats_are_found_in_coded_films() {
     for line in String::from_utf8(bytes("differences.csv")).unwrap().lines() {

@@ -7,7 +7,8 @@ use crate::compile;
 fn inferred(model: &str, members: usize) -> (usize, Vec<(&'static str, String)>) {
     let source = model.replace("MEMBERS", &members.to_string());
     let before = INFERRED.get();
-    let (_, diagnostics) = compile(&source, &[0..source.len()]);
+    let part = 0..source.len();
+    let (_, diagnostics) = compile(&source, std::slice::from_ref(&part));
     let told = diagnostics.iter().map(|one| (one.code, one.message.english.clone().into_owned())).collect();
     (INFERRED.get() - before, told)
 }

@@ -1,5 +1,5 @@
-//! Physical dimensions and units: parse, convert, print. And what every crate needs to speak: the [languages](Language), and the
-//! one writer of [numbers](number) for people. Numbers that look random are there, too ([`split_mix`]).
+//! Physical dimensions and units: parsing, conversion, printing. Also the basis of all texts: [languages](Language) and the
+//! formatting of [numbers](number). [`split_mix`] has pseudorandom numbers.
 
 pub mod alphabet;
 mod dimension;

@@ -24,7 +24,7 @@ pub enum Cause {
     ParameterNotFinite(usize),
     /// Wrong number of start values: given, needed.
     WrongStart(usize, usize),
-    /// The step is not a positive, finite number.
+    /// The step is not positive, or not below [`Setup::GREATEST_STEP`].
     StepNotPositive,
     /// The tolerance of an adaptive method is below [`Setup::LEAST_TOLERANCE`], or 1 or more.
     BadTolerance,
@@ -55,16 +55,16 @@ pub enum Cause {
 /// The part of the model that an error or a notice concerns, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// One of the parameters.
+    /// A parameter, by index.
     Parameter(usize),
-    /// One of the states.
+    /// A state, by index.
     State(usize),
-    /// One of the events.
+    /// An event, by index.
     Event(usize),
 }
 
 impl RunError {
-    /// An error before the first row.
+    /// An error at time 0, before the first row.
     pub(crate) fn at_start(cause: Cause) -> Self {
         Self { cause, time: 0.0 }
     }

@@ -14,7 +14,7 @@ pub struct Figure {
     pub width: f64,
     /// Height of the figure, CSS pixels.
     pub height: f64,
-    /// The panel in which the series are drawn.
+    /// Rectangle in which the series are drawn, CSS pixels.
     pub panel: Rect,
     pub(crate) font_size: f64,
     pub(crate) title: String,

@@ -18,7 +18,7 @@ pub struct Readout {
     pub samples: Vec<Sample>,
 }
 
-/// One sample of a series.
+/// A sample of a series.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     /// Index of the series in the plot.

@@ -83,7 +83,7 @@ pub enum Dash {
 }
 
 impl Dash {
-    /// Lengths of dash and gap in turn, in CSS pixels; empty for a solid line.
+    /// Lengths of dash and gap in turn, CSS pixels; empty for a solid line.
     pub fn lengths(self) -> &'static [f32] {
         const PATTERNS: [&[f32]; 5] =
             [&[7.0, 4.0], &[2.0, 3.0], &[10.0, 3.0, 2.0, 3.0], &[14.0, 5.0], &[6.0, 3.0, 2.0, 3.0, 2.0, 3.0]];

@@ -1,6 +1,6 @@
 //! Input of a figure: a plot with its axes and series, borrowed from the owner of the data.
 
-/// A plot. Columns and texts are borrowed; axes and series are listed anew for each layout.
+/// A plot. Columns and texts are borrowed; axes and series are listed again for each layout.
 #[derive(Clone, Debug, Default)]
 pub struct Plot<'a> {
     /// Title above the plot; none if empty.

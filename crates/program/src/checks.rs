@@ -15,7 +15,7 @@ pub struct Check {
 /// A claim: `"Energy is kept": E within 1e-6 of E(0) always`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
-    /// Its name, to be passed through [`crate::Program::text`].
+    /// Name of the claim, to be translated with [`crate::Program::text`].
     pub name: String,
     /// Source text without the name.
     pub written: String,
@@ -28,9 +28,9 @@ pub struct Claim {
 /// The statement of a claim.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Test {
-    /// A number is near another one.
+    /// A number equals another one within a tolerance.
     Near {
-        /// The number.
+        /// The claimed number.
         value: Compiled,
         /// Expected value.
         expected: Compiled,
@@ -48,7 +48,7 @@ pub enum Test {
     /// Halving the step changes a number by less than this. With an adaptive method, a tenth of the tolerance replaces half
     /// the step.
     HalvedStep {
-        /// The number.
+        /// The number that must not change.
         value: Compiled,
         /// Upper bound of the change; a relative one refers to the value with the finer step, as in [`Test::Near`].
         tolerance: Tolerance,

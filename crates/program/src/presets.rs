@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub struct Preset {
     /// Name of the group, such as `Liquid`.
     pub group: Option<String>,
-    /// Its name.
+    /// Name of the preset.
     pub name: String,
     /// Parameters and their values.
     pub values: Vec<Assignment>,

@@ -109,9 +109,9 @@ impl Program {
 pub struct Edition {
     /// Language tag: `en`, `es`, `pt-BR` ...
     pub language: String,
-    /// The title.
+    /// Title in this language.
     pub title: String,
-    /// The prose.
+    /// Prose in this language.
     pub sections: Vec<Section>,
     /// Equations of the model, each as a `<math>` element, in the order of the text.
     pub equations: Vec<String>,

@@ -122,7 +122,7 @@ impl From<i8> for Exponent {
     }
 }
 
-/// `2`, `-1`, `1/2`
+/// Text of the exponent: `2`, `-1`, `1/2`.
 impl fmt::Display for Exponent {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.denominator == 1 {

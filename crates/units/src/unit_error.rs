@@ -28,7 +28,7 @@ impl fmt::Display for UnitError {
 
 impl std::error::Error for UnitError {}
 
-/// An error at `range` of the text.
+/// An error at a byte range of the text, without advice.
 pub(crate) fn error(code: &'static str, range: Range<usize>, message: Words) -> UnitError {
     UnitError { code, range, message, hint: None, meant: None }
 }

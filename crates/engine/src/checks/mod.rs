@@ -76,7 +76,7 @@ impl Default for Checking {
     }
 }
 
-/// Judges all claims of a program.
+/// Judges all claims of a program in one call: one list of outcomes per check.
 pub fn judge_all(program: &Program) -> Vec<Vec<Outcome>> {
     let mut checking = Checking::new();
     while !checking.advance(program, u64::MAX) {}

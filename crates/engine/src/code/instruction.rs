@@ -15,13 +15,13 @@ pub(crate) enum Instruction {
     Multiply(Register, Register, Register),
     Divide(Register, Register, Register),
     Negate(Register, Register),
-    /// a * b + c
+    /// a * b + c; registers: target, a, b, c.
     MultiplyAdd(Register, Register, Register, Register),
-    /// a * b - c
+    /// a * b - c; registers: target, a, b, c.
     MultiplySubtract(Register, Register, Register, Register),
-    /// c - a * b
+    /// c - a * b; registers: target, a, b, c.
     SubtractProduct(Register, Register, Register, Register),
-    /// a if the condition is not 0, else b.
+    /// a if the condition is not 0, else b; registers: target, condition, a, b.
     Select(Register, Register, Register, Register),
     Unary(Unary, Register, Register),
     Binary(Binary, Register, Register, Register),

@@ -38,7 +38,7 @@ impl Jumps {
         })
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.delays.prepare(parameters, initial);
         self.sensitivities.iter_mut().for_each(|routine| routine.prepare(parameters, initial));

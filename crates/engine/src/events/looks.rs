@@ -45,7 +45,7 @@ pub(crate) struct Doubt {
     pub event: Option<usize>,
 }
 
-/// One end of a step.
+/// State, rates and compared values at one end of a step.
 #[derive(Clone, Debug, Default)]
 struct End {
     point: Point,

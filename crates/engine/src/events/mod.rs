@@ -94,7 +94,7 @@ impl Events {
         self.targets.is_empty()
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.conditions.prepare(parameters, initial);
         self.actions.iter_mut().for_each(|actions| actions.prepare(parameters, initial));
@@ -103,7 +103,7 @@ impl Events {
         }
     }
 
-    /// Arms the events whose conditions are false at the state from which a run starts.
+    /// Arms the events whose conditions are false at the initial state.
     pub fn arm(&mut self, time: f64, state: &[f64]) {
         self.due(time, state);
         self.pass();

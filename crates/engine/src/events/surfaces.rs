@@ -37,7 +37,7 @@ impl Surfaces {
         self.events.is_empty() && self.switches.is_empty()
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.events.prepare(parameters, initial);
         self.switches.prepare(parameters, initial);

@@ -51,7 +51,7 @@ impl Switches {
         self.held.is_empty()
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         if let Some(truths) = &mut self.truths {
             truths.prepare(parameters, initial);

@@ -6,7 +6,7 @@ use crate::Routine;
 use crate::methods::cubic::Cubic;
 use program::{Model, NodeId};
 
-/// The switches of a model that depend on time alone ([`Model::timed_switches`]).
+/// The switches of a model that depend on the independent variable alone ([`Model::timed_switches`]).
 #[derive(Clone, Debug)]
 pub(crate) struct Timetable {
     routine: Routine,
@@ -58,7 +58,7 @@ impl Timetable {
         self.doubt = self.doubt.filter(|doubt| *doubt < time);
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.routine.prepare(parameters, initial);
         self.shapes.prepare(parameters, initial);

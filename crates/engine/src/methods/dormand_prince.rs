@@ -20,7 +20,7 @@ const STAGE_WEIGHTS: [&[f64]; STAGES] = [
     &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
 ];
 
-/// The weights of order 5 minus those of order 4.
+/// Weights of order 5 minus those of order 4.
 const ERROR_WEIGHTS: [f64; STAGES] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
@@ -97,7 +97,7 @@ impl DormandPrince {
         c_4.iter_mut().for_each(|value| *value *= size);
     }
 
-    /// Makes the last stage of an accepted step the first of the next.
+    /// Stores the last stage of an accepted step as the first stage of the next one.
     pub fn accept(&mut self) {
         self.rates.swap(0, STAGES - 1);
     }

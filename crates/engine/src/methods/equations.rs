@@ -46,7 +46,7 @@ impl Equations {
         Some(Self { slopes: Some(slopes), pattern, ..Self::new(model) })
     }
 
-    /// Sets parameters, the values at which switches are held ([`program::Held`]), and initial values.
+    /// Sets parameters, held values of the switches ([`program::Held`]) and initial values, SI units.
     pub fn prepare(&mut self, parameters: &[f64], held: &[f64], initial: &[f64]) {
         self.inputs.clear();
         self.inputs.extend(parameters.iter().chain(held));

@@ -34,7 +34,7 @@ impl Dialect {
         if self == Self::Lines { "\n" } else { "\r\n" }
     }
 
-    /// Writes a number.
+    /// Writes a number; nothing if it is not finite.
     ///
     /// # Errors
     /// Errors of `out`.

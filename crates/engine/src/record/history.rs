@@ -20,7 +20,7 @@ pub struct History {
 }
 
 impl History {
-    /// The history of a run that starts at 0 with the state `initial`.
+    /// History of a run that starts at 0 with the state `initial` and these parameters, SI units.
     pub(crate) fn new(initial: Vec<f64>, parameters: Vec<f64>) -> Self {
         let columns = initial.iter().map(|&value| vec![value]).collect();
         let scales = initial.iter().map(|value| vec![(0, value.abs())]).collect();
@@ -154,7 +154,7 @@ impl History {
         self.parameters.push((first, parameters));
     }
 
-    /// Drops the rows after `row`.
+    /// Drops the rows after `row`, and the parameter sets for them.
     pub(crate) fn truncate(&mut self, row: usize) {
         let rows = row + 1;
         self.times.truncate(rows);
@@ -167,7 +167,7 @@ impl History {
         self.scales.iter_mut().for_each(|scales| scales.retain(|&(first, _)| first <= row));
     }
 
-    /// Drops all rows but the last.
+    /// Drops all rows but the last one, which becomes row 0.
     pub(crate) fn forget(&mut self) {
         let dropped = self.len() - 1;
         let parameters = self.parameters(dropped).to_vec();

@@ -105,7 +105,7 @@ impl Table {
         Self { columns, sources, readings, texts, cells: Vec::new() }
     }
 
-    /// The columns.
+    /// The columns, in order.
     pub fn columns(&self) -> &[Column] {
         &self.columns
     }

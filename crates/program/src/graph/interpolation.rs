@@ -134,7 +134,7 @@ impl Interpolation {
         self.smoothness
     }
 
-    /// The derivative, piece by piece.
+    /// The derivative of each piece, with the same knots.
     pub fn derivative(&self) -> Self {
         let pieces = self.pieces.iter().map(|[_, b, c, d]| [*b, 2.0 * c, 3.0 * d, 0.0]).collect();
         let drawing = self.drawing.map(|own| OfDrawing { derivative: own.derivative.saturating_add(1), ..own });

@@ -22,7 +22,7 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct NodeId(pub u32);
 
-/// One operation or input.
+/// An operation or input of the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Node {
     /// A number, as its IEEE 754 bits.
@@ -98,7 +98,7 @@ pub enum Unary {
     Exponential,
 }
 
-/// Functions of two arguments.
+/// Functions of two arguments, in SI units; angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "each says itself")]
 pub enum Binary {

@@ -84,7 +84,7 @@ impl Graph {
 mod tests {
     use super::*;
 
-    /// `(p_0 + x)/p_1` in a graph that holds something else before it.
+    /// `(p_0 + x)/p_1` in a graph that has the nodes `before` first.
     fn graph(before: &[Node], [p, q]: [u32; 2]) -> (Graph, NodeId) {
         let mut graph = Graph::default();
         before.iter().for_each(|&node| _ = graph.insert(node));
@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn expressions_are_the_same_whatever_stands_before_them() {
         let (one, root) = graph(&[], [0, 1]);
-        // Here x has a smaller number than p, and is the first summand.
+        // Here x has a smaller index than p and is the first summand.
         let (other, same) = graph(&[Node::State(0), Node::Independent], [0, 1]);
         assert_ne!(root, same);
         assert!(one.same(&[root], &other, &[same], Some) && other.same(&[same], &one, &[root], Some));

@@ -54,24 +54,24 @@ pub struct Model {
 /// The independent variable; by default `t` in seconds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Independent {
-    /// Its name.
+    /// Name, `t` by default.
     pub name: String,
-    /// Its unit.
+    /// Display unit.
     pub unit: Unit,
     /// True if it counts 0, 1, 2 ... (discrete time): a run has one row per count.
     pub counts: bool,
 }
 
-/// A number the user can change.
+/// A parameter: a value that the user can change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Parameter {
-    /// Its ASCII name.
+    /// ASCII name.
     pub name: String,
     /// Label given by the author, if any.
     pub label: Option<String>,
     /// Heading of the group of its control, if any.
     pub group: Option<String>,
-    /// The declared unit.
+    /// Declared unit.
     pub unit: Unit,
     /// Default value, SI units.
     pub value: f64,
@@ -88,9 +88,9 @@ pub struct Parameter {
 /// Kind of values of a parameter.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Choices {
-    /// Numbers.
+    /// Any finite number.
     Numbers,
-    /// On (1) or off (0).
+    /// A switch: on (1) or off (0).
     Switch,
     /// Seed of all random draws, an integer from 0 to 2^53 - 1.
     Seed,
@@ -164,11 +164,11 @@ impl Parameter {
 /// another model.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Size {
-    /// Its ASCII name.
+    /// ASCII name.
     pub name: String,
     /// Label given by the author, if any.
     pub label: Option<String>,
-    /// Its value.
+    /// Current value.
     pub value: u32,
     /// Value stated in the document.
     pub stated: u32,
@@ -228,11 +228,11 @@ impl State {
 /// A named definition of the author, or a remembered value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Quantity {
-    /// Its ASCII name.
+    /// ASCII name.
     pub name: String,
     /// Label given by the author, if any.
     pub label: Option<String>,
-    /// Its value and unit.
+    /// Compiled value with its unit.
     pub value: Compiled,
     /// True if it depends on states or the independent variable; otherwise it is constant while parameters are.
     pub varies: bool,
@@ -245,7 +245,7 @@ pub struct Quantity {
 /// A function given by a table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
-    /// Its ASCII name.
+    /// ASCII name.
     pub name: String,
     /// Label given by the author, if any.
     pub label: Option<String>,

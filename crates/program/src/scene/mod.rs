@@ -77,7 +77,7 @@ pub struct Element {
     pub drag: Option<Drag>,
 }
 
-/// An attribute.
+/// An attribute of an element.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attribute {
     /// Name of the attribute.
@@ -90,7 +90,7 @@ pub struct Attribute {
 /// A child of an element.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Child {
-    /// A further element.
+    /// A nested element.
     Element(Element),
     /// A text; numbers in it are formatted for readers, with their units.
     Text(Template),
@@ -99,12 +99,12 @@ pub enum Child {
 /// A text with placeholders for values.
 pub type Template = Vec<Piece>;
 
-/// A part of a template.
+/// A part of a template: literal text or a placeholder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Piece {
     /// Literal text.
     Literal(String),
-    /// `Scene::values[index]`.
+    /// A number, `Scene::values[index]`.
     Value {
         /// Index in `Scene::values`.
         index: usize,

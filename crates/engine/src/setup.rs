@@ -59,8 +59,8 @@ impl Setup {
         .fitting(&program.model)
     }
 
-    /// The setup adapted to a model. Presses of unknown buttons are dropped, and drawings of another shape are replaced by
-    /// those of the model. A counting independent variable has the step 1 and no integration method (Euler stands for it).
+    /// The setup adapted to a model. Presses of unknown buttons are dropped, and invalid drawings are replaced by those of
+    /// the model. A counting independent variable has the step 1 and no integration method (Euler stands for it).
     pub(crate) fn fitting(mut self, model: &Model) -> Self {
         self.presses = fitting(self.presses, model);
         if !model.takes_drawings(&self.drawings) {

@@ -1,11 +1,11 @@
 //! Figures: layout of axes, ticks and series as a display list, and its output as SVG.
 //!
-//! A [`Plot`] borrows the data: labels and columns of numbers. [`layout`] turns it into a [`Figure`]: lines, polylines and
+//! A [`Plot`] borrows the data: labels and columns of numbers. [`layout()`] turns it into a [`Figure`]: lines, polylines and
 //! texts in pixels, each with its [`Ink`], and the scales from pixels back to values. The page paints the items on a
 //! canvas; [`Figure::svg`] writes the same items to a file. Figures of page, report and command line are therefore
 //! identical.
 //!
-//! This crate is independent of models, browsers and units: values are in the unit of their axis, and the unit is a text.
+//! This crate is independent of models and browsers: values are in the unit of their axis, and the unit is a text.
 
 mod axes;
 mod cloud;

@@ -39,7 +39,7 @@ pub fn write(program: &Program) -> Result<Vec<u8>, BundleError> {
     if bytes.len() > LONGEST { Err(BundleError::TooLong) } else { Ok(bytes) }
 }
 
-/// Reads a program written by [`write`].
+/// Reads a program written by [`write()`].
 ///
 /// # Errors
 /// Any [`BundleError`].

@@ -1,5 +1,5 @@
-//! Physical dimensions and units: parsing, conversion, printing. Also the basis of all texts: [languages](Language) and the
-//! formatting of [numbers](number). [`split_mix`] has pseudorandom numbers.
+//! Physical dimensions and units: parsing, conversion, printing. The crate also has the [languages](Language) of the
+//! interface, the formatting of [numbers](number) for readers, and pseudorandom numbers ([`split_mix`]).
 
 pub mod alphabet;
 mod dimension;

@@ -165,7 +165,7 @@ impl Surfaces {
         crossing
     }
 
-    /// Evaluates the sensitivities' terms at the state before the crossing found last; needed for their jump.
+    /// Evaluates the terms for the jump of the sensitivities at the state before the crossing found last.
     pub fn approach(&mut self, equations: &mut Equations, time: f64) {
         self.switches.approach(equations, time, &self.before);
     }

@@ -12,13 +12,14 @@ use super::jacobian::Jacobian;
 const STAGES: usize = 6;
 const GAMMA: f64 = 0.25;
 
-/// alpha_i
+/// Nodes alpha_i.
 const NODES: [f64; STAGES] = [0.0, 0.386, 0.21, 0.63, 1.0, 1.0];
 
-/// gamma_i
+/// Weights gamma_i of the derivative with respect to the independent variable.
 const TIME_WEIGHTS: [f64; STAGES] = [0.25, -0.1043, 0.1035, -0.0362, 0.0, 0.0];
 
-/// a_ij; the last row gives the embedded result. The result of order 4 is that plus the last stage.
+/// Weights a_ij of earlier stages in the argument of f. The last row gives the embedded result. The result of order 4 is
+/// that plus the last stage.
 const STAGE_WEIGHTS: [&[f64]; STAGES] = [
     &[],
     &[1.544],
@@ -28,7 +29,7 @@ const STAGE_WEIGHTS: [&[f64]; STAGES] = [
     &[1.221_224_509_226_641, 6.019_134_481_288_629, 12.537_083_329_320_87, -0.687_886_036_105_895, 1.0],
 ];
 
-/// c_ij
+/// Weights c_ij of earlier stages in the right-hand side.
 const SOLVED_WEIGHTS: [&[f64]; STAGES] = [
     &[],
     &[-5.6688],
@@ -71,7 +72,7 @@ pub(crate) struct Rosenbrock {
     rates: Vec<f64>,
     /// Jacobian entries in the order of the pattern, then the derivatives with respect to the independent variable.
     slopes: Vec<f64>,
-    /// 1/(h gamma) - J
+    /// The matrix 1/(h gamma) - J.
     matrix: Jacobian,
     /// True if `slopes` belong to the start of the step.
     slopes_known: bool,

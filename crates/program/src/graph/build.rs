@@ -221,7 +221,7 @@ impl Graph {
         self.interpolated(interpolation, x, piece)
     }
 
-    /// A number that changes its sign exactly where `x` passes a point of the interpolation ([`Interpolation::zeros`]).
+    /// A number that changes its sign exactly where `x` passes a point of the interpolation ([`crate::Interpolation::zeros`]).
     pub fn passing_points(&mut self, interpolation: u32, x: NodeId) -> NodeId {
         let zeros = Arc::new(self.interpolations()[interpolation as usize].zeros());
         let zeros = self.insert_interpolation(&zeros);

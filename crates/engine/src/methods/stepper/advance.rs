@@ -50,8 +50,8 @@ impl Stepper {
     /// there from the row before. Returns the number of events.
     ///
     /// # Errors
-    /// A state that is no longer finite, too many events, or a step that became too small or too many steps. The state is
-    /// then the last finite one, and every further call returns the same error until parameters change.
+    /// A state that is no longer finite, too many events or steps, or a step size that became too small. The state is then
+    /// the last finite one, and every further call returns the same error until parameters change.
     pub fn advance(&mut self, mut record: impl FnMut(f64, &[f64], bool)) -> Result<usize, RunError> {
         loop {
             if let Progress::Row { events } = self.advance_within(u64::MAX, &mut record)? {
@@ -86,8 +86,8 @@ impl Stepper {
         self.stopped.take_if(|error| error.is_end());
     }
 
-    /// Advances to any later time (SI units), which need not be on the grid, without a record. Events that end a run are
-    /// ignored. Returns the number of events.
+    /// Advances to any later time (SI units), which need not be on the grid, without a record. Events that end a run act
+    /// but do not end it. Returns the number of events.
     ///
     /// # Errors
     /// As [`Stepper::advance`].

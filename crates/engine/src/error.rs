@@ -1,4 +1,4 @@
-//! Why a run cannot start or go on.
+//! Errors that prevent or stop a run.
 
 use crate::{Method, Setup};
 use program::Model;
@@ -6,75 +6,75 @@ use std::fmt;
 use units::number::{Style, plain};
 use units::{Words, words};
 
-/// Why a run cannot start or go on, and when.
+/// An error that prevents or stops a run, with its time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunError {
-    /// What happened.
+    /// The kind of error.
     pub cause: Cause,
-    /// The value of the independent variable, in SI.
+    /// Independent variable at the error, SI units; 0 before the first row.
     pub time: f64,
 }
 
-/// What keeps a run from starting or going on. Numbers name states, parameters and events by their places in the model.
+/// The kind of a [`RunError`]. States, parameters and events are given by their index in the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// So many parameters were given where so many are needed.
+    /// Wrong number of parameters: given, needed.
     WrongParameters(usize, usize),
-    /// This parameter is not a finite number.
+    /// The parameter of this index is not a finite number.
     ParameterNotFinite(usize),
-    /// So many start values were given where so many are needed.
+    /// Wrong number of start values: given, needed.
     WrongStart(usize, usize),
-    /// The step is not a positive, finite number.
+    /// The step is not positive, or not below [`Setup::GREATEST_STEP`].
     StepNotPositive,
-    /// The tolerance is less than rounding allows, or 1 and more.
+    /// The tolerance of an adaptive method is below [`Setup::LEAST_TOLERANCE`], or 1 or more.
     BadTolerance,
-    /// Velocity Verlet was chosen, and this state's equation is not of second order.
+    /// Velocity Verlet with an equation that is not of second order; index of the first such state.
     NotSecondOrder(usize),
-    /// The initial value of this state is not a finite number.
+    /// The initial value of the state of this index is not a finite number.
     InitialNotFinite(usize),
-    /// The stiff method's derivatives would fill the memory.
+    /// The Jacobian of the stiff method would need too much memory.
     ModelTooLarge,
-    /// The equations cannot be solved for the highest derivatives; this state shows it.
+    /// The linear system for the highest derivatives is singular; index of the first state that is not finite.
     Singular(usize),
-    /// This state has become infinite, with this method.
+    /// The state of this index became infinite, with this method.
     Infinite(usize, Method),
-    /// This state is not a number any more, with this method.
+    /// The state of this index became NaN, with this method.
     NotANumber(usize, Method),
-    /// No step of the adaptive method is small enough.
+    /// The adaptive method needs a step below its smallest one.
     StepTooSmall,
-    /// The adaptive method has made so many steps for one row.
+    /// More steps of the adaptive method between two rows than this limit.
     TooManySteps(usize, Method),
-    /// More than so many events have happened in a hundredth of a step, the last of them this one.
+    /// More events than this limit within a hundredth of a step; the index of one of the last events.
     TooManyEvents(usize, Option<usize>),
-    /// This event has ended the run, as the document wants it.
+    /// The event of this index ended the run, as its document prescribes.
     Ended(usize),
-    /// The equations have switched more than this number of times within one step of the grid.
+    /// More switches of the equations than this limit within one step of the grid.
     TooManySwitches(usize),
 }
 
-/// The part of a model that an error is about, by its place.
+/// The part of the model that an error or a notice concerns, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// One of the parameters.
+    /// A parameter, by index.
     Parameter(usize),
-    /// One of the states.
+    /// A state, by index.
     State(usize),
-    /// One of the events.
+    /// An event, by index.
     Event(usize),
 }
 
 impl RunError {
-    /// An error before the first row.
+    /// An error at time 0, before the first row.
     pub(crate) fn at_start(cause: Cause) -> Self {
         Self { cause, time: 0.0 }
     }
 
-    /// Whether nothing is wrong: an event has ended the run, and it can go on.
+    /// True if an event ended the run as planned; the run can then be continued.
     pub fn is_end(&self) -> bool {
         matches!(self.cause, Cause::Ended(_))
     }
 
-    /// The part of the model that it is about, if there is one.
+    /// The part of the model that the error concerns, `None` for errors of the setup.
     pub fn subject(&self) -> Option<Subject> {
         match self.cause {
             Cause::ParameterNotFinite(index) => Some(Subject::Parameter(index)),
@@ -92,7 +92,7 @@ impl RunError {
         }
     }
 
-    /// A stable name, such as `not-finite`; never translated.
+    /// Stable identifier such as `not-finite`; never translated.
     pub fn code(&self) -> &'static str {
         match self.cause {
             Cause::WrongParameters(..) => "wrong-parameters",
@@ -113,12 +113,12 @@ impl RunError {
         }
     }
 
-    /// What is wrong, in one sentence without a full stop, with the names of the model that was run.
+    /// The error in one sentence without a full stop, with the names used in the model.
     pub fn message(&self, model: &Model) -> Words {
         self.message_in(model, str::to_owned)
     }
 
-    /// The same with the titles of events as `translate` gives them.
+    /// [`RunError::message`] with titles of events passed through `translate`.
     pub fn message_in(&self, model: &Model, translate: impl Fn(&str) -> String) -> Words {
         let state = |index: usize| model.states.get(index).map(program::State::name).unwrap_or_default();
         let moment = moment(model, self.time);
@@ -218,7 +218,7 @@ impl RunError {
         }
     }
 
-    /// What to do.
+    /// Advice on how to avoid the error.
     pub fn hint(&self) -> Words {
         match self.cause {
             Cause::WrongParameters(..) => words("give one value for each parameter", "da un valor para cada parámetro"),
@@ -276,7 +276,7 @@ impl RunError {
     }
 }
 
-/// The code and the time, for programs; people read [`RunError::message`].
+/// The identifier and the time, for programs; [`RunError::message`] is the text for people.
 impl fmt::Display for RunError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{} at {}", self.code(), self.time)
@@ -285,7 +285,8 @@ impl fmt::Display for RunError {
 
 impl std::error::Error for RunError {}
 
-/// `t = 3.2 s`; in Spanish `t = 3,2 s`. Seven digits are enough for people; what programs read has all.
+/// The independent variable as text, for example `t = 3.2 s`, in Spanish `t = 3,2 s`; `time` in SI units, seven significant
+/// digits.
 pub(crate) fn moment(model: &Model, time: f64) -> Words {
     let (name, unit) = (&model.independent.name, &model.independent.unit);
     let [value, spanish] = [Style::POINT, Style::COMMA].map(|style| plain(unit.from_si(time), 7, style));

@@ -1,4 +1,5 @@
-//! Runs a model: virtual machine, methods, events, history; and judges what its author claims about runs.
+//! Simulation engine: register machine, integration methods, events, recorded history, and the checks of an author's
+//! claims.
 
 pub mod checks;
 mod code;

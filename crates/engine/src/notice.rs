@@ -1,35 +1,35 @@
-//! What a run cannot promise.
+//! Notices: limits of accuracy met by a run.
 
 use crate::Subject;
 use crate::error::moment;
 use program::Model;
 use units::{Words, words};
 
-/// Something that a run cannot promise from some moment on. It is no error: the run goes on.
+/// A limit of accuracy met by a run. It is no error: the run continues.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Notice {
-    /// What it is.
+    /// The kind of notice.
     pub kind: NoticeKind,
-    /// From when on, in SI.
+    /// Independent variable from which on it applies, SI units.
     pub time: f64,
 }
 
-/// What a run cannot promise.
+/// The kind of a [`Notice`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoticeKind {
-    /// What the condition of this event compares, or a jump of the equations, changes too fast within a step for all its
-    /// changes to be seen.
+    /// The quantities in the condition of this event change too fast within a step to detect all changes; `None`: those in
+    /// a jump of the equations.
     MayBeSkipped(Option<usize>),
-    /// The argument of this table has left the range of its points.
+    /// The argument of the table of this index has left the range of its points.
     OutsideTable(usize),
-    /// A function of the independent variable alone changes too often within a step.
+    /// A condition on the independent variable alone changes too often within a step.
     TooFastInTime,
-    /// The method of fixed step is unstable with this step.
+    /// The fixed-step method is unstable with this step.
     StepTooLong,
 }
 
 impl Notice {
-    /// The part of the model that it is about, if there is one.
+    /// The part of the model that the notice concerns, `None` if it is not one event.
     pub fn subject(&self) -> Option<Subject> {
         match self.kind {
             NoticeKind::MayBeSkipped(event) => event.map(Subject::Event),
@@ -37,7 +37,7 @@ impl Notice {
         }
     }
 
-    /// A stable name; never translated.
+    /// Stable identifier; never translated.
     pub fn code(&self) -> &'static str {
         match self.kind {
             NoticeKind::MayBeSkipped(_) => "may-be-skipped",
@@ -47,7 +47,7 @@ impl Notice {
         }
     }
 
-    /// What it is, in one sentence without a full stop.
+    /// The notice in one sentence without a full stop, with the names used in the model.
     pub fn message(&self, model: &Model) -> Words {
         let (name, moment) = (&model.independent.name, moment(model, self.time));
         match self.kind {
@@ -89,7 +89,7 @@ impl Notice {
         }
     }
 
-    /// What to do.
+    /// Advice on how to avoid it.
     pub fn hint(&self) -> Words {
         match self.kind {
             NoticeKind::OutsideTable(_) => words("give the table more points", "añade puntos a la tabla"),
@@ -104,7 +104,7 @@ impl Notice {
     }
 }
 
-/// An event by its title, or by what it changes.
+/// Name of an event: its title, or the first state that it changes.
 fn event_name(model: &Model, event: usize) -> Words {
     let event = model.events.get(event);
     if let Some(title) = event.and_then(|event| event.title.as_ref()) {

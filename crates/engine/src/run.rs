@@ -1,4 +1,4 @@
-//! A run: a model in motion and the record of it.
+//! A run: a stepper with its recorded history.
 
 use crate::methods::stability::Stability;
 use crate::methods::stepper::grid_index;
@@ -7,39 +7,39 @@ use crate::record::ranges::Ranges;
 use crate::{History, Notice, NoticeKind, Press, Progress, Readings, RunError, Setup, Stepper};
 use program::{Model, NodeId};
 
-/// The greatest size of a history in bytes; a run that reaches it pauses.
+/// Maximum size of a history in bytes (64 MiB); a run that reaches it pauses.
 pub const CAPACITY: usize = 64 << 20;
 
-/// How far [`Run::advance`] got.
+/// Result of [`Run::advance`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Advance {
-    /// One row further, on the grid.
+    /// The next grid point is reached: one new row.
     Step,
-    /// To the next point of the grid, with one or more events on the way; each left two rows.
+    /// The next grid point is reached, with one or more events on the way; each event adds two rows.
     Event,
-    /// Not at all: the history is full.
+    /// No progress: the history is full.
     Full,
-    /// Not yet to the next row: the work allowed is done ([`Run::advance_within`]).
+    /// The allowed work is used up before the next row ([`Run::advance_within`]).
     Partial,
 }
 
-/// A model in motion and the record of it.
+/// A stepper with its recorded history.
 #[derive(Clone, Debug)]
 pub struct Run {
     setup: Setup,
     stepper: Stepper,
     history: History,
     rates: Readings,
-    /// The states at both ends of an interval.
+    /// Working storage: the states at both ends of an interval.
     ends: [Vec<f64>; 2],
-    /// The last row on the grid.
+    /// Index of the last row that is a grid point.
     last_on_grid: usize,
     ranges: Ranges,
-    /// For methods of fixed step, where something flows.
+    /// Stability check, only for fixed-step methods with continuous time.
     stability: Option<Stability>,
-    /// For adaptive methods.
+    /// Checkpoints, only for adaptive methods.
     checkpoints: Option<Checkpoints>,
-    /// Whether the independent variable counts: the state then holds from one count to the next.
+    /// True if the independent variable counts (discrete time): the state is then constant between two counts.
     counts: bool,
 }
 
@@ -47,7 +47,7 @@ impl Run {
     /// Checks the setup, computes the initial state and records it as the first row.
     ///
     /// # Errors
-    /// A step or tolerance that is not positive, an initial state that is not finite, a method that cannot treat the model.
+    /// A step or tolerance out of range, an initial state that is not finite, or a method that cannot integrate the model.
     pub fn start(model: &Model, setup: Setup) -> Result<Self, RunError> {
         let setup = setup.fitting(model);
         let drawn = model.with_drawings(&setup.drawings);
@@ -67,11 +67,11 @@ impl Run {
         Ok(Self { rates, setup, stepper, history, ends, last_on_grid: 0, ranges, stability, checkpoints, counts })
     }
 
-    /// Goes on to the next point of the grid t_n = n h.
+    /// Advances to the next grid point t_n = n h.
     ///
     /// # Errors
-    /// A state that is no longer finite, too many events in one step, a step size that has become too small. The rows
-    /// recorded before stay.
+    /// A state that is no longer finite, too many events within one step, or a step size that became too small. The rows
+    /// recorded before are kept.
     pub fn advance(&mut self) -> Result<Advance, RunError> {
         loop {
             match self.advance_within(u64::MAX)? {
@@ -81,8 +81,8 @@ impl Run {
         }
     }
 
-    /// [`Run::advance`] with no more than about `work` floating-point operations; where these are not enough,
-    /// [`Advance::Partial`] is returned and the next call goes on. The bits of the rows do not depend on it.
+    /// [`Run::advance`] with at most about `work` floating-point operations. If they are not enough, returns
+    /// [`Advance::Partial`]; the next call continues. The bits of the rows do not depend on `work`.
     ///
     /// # Errors
     /// As [`Run::advance`].
@@ -105,8 +105,8 @@ impl Run {
         Ok(if events == 0 { Advance::Step } else { Advance::Event })
     }
 
-    /// Lets what happens at `end` (SI) happen, where the run has come so far that its next row lies behind that: events and
-    /// presses up to `end`, which may leave further rows. A longer run has the same rows.
+    /// Processes the events and presses up to `end` (SI units) if the next row lies beyond `end`. This may add rows; a
+    /// longer run has the same rows.
     ///
     /// # Errors
     /// An event that ends the run.
@@ -116,47 +116,47 @@ impl Run {
         outcome
     }
 
-    /// About how many floating-point operations were made so far.
+    /// Approximate number of floating-point operations so far.
     pub fn work(&self) -> u64 {
         self.stepper.work()
     }
 
-    /// What has been recorded.
+    /// The recorded rows.
     pub fn history(&self) -> &History {
         &self.history
     }
 
-    /// What the run was started with.
+    /// The setup of the run, with all presses so far.
     pub fn setup(&self) -> &Setup {
         &self.setup
     }
 
-    /// The parameters in force for the next step, one value for each, SI.
+    /// The parameters in force for the next step, one value per parameter, SI units.
     pub fn parameters(&self) -> &[f64] {
         self.history.next_parameters()
     }
 
-    /// The state at the start.
+    /// The state at the start, one value per state, SI units.
     pub fn initial(&self) -> &[f64] {
         self.history.initial()
     }
 
-    /// The independent variable where the run stands: at the last row, or beyond after [`Advance::Partial`].
+    /// Current value of the independent variable, SI units: that of the last row, or later after [`Advance::Partial`].
     pub fn time(&self) -> f64 {
         self.stepper.time()
     }
 
-    /// The state there.
+    /// The state at [`Run::time`], one value per state, SI units.
     pub fn state(&self) -> &[f64] {
         self.stepper.state()
     }
 
-    /// Goes on beyond an event that has ended the run ([`RunError::is_end`]).
+    /// Continues after an event that ended the run ([`RunError::is_end`]).
     pub fn go_on(&mut self) {
         self.stepper.go_on();
     }
 
-    /// What cannot be promised of the rows so far.
+    /// The limits of accuracy met so far.
     pub fn notices(&self) -> Vec<Notice> {
         let mut notices = self.stepper.notices();
         notices.extend(self.ranges.notice());
@@ -165,9 +165,8 @@ impl Run {
         notices
     }
 
-    /// Changes the parameters from the next step on, one value for each; the state stays. Of a step that is only partly
-    /// made the beginning is given up. A change that is taken back before the next step leaves no trace: the run has the
-    /// bits of one without it.
+    /// Changes the parameters from the next step on (one value per parameter, SI units); the state is kept. A partly made
+    /// step is discarded. A change that is undone before the next step has no effect on the bits of the run.
     pub fn set_parameters(&mut self, parameters: Vec<f64>) {
         if parameters.len() != self.setup.parameters.len() || parameters == self.parameters() {
             return;
@@ -177,7 +176,7 @@ impl Run {
         }
         let last = self.history.len() - 1;
         if self.history.parameters(last) == parameters {
-            // An adaptive method has begun again with the other parameters, and so has to go back.
+            // An adaptive method has restarted with the other parameters and must go back.
             self.truncate(last);
         } else {
             self.history.push_parameters(parameters.clone());
@@ -188,8 +187,8 @@ impl Run {
         }
     }
 
-    /// Presses a button at a time (SI), which the run may have passed: rows and presses after that time are given up, and the
-    /// run stands at the last point of the grid before. Without a button nothing is pressed.
+    /// Presses a button at `time` (SI units). If the run has passed that time, later rows and presses are dropped, and the
+    /// run returns to the last grid point before. `None` only drops later presses.
     pub fn press(&mut self, time: f64, button: Option<usize>) {
         let time = if self.counts { time.floor() } else { time };
         let presses = &mut self.setup.presses;
@@ -207,14 +206,14 @@ impl Run {
         }
     }
 
-    /// Whether a press at or before a time has not acted yet.
+    /// True if a press at or before `time` (SI units) has not acted yet.
     pub fn has_press_before(&self, time: f64) -> bool {
         self.stepper.next_press().is_some_and(|next| next <= time)
     }
 
-    /// Drops the rows after `row` and goes on from there, with the parameters then in force. Of the rows around a jump
-    /// the last is kept: what has happened there does not happen again. From a row on the grid the run goes on with the
-    /// bits that it had, also with adaptive methods.
+    /// Drops the rows after `row` and continues from there, with the parameters in force there. If several rows have the
+    /// same time, the last of them is kept, so that its events do not act again. From a row on the grid the run repeats the
+    /// same bits, also with adaptive methods.
     pub fn truncate(&mut self, row: usize) {
         let history = &self.history;
         let mut row = row.min(history.len() - 1);
@@ -224,7 +223,7 @@ impl Run {
         self.go_back_to(row);
     }
 
-    /// The same without regard to the rows of the same moment: what has happened there happens again.
+    /// [`Run::truncate`] to exactly this row: events at the time of the row act again.
     fn go_back_to(&mut self, row: usize) {
         let history = &mut self.history;
         self.ranges.go_back_to(history.time(row));
@@ -242,8 +241,8 @@ impl Run {
         }
     }
 
-    /// Makes the steps to a recorded row of an adaptive method again, from the checkpoint before it. False where no step
-    /// has ended at that row, which then lies off the grid.
+    /// Repeats the steps of an adaptive method from the last checkpoint up to `row`. Returns false if no step ends at that
+    /// row, which is then not on the grid.
     fn repeat_to(&mut self, row: usize) -> bool {
         let Some(checkpoints) = &mut self.checkpoints else { return false };
         let Some((mut at, moment)) = checkpoints.back_to(row, self.stepper.work()) else { return false };
@@ -259,7 +258,7 @@ impl Run {
         at == row
     }
 
-    /// Drops all rows but the last, where they have been written elsewhere; the run goes on as if they were there.
+    /// Drops all rows but the last, for example after they are written to a file; the run continues unchanged.
     pub fn forget(&mut self) {
         let dropped = self.history.len() - 1;
         self.history.forget();
@@ -269,8 +268,8 @@ impl Run {
         }
     }
 
-    /// The state at any time up to the last row: between two rows the cubic with the values and slopes of both (Hermite),
-    /// and the first or last row outside. Where the independent variable counts, the last row before.
+    /// State at any time up to the last row, one value per state, SI units. Cubic Hermite interpolation between two rows;
+    /// the first or last row outside. With a counting independent variable, the last row at or before `time`.
     pub fn interpolate(&mut self, time: f64, out: &mut [f64]) {
         let history = &self.history;
         let row = history.row_at(time);
@@ -297,9 +296,9 @@ impl Run {
     }
 }
 
-/// The cubic with the values `ends` and the slopes `slopes` at 0 and 1. Where a slope leads far beyond `scale`, the greatest
-/// magnitude of the state so far, it belongs to a change too fast for the rows and has nothing to do with the way in
-/// between: then the straight line.
+/// Cubic Hermite interpolation with the values `ends` and the slopes `slopes` at 0 and 1, at `part`. If a slope exceeds ten
+/// times `scale`, the greatest magnitude of the state so far, it belongs to a change too fast for the rows; the
+/// interpolation is then linear.
 fn hermite(part: f64, ends: [f64; 2], slopes: [f64; 2], scale: f64) -> f64 {
     let ([from, to], [leaving, arriving]) = (ends, slopes);
     let change = to - from;

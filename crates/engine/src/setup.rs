@@ -1,39 +1,39 @@
-//! What a run is started with.
+//! The setup of a run.
 
 use crate::Method;
 use crate::events::press::{Press, fitting};
 use program::{Model, Program};
 
-/// What a run is started with; all values SI. The independent variable starts at 0.
+/// The setup of a run; all values in SI units. The independent variable starts at 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
-    /// One for each of the model's parameters.
+    /// One value per parameter of the model.
     pub parameters: Vec<f64>,
-    /// How to integrate.
+    /// The integration method.
     pub method: Method,
-    /// The distance of the rows; with methods of fixed step also the step.
+    /// Distance of the rows; for fixed-step methods also the step.
     pub step: f64,
-    /// The error allowed in each step of an adaptive method, relative to the state.
+    /// Error tolerance per step of an adaptive method, relative to the state.
     pub tolerance: f64,
-    /// A state to start from instead of the model's initial values.
+    /// State to start from, one value per state; `None`: the initial values of the model.
     pub start: Option<Vec<f64>>,
-    /// The values of the curves that the reader draws, one list for each in the order of the tables ([`Model::drawings`]).
+    /// Values of the curves drawn by the reader: one list per curve, in the order of the tables ([`Model::drawings`]).
     pub drawings: Vec<Vec<f64>>,
-    /// Which buttons are pressed when, in the order of time. Those of one moment act one after the other.
+    /// The presses of buttons in the order of time. Presses at the same time act one after the other.
     pub presses: Vec<Press>,
 }
 
 impl Setup {
-    /// The step where the document does not say, in SI units of the independent variable.
+    /// Default step, in SI units of the independent variable.
     pub const STEP: f64 = 0.05;
-    /// The tolerance where the document does not say.
+    /// Default tolerance.
     pub const TOLERANCE: f64 = 1e-6;
-    /// Multiples of a greater step could be infinite.
+    /// Upper bound of the step, exclusive: multiples of a greater one could be infinite.
     pub const GREATEST_STEP: f64 = 1e290;
-    /// What rounding lets an adaptive method reach.
+    /// Smallest tolerance that an adaptive method reaches in spite of rounding.
     pub const LEAST_TOLERANCE: f64 = 1e-14;
 
-    /// The model's own values, the classical Runge-Kutta method and a step of 0.05 s.
+    /// Default setup: the values of the model, the default method and a step of 0.05 s.
     pub fn defaults(model: &Model) -> Self {
         Self {
             parameters: model.parameters.iter().map(|parameter| parameter.value).collect(),
@@ -47,7 +47,7 @@ impl Setup {
         .fitting(model)
     }
 
-    /// What a document asks for; where it does not say, as [`Self::defaults`].
+    /// The setup of a document; missing settings as in [`Self::defaults`].
     pub fn of(program: &Program) -> Self {
         let defaults = Self::defaults(&program.model);
         Self {
@@ -59,7 +59,8 @@ impl Setup {
         .fitting(&program.model)
     }
 
-    /// The same for a model: with presses of its buttons and curves of its tables only; one that counts goes by 1, and no method has anything to do.
+    /// The setup adapted to a model. Presses of unknown buttons are dropped, and invalid drawings are replaced by those of
+    /// the model. A counting independent variable has the step 1 and no integration method (Euler stands for it).
     pub(crate) fn fitting(mut self, model: &Model) -> Self {
         self.presses = fitting(self.presses, model);
         if !model.takes_drawings(&self.drawings) {
@@ -68,7 +69,7 @@ impl Setup {
         if model.independent.counts { Self { step: 1.0, method: Method::Euler, ..self } } else { self }
     }
 
-    /// The same more finely: with half the step or, where the method chooses its own steps, a tenth of the tolerance.
+    /// Setup for a finer run: half the step, or for an adaptive method a tenth of the tolerance.
     pub fn finer(&self) -> Self {
         let finer = self.clone();
         if self.method.adaptive() {

@@ -1,10 +1,10 @@
-//! Whether a run can start.
+//! Checks before a run starts.
 
 use crate::methods::fixed;
 use crate::{Cause, Method, RunError, Setup};
 use program::Model;
 
-/// Whether a run of `model` can start with this.
+/// Checks that a run of `model` can start with this setup.
 pub(crate) fn check(setup: &Setup, model: &Model) -> Result<(), RunError> {
     let (parameters, states) = (model.parameters.len(), model.states.len());
     let start = setup.start.as_ref().map_or(states, Vec::len);
@@ -27,7 +27,7 @@ pub(crate) fn check(setup: &Setup, model: &Model) -> Result<(), RunError> {
     };
     Err(RunError::at_start(cause))
 }
-/// The initial values are finite.
+/// Checks that the initial values are finite.
 pub(crate) fn check_initial(initial: &[f64]) -> Result<(), RunError> {
     match initial.iter().position(|value| !value.is_finite()) {
         None => Ok(()),

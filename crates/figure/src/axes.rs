@@ -1,4 +1,4 @@
-//! The axes of a figure: grid, lines, ticks, labels and titles.
+//! Axes of a figure: grid, lines, ticks, labels and titles.
 
 use crate::figure::Figure;
 use crate::items::{Anchor, Dash, Entry, Ink, Point, Stroke, crisp};
@@ -8,7 +8,7 @@ use crate::text::width;
 use crate::ticks::Ticks;
 
 impl Figure {
-    /// The grid, of which the vertical axis at the left gives the level lines.
+    /// Draws the grid; the left vertical axis determines its horizontal lines.
     pub(crate) fn grid(&mut self, x_ticks: &Ticks) {
         let panel = self.panel;
         let rule = |ink| Stroke { ink, width: 1.0, dash: Dash::Solid };
@@ -41,7 +41,7 @@ impl Figure {
         }
     }
 
-    /// The titles of all axes, before any label of a tick: a painter changes its font once.
+    /// Draws the titles of all axes, before the labels of the ticks, so that a painter changes its font only once.
     pub(crate) fn axis_titles(&mut self, plot: &Plot<'_>, x_ticks: &Ticks, gutters: &[f64], rows: f64) {
         let font = self.font_size;
         let panel = self.panel;
@@ -71,7 +71,7 @@ impl Figure {
         }
     }
 
-    /// The horizontal axis: line, ticks, labels.
+    /// Draws the horizontal axis: line, ticks, labels.
     pub(crate) fn horizontal_axis(&mut self, ticks: &Ticks) {
         let Some(scale) = self.x else { return };
         let (font, style) = (self.font_size, self.style);
@@ -93,7 +93,7 @@ impl Figure {
             let start = self.text.len();
             ticks.write_label(&mut self.text, number, style);
             let half = width(&self.text[start..], small) / 2.0;
-            // The outermost labels are kept inside the figure; one that would then touch its neighbour is left out.
+            // The outermost labels are kept inside the figure. A label that would touch its neighbour is left out.
             let centre = pixel.clamp(half.min(self.width / 2.0), (self.width - half).max(self.width / 2.0));
             if centre - half >= free_from {
                 free_from = centre + half + 0.3 * font;
@@ -104,7 +104,7 @@ impl Figure {
         }
     }
 
-    /// The vertical axes: lines, ticks, labels.
+    /// Draws the vertical axes: lines, ticks, labels.
     pub(crate) fn vertical_axes(&mut self, gutters: &[f64]) {
         let (font, style) = (self.font_size, self.style);
         let small = LABEL * font;
@@ -135,7 +135,7 @@ impl Figure {
     }
 }
 
-/// The colour of the title of an axis: that of its series if they share one.
+/// Colour of the title of an axis: that of its series if they have the same one.
 fn axis_ink(plot: &Plot<'_>, axis: usize) -> Ink {
     let mut colours = plot.series.iter().filter(|series| series.axis == axis).map(|series| series.colour);
     match colours.next() {

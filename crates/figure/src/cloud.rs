@@ -1,9 +1,9 @@
-//! Many separate points as the few marks that pixels can show, and what of that can be kept from frame to frame.
+//! Clouds: many separate points reduced to the marks that pixels can show, partly kept from frame to frame.
 //!
-//! The panel is divided into cells of one pixel. Points that share a cell are one mark, marks in a column of pixels whose
-//! dots overlap are one upright bar. The first and the last bar of a column end exactly at its lowest and highest point, so
-//! that no extreme is lost. A frame costs as much as the panel has pixels, however many points there are; points that are
-//! added cost as much as they are.
+//! The panel is divided into cells of one pixel. Points in the same cell are one mark; marks in a column of pixels whose
+//! dots overlap are one vertical bar. The first and the last bar of a column end exactly at its highest and lowest point,
+//! so that no extreme is lost. The work per frame is proportional to the number of pixels of the panel, plus the number of
+//! new points.
 
 use crate::figure::Figure;
 use crate::items::{Entry, Ink, Scale};
@@ -12,23 +12,23 @@ use crate::plot::{Plot, Series};
 use crate::raster::{Cloud, Raster};
 use crate::series::{radius, visible_rows};
 
-/// So many points for each column of pixels are drawn one by one; more are drawn as bars.
+/// Maximum number of points per column of pixels drawn one by one; more are drawn as bars.
 const FEW_PER_COLUMN: f32 = 4.0;
 
-/// So many points are marked in one layout when a series is new, a part of a frame; the next layout goes on. When its scales
-/// change later, under somebody's finger, all are marked at once: better late than in part.
+/// Maximum number of points of a new series marked per layout; the next layout continues. When scales change later, during
+/// a gesture, all points are marked at once: a delay is better than an incomplete picture.
 const SLICE: usize = 250_000;
 
-/// No screen has more pixels; a figure may be asked for that has.
+/// Maximum area of the panel, in pixels, for bars. No screen is larger, but a larger figure can be requested.
 const MOST_PIXELS: f32 = 4e7;
 
 impl Figure {
-    /// Forgets series that the plot does not have any more.
+    /// Drops the data of series that the plot no longer has.
     pub(crate) fn forget_clouds(&mut self, plot: &Plot<'_>) {
         self.clouds.retain(|cloud| plot.series.iter().any(|series| series.version == cloud.version));
     }
 
-    /// The extent of the abscissas of a series.
+    /// Extent of the horizontal values of a series.
     pub(crate) fn extent_across(&mut self, series: &Series<'_>) -> Extent {
         match series.version {
             0 => Extent::of(series.x),
@@ -36,7 +36,7 @@ impl Figure {
         }
     }
 
-    /// The extent of its ordinates.
+    /// Extent of the vertical values of a series.
     pub(crate) fn extent_up(&mut self, series: &Series<'_>) -> Extent {
         match series.version {
             0 => Extent::of(series.y),
@@ -44,7 +44,7 @@ impl Figure {
         }
     }
 
-    /// Draws a series of points as bars if it has too many to be drawn one by one. Whether it was drawn.
+    /// Draws a series of points as bars if it has too many to be drawn one by one. True if it was drawn.
     pub(crate) fn cloud(&mut self, plot: &Plot<'_>, series: &Series<'_>, x: &Scale, y: &Scale) -> bool {
         let rows = visible_rows(plot, series, x);
         let panel = self.panel;

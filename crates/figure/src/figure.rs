@@ -1,20 +1,20 @@
-//! The figure: what a layout gives, ready to be painted.
+//! The figure: result of a layout, ready to be painted.
 
 use crate::items::{Entry, Item, Rect, Scale};
 use crate::plot::{Interval, View};
 use crate::raster::Cloud;
 use crate::ticks::Ticks;
 
-/// A laid-out plot: the items to paint, and the scales that lead back from pixels to values.
+/// A laid-out plot: the items to paint, and the scales from pixels back to values.
 ///
-/// A figure can be laid out again and again by [`crate::layout_into`]; its buffers are then used again.
+/// A figure can be laid out repeatedly with [`crate::layout_into`], which reuses its buffers.
 #[derive(Clone, Debug, Default)]
 pub struct Figure {
-    /// Width of the whole figure in CSS pixels.
+    /// Width of the figure, CSS pixels.
     pub width: f64,
-    /// Height of the whole figure in CSS pixels.
+    /// Height of the figure, CSS pixels.
     pub height: f64,
-    /// The panel in which the series are drawn.
+    /// Rectangle in which the series are drawn, CSS pixels.
     pub panel: Rect,
     pub(crate) font_size: f64,
     pub(crate) title: String,
@@ -23,7 +23,7 @@ pub struct Figure {
     pub(crate) y: Vec<Scale>,
     pub(crate) y_ticks: Vec<Ticks>,
     pub(crate) x_power: i32,
-    /// The limits that were laid out, and those that an automatic view would have.
+    /// The view of this layout; `home_x` and `home_y` are the automatic limits.
     pub(crate) view: View,
     pub(crate) home_x: Option<Interval>,
     pub(crate) home_y: Vec<Interval>,
@@ -31,19 +31,19 @@ pub struct Figure {
     pub(crate) entries: Vec<Entry>,
     pub(crate) points: Vec<f32>,
     pub(crate) text: String,
-    /// What is kept of series with very many points.
+    /// Data of series with very many points, kept between layouts.
     pub(crate) clouds: Vec<Cloud>,
-    /// Whether some of their points are not there yet.
+    /// True if some of their points are still missing.
     pub(crate) unfinished: bool,
 }
 
 impl Figure {
-    /// Whether points of very long series are missing, which further layouts add.
+    /// True if points of very long series are still missing; further layouts add them.
     pub fn is_unfinished(&self) -> bool {
         self.unfinished
     }
 
-    /// What to paint, in order.
+    /// Items to paint, in drawing order.
     pub fn items(&self) -> impl Iterator<Item = Item<'_>> {
         self.entries.iter().map(|entry| match entry {
             Entry::Fill(area, ink) => Item::Fill(*area, *ink),
@@ -67,12 +67,12 @@ impl Figure {
         })
     }
 
-    /// The horizontal scale; absent before the first layout.
+    /// Horizontal scale; `None` before the first layout or if there is no room for the panel.
     pub fn x_scale(&self) -> Option<&Scale> {
         self.x.as_ref()
     }
 
-    /// The scale of each vertical axis.
+    /// Scales of the vertical axes.
     pub fn y_scales(&self) -> &[Scale] {
         &self.y
     }

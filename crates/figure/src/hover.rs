@@ -1,4 +1,4 @@
-//! Reading values off a figure: what lies under the pointer or the keyboard's cursor.
+//! Read-out of values at the pointer or the keyboard cursor.
 
 use crate::figure::Figure;
 use crate::items::Point;
@@ -6,40 +6,40 @@ use crate::limits::drawable;
 use crate::plot::{Axis, Plot, Series};
 use units::number::{DASH, axis_unit, resolved, write_power};
 
-/// How near to the pointer, in pixels, a sample must be that is not within reach by its abscissa.
+/// Maximum distance of a sample from the pointer, in pixels.
 const REACH: f64 = 24.0;
 
-/// What a figure says about a place.
+/// Values of a figure at one place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Readout {
-    /// The abscissa with its unit, `t = 1.25 s`; the same for all samples of a time plot.
+    /// Horizontal value with its unit, `t = 1.25 s`; common to all samples of a time plot.
     pub heading: String,
-    /// The samples there: in a time plot one of each series, else the nearest one alone.
+    /// Samples at that place: in a time plot one per series, otherwise only the nearest one.
     pub samples: Vec<Sample>,
 }
 
-/// One sample of a series.
+/// A sample of a series.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
-    /// Which of the plot's series.
+    /// Index of the series in the plot.
     pub series: usize,
-    /// Which row of it.
+    /// Index of the row in the series.
     pub row: usize,
-    /// The vertical axis of that series.
+    /// Index of the vertical axis of that series.
     pub axis: usize,
-    /// Its abscissa in the unit of the axis.
+    /// Horizontal value, in the unit of the axis.
     pub x: f64,
-    /// Its ordinate in the unit of the axis.
+    /// Vertical value, in the unit of the axis.
     pub y: f64,
-    /// Where it is in the figure, moved to the edge of the panel if it is above or below it.
+    /// Position in the figure, clamped to the panel.
     pub at: Point,
-    /// The ordinate with name and unit, `y = 0.412 m`.
+    /// Vertical value with name and unit, `y = 0.412 m`.
     pub text: String,
 }
 
 impl Figure {
-    /// The samples nearest to a pixel of the panel: of each series the one nearest along the horizontal axis if the
-    /// abscissas are ordered, else the single nearest sample of all. None when there is none near.
+    /// Read-out at a pixel of the panel. If horizontal values ascend: the horizontally nearest sample of each series.
+    /// Otherwise: the single nearest sample. `None` if no sample is near.
     pub fn hover(&self, plot: &Plot<'_>, at: Point) -> Option<Readout> {
         if !self.panel.contains(at) {
             return None;
@@ -59,15 +59,15 @@ impl Figure {
         if distance <= REACH * REACH { self.single(plot, index, row) } else { None }
     }
 
-    /// The read-out at a row of a series, for a cursor moved by keyboard: with the other series at that abscissa if the
-    /// abscissas are ordered.
+    /// Read-out at a row of a series, for the keyboard cursor. If horizontal values ascend, it includes the other series at
+    /// the same horizontal value.
     pub fn readout(&self, plot: &Plot<'_>, series: usize, row: usize) -> Option<Readout> {
         let (x, _) = self.pixel(plot, series, row)?;
         if plot.ordered { self.at_abscissa(plot, x, Some((series, row))) } else { self.single(plot, series, row) }
     }
 
-    /// The row that a cursor reaches by moving `rows` on from `row` in a series, over rows that cannot be drawn or are
-    /// outside the panel; the last such row if there are not so many. None if there is none at all.
+    /// Row reached from `row` by moving `rows` visible rows forward or back. Rows that cannot be drawn or are outside the
+    /// panel are skipped; at the end of the series it is the last visible row. `None` if no row is visible.
     pub fn step(&self, plot: &Plot<'_>, series: usize, row: usize, rows: isize) -> Option<usize> {
         let column = plot.series.get(series)?;
         let count = column.x.len().min(column.y.len());
@@ -87,14 +87,14 @@ impl Figure {
             .or_else(|| (0..row).rev().find(shown))
     }
 
-    /// Where a place of the plane is in the figure; none if it is outside the panel.
+    /// Position of the values (`x`, `y`) in the figure; `None` if it is outside the panel.
     pub fn place(&self, axis: usize, x: f64, y: f64) -> Option<Point> {
         let at = Point { x: self.x?.pixel(x) as f32, y: self.y.get(axis)?.pixel(y) as f32 };
         self.panel.contains(at).then_some(at)
     }
 
-    /// How far a read-out is from another one: `Δt = 0.5 s`, and of each curve that is in both `Δy = 0.1 m`. Where they have no
-    /// curve in common, their first samples are compared if they have an axis in common.
+    /// Differences between two read-outs: `Δt = 0.5 s`, and `Δy = 0.1 m` for each curve that is in both. If they have no
+    /// common curve, their first samples are compared, provided these have the same axis.
     pub fn difference(&self, plot: &Plot<'_>, from: &Readout, to: &Readout) -> Vec<String> {
         let (Some(first), Some(other)) = (from.samples.first(), to.samples.first()) else { return Vec::new() };
         let resolution = self.x.map_or(0.0, |scale| scale.resolution());
@@ -122,8 +122,8 @@ impl Figure {
         lines
     }
 
-    /// The samples of all series nearest to a pixel along the horizontal axis; of one series the row may be given, which
-    /// tells apart the two at a jump.
+    /// Samples of all series horizontally nearest to a pixel. `given` fixes the row of one series, which distinguishes the
+    /// two rows at a jump.
     fn at_abscissa(&self, plot: &Plot<'_>, pixel: f64, given: Option<(usize, usize)>) -> Option<Readout> {
         let scale = self.x?;
         let wanted = scale.value(pixel);
@@ -138,7 +138,7 @@ impl Figure {
                 continue;
             };
             let distance = (across - pixel).abs();
-            // A series that ends before the pointer, or has not begun there, says nothing about this place.
+            // A series that ends before the pointer or begins after it has no value here.
             let rows = series.x.len().min(series.y.len());
             let covers = series.x[0] <= wanted && wanted <= series.x[rows - 1];
             if !scale.values.contains(series.x[row]) || (!covers && distance > REACH) {
@@ -187,7 +187,7 @@ impl Figure {
         })
     }
 
-    /// A value with its name and unit, in which the axis has it too.
+    /// A value with name and unit; power of ten and prefix are those of the axis.
     fn quantity(&self, label: &str, axis: &Axis<'_>, value: f64, resolution: f64, power: i32) -> String {
         let mut text = String::new();
         if !label.is_empty() {
@@ -211,7 +211,7 @@ impl Figure {
         text
     }
 
-    /// Where a row of a series is, if it can be drawn.
+    /// Position of a row of a series in pixels; `None` if it cannot be drawn.
     fn pixel(&self, plot: &Plot<'_>, series: usize, row: usize) -> Option<(f64, f64)> {
         let series = plot.series.get(series)?;
         let (x, y) = (*series.x.get(row)?, *series.y.get(row)?);
@@ -220,12 +220,12 @@ impl Figure {
     }
 }
 
-/// What a sample is a value of: its series may have another number in a later read-out.
+/// Name of the quantity of a sample. Unlike the index of the series, it is stable between read-outs.
 fn name_of(sample: &Sample) -> &str {
     sample.text.rsplit_once(" = ").map_or("", |(name, _)| name)
 }
 
-/// The drawable row of an ordered series that is nearest to an abscissa.
+/// Drawable row of a series with ascending horizontal values that is nearest to `wanted`.
 fn nearest_row(series: &Series<'_>, wanted: f64) -> Option<usize> {
     let rows = series.x.len().min(series.y.len());
     let after = series.x[..rows].partition_point(|value| *value < wanted);

@@ -1,88 +1,89 @@
-//! What a figure consists of: places, strokes and items in pixels, and the scales that lead from values to them.
+//! Elements of a figure: points, strokes and items in pixels, and the scales from values to pixels.
 
 use std::ops::Range;
 
 use crate::plot::Interval;
 
-/// The radius of the dots of measured data.
+/// Radius of the dots of measured data, pixels.
 pub(crate) const DATA_RADIUS: f32 = 2.5;
-/// So many computed points have dots as large as those of measured data.
+/// Maximum number of computed points whose dots are as large as those of measured data.
 const FULL_SIZE: f32 = 300.0;
-/// The radius of the smallest dots.
+/// Minimum radius of a dot, pixels.
 const LEAST_RADIUS: f32 = 0.7;
 
-/// The radius of each of so many computed points. Beyond [`FULL_SIZE`] together they cover the same area, until they would be
-/// too small to be seen: the structure of a section or a bifurcation diagram is lost where dots overlap.
+/// Radius of the dots of `count` computed points, pixels. Above [`FULL_SIZE`] points the total area of the dots is
+/// constant, down to the minimum radius: overlapping dots would hide the structure of a Poincaré section or a bifurcation
+/// diagram.
 pub(crate) fn radius_of(count: usize) -> f32 {
     (DATA_RADIUS * libm::sqrtf(FULL_SIZE / (count as f32).max(FULL_SIZE))).max(LEAST_RADIUS)
 }
 
-/// A place in the figure, in CSS pixels from its upper left corner.
+/// A point of the figure, in CSS pixels from its upper left corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Point {
-    /// To the right.
+    /// Distance to the right.
     pub x: f32,
-    /// Downwards.
+    /// Distance downwards.
     pub y: f32,
 }
 
-/// An upright rectangle in CSS pixels.
+/// A rectangle with horizontal and vertical edges, in CSS pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rect {
-    /// The left edge.
+    /// Left edge.
     pub x: f32,
-    /// The upper edge.
+    /// Upper edge.
     pub y: f32,
-    /// The width.
+    /// Width.
     pub width: f32,
-    /// The height.
+    /// Height.
     pub height: f32,
 }
 
 impl Rect {
-    /// Whether the point lies in it, edges included.
+    /// True if the rectangle contains the point; edges are included.
     pub fn contains(self, point: Point) -> bool {
         (self.x..=self.x + self.width).contains(&point.x) && (self.y..=self.y + self.height).contains(&point.y)
     }
 }
 
-/// What a line or text is, from which the palette knows its colour.
+/// Role of a line, text or area, which determines its colour in a palette.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ink {
-    /// What lies behind the whole figure.
+    /// Background of the figure.
     Ground,
-    /// Titles, tick labels, names.
+    /// Titles, labels of ticks, names.
     Text,
-    /// The lines of the grid.
+    /// Grid lines.
     Grid,
-    /// The line of the value zero.
+    /// Line at the value zero.
     Zero,
-    /// The axes and their ticks.
+    /// Axes and their ticks.
     Axis,
-    /// The line of the present.
+    /// Line at the present moment.
     Marker,
-    /// A series in its colour.
+    /// A series in its own colour, given by index.
     Series(u8),
-    /// A run that was kept, in the colour of its own.
+    /// A kept run in its own colour, given by index.
     Run(u8),
-    /// A series as an earlier run left it: its colour, faint.
+    /// A series of an earlier run: the colour of the series, faint.
     Ghost(u8),
-    /// What a series may be wrong by: its colour, fainter still.
+    /// Uncertainty of a series: the colour of the series, very faint.
     Band(u8),
 }
 
-/// The dashes of a line, so that lines can be distinguished without colour.
+/// Dash pattern of a line; distinguishes lines without colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dash {
     /// No gaps.
     #[default]
     Solid,
-    /// One of the patterns, counted modulo their number.
+    /// One of the patterns, by index modulo their number.
     Pattern(u8),
 }
 
 impl Dash {
-    /// Lengths of dash and gap in turn, in CSS pixels; empty for a solid line.
+    /// Lengths of dash and gap in turn, CSS pixels; empty for a solid line.
     pub fn lengths(self) -> &'static [f32] {
         const PATTERNS: [&[f32]; 5] =
             [&[7.0, 4.0], &[2.0, 3.0], &[10.0, 3.0, 2.0, 3.0], &[14.0, 5.0], &[6.0, 3.0, 2.0, 3.0, 2.0, 3.0]];
@@ -93,78 +94,78 @@ impl Dash {
     }
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
-    /// Its colour.
+    /// Colour.
     pub ink: Ink,
-    /// Its width in CSS pixels.
+    /// Width, CSS pixels.
     pub width: f32,
-    /// Its dashes.
+    /// Dash pattern.
     pub dash: Dash,
 }
 
-/// Which part of a text stands at its point.
+/// Part of a text that is placed at its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
-    /// The text begins there.
+    /// Start of the text.
     Start,
-    /// The text is centred there.
+    /// Centre of the text.
     Middle,
-    /// The text ends there.
+    /// End of the text.
     End,
 }
 
-/// One thing to paint, in the order of the list.
+/// An item to paint; items are painted in the order of the list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Item<'a> {
     /// A filled rectangle.
     Fill(Rect, Ink),
-    /// A straight, upright or level line.
+    /// A straight horizontal or vertical line.
     Line(Point, Point, Stroke),
-    /// A line through the points, x and y in turn; at least two points, all of them inside the panel or on its edge.
+    /// A polyline through points (x and y alternating): at least two, all inside the panel or on its edge.
     Polyline(&'a [f32], Stroke),
-    /// The filled area that a line through the points, x and y in turn, encloses; at least three points.
+    /// A filled polygon with these corners (x and y alternating), at least three.
     Area(&'a [f32], Ink),
-    /// Filled circles about the points, x and y in turn.
+    /// Filled circles with these centres (x and y alternating).
     Dots {
-        /// The centres.
+        /// Centres, x and y alternating, CSS pixels.
         centres: &'a [f32],
-        /// The radius of each.
+        /// Radius of the circles, CSS pixels.
         radius: f32,
-        /// The colour.
+        /// Colour.
         ink: Ink,
-        /// Whether a ring in the colour of the ground sets the circles off from what lies beneath.
+        /// True if a ring in the background colour separates the circles from what is below.
         ringed: bool,
     },
-    /// Upright bars with round ends: dots so close that they overlap. Abscissa, upper and lower end of each in turn; the
-    /// ends are centres of dots, and may be one.
+    /// Vertical bars with round ends, which stand for overlapping dots. Three numbers each: x, upper end, lower end. The
+    /// ends are centres of dots and may coincide.
     Bars {
-        /// The bars.
+        /// The bars: x, upper end and lower end in turn, CSS pixels.
         bars: &'a [f32],
-        /// The radius of the dots: half the width of a bar.
+        /// Radius of the dots, half the width of a bar; CSS pixels.
         radius: f32,
-        /// The colour.
+        /// Colour.
         ink: Ink,
     },
     /// A line of text.
     Text {
         /// The characters.
         text: &'a str,
-        /// Where its baseline is anchored.
+        /// Anchor point on the baseline.
         at: Point,
-        /// Which part of it is there.
+        /// Part of the text at the anchor point.
         anchor: Anchor,
-        /// The size of the font in CSS pixels.
+        /// Font size, CSS pixels.
         size: f32,
-        /// Whether it is set in semibold.
+        /// True for semibold type.
         strong: bool,
-        /// The colour.
+        /// Colour.
         ink: Ink,
     },
 }
 
-/// An item as it is stored: with ranges into the figure's buffers in place of slices.
+/// Stored form of an [`Item`], with ranges in the buffers of the figure instead of slices.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Entry {
     Fill(Rect, Ink),
@@ -176,41 +177,41 @@ pub(crate) enum Entry {
     Text { text: Range<usize>, at: Point, anchor: Anchor, size: f32, strong: bool, ink: Ink },
 }
 
-/// The linear map between the values of an axis and pixels.
+/// Linear map between values of an axis and pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// The values at the two ends.
+    /// Values at both ends.
     pub values: Interval,
-    /// The pixel of the lower value.
+    /// Pixel of the lower value.
     pub low: f64,
-    /// The pixel of the upper value.
+    /// Pixel of the upper value.
     pub high: f64,
 }
 
 impl Scale {
-    /// The pixel of a value.
+    /// Pixel of a value.
     pub fn pixel(&self, value: f64) -> f64 {
         self.low + (value - self.values.low) * self.factor()
     }
 
-    /// The value at a pixel.
+    /// Value at a pixel.
     pub fn value(&self, pixel: f64) -> f64 {
         let fraction = (pixel - self.low) / (self.high - self.low);
         self.values.low * (1.0 - fraction) + self.values.high * fraction
     }
 
-    /// Pixels per unit of value, negative when the pixels run the other way.
+    /// Pixels per unit of value; negative if pixels decrease with the value.
     pub(crate) fn factor(&self) -> f64 {
         (self.high - self.low) / self.values.length()
     }
 
-    /// A tenth of what one pixel is worth: finer than that nothing is written.
+    /// Resolution of displayed numbers: a tenth of the value of one pixel.
     pub(crate) fn resolution(&self) -> f64 {
         (0.1 / self.factor()).abs()
     }
 }
 
-/// The middle of the pixel, where a line one pixel wide is sharp.
+/// Centre of the pixel, where a line of one pixel width is sharp.
 pub(crate) fn crisp(pixel: f64) -> f32 {
     (libm::floor(pixel) + 0.5) as f32
 }

@@ -1,4 +1,4 @@
-//! From a plot to a figure: room for the texts, limits, ticks, and the series in between.
+//! Layout of a plot as a figure: space for texts, limits, ticks and series.
 
 use crate::figure::Figure;
 use crate::items::{Anchor, DATA_RADIUS, Entry, Ink, Point, Rect, Scale};
@@ -9,23 +9,23 @@ use crate::spread;
 use crate::text::{fitted, width};
 use crate::ticks::Ticks;
 
-/// Space at the edges and between texts, in parts of the font size.
+/// Space at the edges and between texts, as a multiple of the font size.
 pub(crate) const GAP: f64 = 0.5;
-/// The height of a row of text, in parts of the font size.
+/// Height of a row of text, as a multiple of the font size.
 pub(crate) const ROW: f64 = 1.45;
-/// The size of the labels of ticks, in parts of the font size.
+/// Size of the labels of ticks, as a multiple of the font size.
 pub(crate) const LABEL: f64 = 0.92;
-/// The length of a tick in pixels.
+/// Length of a tick, pixels.
 pub(crate) const TICK: f64 = 4.0;
-/// The length of a line sample in the legend, in parts of the font size.
+/// Length of a line sample in the legend, as a multiple of the font size.
 const SAMPLE: f64 = 2.2;
-/// The space between that and its name, and after the name, likewise.
+/// Space between line sample and name, and after the name, as multiples of the font size.
 const BEFORE: f64 = 0.5;
 const AFTER: f64 = 0.9;
-/// Panels smaller than this, in pixels, are not drawn.
+/// Minimum size of a panel, pixels; smaller ones are not drawn.
 const LEAST_PANEL: f64 = 16.0;
 
-/// Lays a plot out.
+/// Lays out a plot as a new figure.
 pub fn layout(plot: &Plot<'_>, settings: &Settings) -> Figure {
     let mut figure = Figure::default();
     layout_into(&mut figure, plot, settings);
@@ -35,7 +35,7 @@ pub fn layout(plot: &Plot<'_>, settings: &Settings) -> Figure {
     figure
 }
 
-/// Lays a plot out in the buffers of an earlier figure. Series with very many points are drawn in several layouts, so that none
+/// Lays out a plot in the buffers of an earlier figure. Series with very many points need several layouts, so that none
 /// takes long ([`Figure::is_unfinished`]).
 pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     let size = |pixels: f64| {
@@ -70,7 +70,7 @@ pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
 }
 
 impl Figure {
-    /// Title and legend; gives the height they take, or none if the figure has no room for anything.
+    /// Draws title and legend. Returns the height used; `None` if the figure is too small for a panel.
     fn heading(&mut self, plot: &Plot<'_>) -> Option<f64> {
         let font = self.font_size;
         let edge = GAP * font;
@@ -94,7 +94,8 @@ impl Figure {
         let entry_width = |series: &Series<'_>| (SAMPLE + BEFORE + AFTER) * font + width(series.label, font);
         let total: f64 = listed().map(entry_width).sum();
         let room = self.width - 2.0 * edge;
-        // Beside the title if there is room, or between the titles of the axes where the figure has none, else in rows below.
+        // The legend is beside the title if there is room, in a figure without title between the titles of the axes,
+        // otherwise in rows below.
         let free = self.between_axis_titles(plot).filter(|(from, to)| plot.title.is_empty() && total <= to - from);
         let (mut x, mut y) = if title_width > 0.0 && title_width + total <= room {
             (self.width - edge - total + AFTER * font, top - 1.15 * ROW * font)
@@ -132,13 +133,13 @@ impl Figure {
             self.entries.push(Entry::Line(from, to, stroke(series)));
         }
         let from = x + (SAMPLE + BEFORE) * font;
-        // A pixel more than there is, so that rounding does not cut what was found to fit.
+        // One pixel of extra room, so that rounding does not cut a text that was found to fit.
         let label = fitted(series.label, font, self.width - GAP * font - from + 1.0);
         let at = point(from, baseline);
         self.push_text(&label, at, Anchor::Start, font, false, Ink::Text);
     }
 
-    /// The axes and what lies between them.
+    /// Draws the axes and the panel.
     fn body(&mut self, plot: &Plot<'_>, top: f64) {
         let font = self.font_size;
         let small = LABEL * font;
@@ -151,7 +152,7 @@ impl Figure {
         }
         self.vertical_scales(plot, panel_top, bottom);
 
-        // The labels of the vertical axes say how much is left for the panel.
+        // The labels of the vertical axes determine the width of the panel.
         let mut gutters = Vec::with_capacity(self.y.len());
         for (index, ticks) in self.y_ticks.iter().enumerate() {
             let labels = ticks.widest_label(small, self.style);
@@ -176,7 +177,7 @@ impl Figure {
         }
         let mut x_ticks = self.horizontal_scale(plot, left, right);
         if plot.equal && self.y.len() == 1 {
-            // Longer axes may need wider labels, which leave less room.
+            // Longer axes may need wider labels, which leave less space.
             let before = gutters[0];
             gutters[0] = self.even_out(left, right).widest_label(small, self.style) + TICK + 0.4 * font;
             left += gutters[0] - before;
@@ -191,7 +192,7 @@ impl Figure {
             height: (bottom - panel_top) as f32,
         };
         self.x_power = x_ticks.power;
-        // Under the grid, which would vanish beneath them.
+        // Bands are below the grid, which they would hide.
         for series in &plot.series {
             self.band(plot, series);
         }
@@ -205,13 +206,13 @@ impl Figure {
         self.vertical_axes(&gutters);
     }
 
-    /// One row of axis titles above the panel, or two if the left and the right ones would meet.
+    /// Number of rows of axis titles above the panel: 1, or 2 if the left and right titles would meet.
     fn axis_title_rows(&self, plot: &Plot<'_>) -> f64 {
         let total: f64 = plot.y.iter().map(|axis| self.axis_title_width(axis)).sum();
         if plot.y.len() > 1 && total > self.width { 2.0 } else { 1.0 }
     }
 
-    /// Where the row of axis titles is free, from left to right; none if it has no room.
+    /// Free part of the row of axis titles, from left to right in pixels; `None` if it is full.
     fn between_axis_titles(&self, plot: &Plot<'_>) -> Option<(f64, f64)> {
         let edge = GAP * self.font_size;
         let (left, right) = plot.y.split_first()?;
@@ -220,12 +221,13 @@ impl Figure {
         (from < to).then_some((from, to))
     }
 
-    /// The room that the title of a vertical axis may take. Its power of ten is not known yet: there is room for one.
+    /// Upper bound of the width of the title of a vertical axis, pixels. Includes space for a power of ten, which is not
+    /// known yet.
     fn axis_title_width(&self, axis: &Axis<'_>) -> f64 {
         width(axis.label, self.font_size) + width(axis.unit, self.font_size) + 4.5 * self.font_size
     }
 
-    /// Limits, scales and ticks of the vertical axes.
+    /// Determines limits, scales and ticks of the vertical axes.
     fn vertical_scales(&mut self, plot: &Plot<'_>, top: f64, bottom: f64) {
         let least = 2.1 * self.font_size;
         let height = bottom - top;
@@ -242,7 +244,7 @@ impl Figure {
             let home = limits.values;
             let zoomed = plot.view.y.get(index);
             let values = zoomed.map_or(home, |limits| sane(*limits));
-            // Beside each other, automatic axes keep the steps that let one grid serve them all.
+            // Several automatic axes keep the steps chosen so that one grid fits all.
             let ticks = if extents.len() > 1 && zoomed.is_none() {
                 Ticks::within(values, limits.step)
             } else {
@@ -254,7 +256,7 @@ impl Figure {
         }
     }
 
-    /// Limits, scale and ticks of the horizontal axis.
+    /// Determines limits, scale and ticks of the horizontal axis.
     fn horizontal_scale(&mut self, plot: &Plot<'_>, left: f64, right: f64) -> Ticks {
         let font = self.font_size;
         let mut extent = Extent::EMPTY.with(plot.x.include);
@@ -281,12 +283,13 @@ impl Figure {
         })
     }
 
-    /// The ticks of the horizontal scale as it is.
+    /// Ticks for the current horizontal scale.
     fn ticks_across(&self, wide: f64) -> Option<Ticks> {
         self.x.map(|scale| self.ticks_over(scale.values, wide))
     }
 
-    /// Makes the scale on which a unit takes more pixels as coarse as the other one. Gives the ticks of the vertical axis.
+    /// Makes both scales equal, in pixels per unit, by extending the limits of one axis. Returns the ticks of the vertical
+    /// axis.
     fn even_out(&mut self, left: f64, right: f64) -> Ticks {
         let least = 2.1 * self.font_size;
         if let (Some(x), Some(y)) = (&mut self.x, self.y.first_mut()) {
@@ -309,7 +312,7 @@ impl Figure {
         self.push_written(start, at, anchor, size, strong, ink);
     }
 
-    /// An item of the text that has been written to the buffer from `start` on.
+    /// Adds an item for the text written to the buffer from `start` on.
     pub(crate) fn push_written(&mut self, start: usize, at: Point, anchor: Anchor, size: f64, strong: bool, ink: Ink) {
         let text = start..self.text.len();
         if !text.is_empty() {
@@ -318,7 +321,7 @@ impl Figure {
     }
 }
 
-/// An interval of this length with the same middle.
+/// Interval of this length with the same centre.
 fn about_the_middle(values: Interval, length: f64) -> Interval {
     let middle = values.low + values.length() / 2.0;
     Interval { low: middle - length / 2.0, high: middle + length / 2.0 }

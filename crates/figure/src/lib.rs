@@ -1,11 +1,11 @@
-//! Figures: axes, ticks and series to a display list, and that to SVG.
+//! Figures: layout of axes, ticks and series as a display list, and its output as SVG.
 //!
-//! A [`Plot`] borrows what is to be drawn: labels and columns of numbers. [`layout`] turns it into a [`Figure`]: rules,
-//! polylines and texts in pixels, each with the [`Ink`] it is drawn in, and the scales that lead back from a pixel to a
-//! value. The page paints the items on a canvas, [`Figure::svg`] writes the same items as a file, so that the figure on
-//! the page, in a report and from the command line is one figure.
+//! A [`Plot`] borrows the data: labels and columns of numbers. [`layout()`] turns it into a [`Figure`]: lines, polylines and
+//! texts in pixels, each with its [`Ink`], and the scales from pixels back to values. The page paints the items on a
+//! canvas; [`Figure::svg`] writes the same items to a file. Figures of page, report and command line are therefore
+//! identical.
 //!
-//! Nothing here knows a model, a browser or a unit: values come in the unit of their axis and the unit is a text.
+//! This crate is independent of models and browsers: values are in the unit of their axis, and the unit is a text.
 
 mod axes;
 mod cloud;

@@ -4,40 +4,40 @@ use crate::plot::Interval;
 use crate::ticks::Step;
 use units::number::{leading_exponent, scaled_by};
 
-/// No value beyond this is drawn: sums and differences of smaller ones stay finite.
+/// Greatest magnitude that is drawn; sums and differences of smaller values stay finite.
 const LARGEST: f64 = 1e300;
 
-/// No interval is shorter than this, and none shorter than `FINEST` of its own values, where doubles are too coarse.
+/// Minimum length of an interval: `SMALLEST`, or `FINEST` times the magnitude of its values, where double precision ends.
 const SMALLEST: f64 = 1e-290;
 const FINEST: f64 = 1e-11;
 
-/// Whether a value can be drawn.
+/// True if a value can be drawn: finite and not too large.
 pub(crate) fn drawable(value: f64) -> bool {
     value.abs() <= LARGEST
 }
 
-/// What is known of a set of values: the ends, and whether they have turned back on the way.
+/// Range of a set of values, and whether they oscillate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Extent {
     pub(crate) low: f64,
     pub(crate) high: f64,
-    /// Whether the values both rise and fall somewhere, as far as it matters for showing them close up.
+    /// True if the values both rise and fall; only determined where it matters for [`Extent::close_up`].
     pub(crate) turned: bool,
 }
 
 impl Extent {
-    /// The extent of nothing.
+    /// Extent of an empty set.
     pub(crate) const EMPTY: Extent = Extent { low: f64::INFINITY, high: f64::NEG_INFINITY, turned: false };
 
-    /// The extent of the drawable values of a column.
+    /// Extent of the drawable values of a column.
     pub(crate) fn of(column: &[f64]) -> Extent {
-        // This runs over every row for every frame: comparisons alone, which are false for what is not a number.
+        // Runs over every row in every frame, so it uses only comparisons; they are false for NaN.
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for &value in column {
             low = if value < low && value >= -LARGEST { value } else { low };
             high = if value > high && value <= LARGEST { value } else { high };
         }
-        // Values beyond the largest on one side must not count on the other.
+        // Values too large on one side must not count on the other.
         low = if low > LARGEST { f64::INFINITY } else { low };
         high = if high < -LARGEST { f64::NEG_INFINITY } else { high };
         let mut extent = Extent { low, high, turned: true };
@@ -45,7 +45,7 @@ impl Extent {
         extent
     }
 
-    /// The extent of an ascending column, which its ends have.
+    /// Extent of an ascending column, from its first and last drawable value.
     pub(crate) fn of_ordered(column: &[f64]) -> Extent {
         let first = column.iter().copied().find(|value| drawable(*value));
         let last = column.iter().rev().copied().find(|value| drawable(*value));
@@ -55,12 +55,12 @@ impl Extent {
         }
     }
 
-    /// Both together.
+    /// Extent of both sets together.
     pub(crate) fn union(self, other: Extent) -> Extent {
         Extent { low: self.low.min(other.low), high: self.high.max(other.high), turned: self.turned || other.turned }
     }
 
-    /// This one and an interval.
+    /// Extent of the set and an interval.
     pub(crate) fn with(self, interval: Option<Interval>) -> Extent {
         match interval {
             Some(Interval { low, high }) if drawable(low) && drawable(high) => {
@@ -74,15 +74,15 @@ impl Extent {
         self.low > self.high
     }
 
-    /// Whether the axis should show these values close up, without zero: an oscillation about a value far from zero. A run
-    /// that has only begun, and rounding errors of a constant, do not count.
+    /// True if the axis should show the values without zero: an oscillation about a value far from zero. A run that has
+    /// just begun (not yet oscillating) and rounding errors of a constant do not count.
     fn close_up(self) -> bool {
         let (length, magnitude) = (self.high - self.low, self.high.abs().max(self.low.abs()));
         (self.low > 0.0 || self.high < 0.0) && self.turned && length < 0.3 * magnitude && length > 1e-4 * magnitude
     }
 }
 
-/// The extent of a column that only grows: values that were seen are not looked at again.
+/// Extent of a growing column; each value is examined only once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Progressive {
     seen: usize,
@@ -100,7 +100,7 @@ impl Default for Progressive {
 }
 
 impl Progressive {
-    /// That of the column, which begins as it did the last time.
+    /// Extent of the column, which must begin with the values of the last call.
     pub(crate) fn of(&mut self, column: &[f64]) -> Extent {
         for &value in column.get(self.seen..).unwrap_or_default() {
             if drawable(value) {
@@ -122,7 +122,7 @@ impl Progressive {
     }
 }
 
-/// Whether the drawable values of a column both rise and fall.
+/// True if the drawable values of a column both rise and fall.
 fn turns(column: &[f64]) -> bool {
     let (mut rises, mut falls) = (false, false);
     let mut previous = f64::NAN;
@@ -137,7 +137,7 @@ fn turns(column: &[f64]) -> bool {
     false
 }
 
-/// An interval that can be drawn: finite, and long enough for doubles to tell its pixels apart.
+/// The nearest drawable interval: finite, and long enough for double precision to separate its pixels.
 pub(crate) fn sane(interval: Interval) -> Interval {
     let clamp = |value: f64| {
         if value.is_nan() { 0.0 } else { value.clamp(-LARGEST, LARGEST) }
@@ -151,8 +151,8 @@ pub(crate) fn sane(interval: Interval) -> Interval {
     Interval { low: middle - shortest, high: middle + shortest }
 }
 
-/// Limits of an axis along which the data go forward, as time does: from where they begin (zero if that is near) to the
-/// next round number, so that a growing run changes them a few times for each tenfold.
+/// Limits of an axis with ascending data, such as time: from the start of the data (or zero if that is near) to the next
+/// round number, so that they change only a few times while the data grow tenfold.
 pub(crate) fn growing(extent: Extent) -> Interval {
     const ROUND: [f64; 9] = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
     if extent.is_empty() {
@@ -172,15 +172,15 @@ pub(crate) fn growing(extent: Extent) -> Interval {
     sane(Interval { low: step.multiple(step.floor(low)), high: step.multiple(step.ceil(high)) })
 }
 
-/// Automatic limits, and the step between ticks from which they were made.
+/// Automatic limits with the step between ticks from which they were made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Limits {
     pub(crate) values: Interval,
     pub(crate) step: Step,
 }
 
-/// Limits of axes that share a panel, with at most so many intervals between ticks. Where all show zero, zero stands at the
-/// same height and the same grid serves all.
+/// Limits of the vertical axes of a panel, with at most `intervals` intervals between ticks. If all show zero, it is at the
+/// same height, and one grid fits all.
 pub(crate) fn shared_limits(extents: &[Extent], intervals: usize) -> Vec<Limits> {
     let intervals = intervals.max(2);
     if extents.iter().any(|extent| extent.close_up()) {
@@ -197,7 +197,7 @@ pub(crate) fn shared_limits(extents: &[Extent], intervals: usize) -> Vec<Limits>
     about_zero(&needs, intervals)
 }
 
-/// Limits that show zero, at the same height for all.
+/// Limits that include zero, at the same height for all axes.
 fn about_zero(needs: &[(f64, f64)], intervals: usize) -> Vec<Limits> {
     let (below, above) = split(needs, intervals);
     let limits = |need: &(f64, f64)| {
@@ -209,7 +209,7 @@ fn about_zero(needs: &[(f64, f64)], intervals: usize) -> Vec<Limits> {
     needs.iter().map(limits).collect()
 }
 
-/// Limits close about values far from zero.
+/// Limits close to values far from zero.
 fn close_up_limits(extent: Extent, intervals: usize) -> Limits {
     let mut step = Step::at_least((extent.high - extent.low) / intervals as f64);
     while step.ceil(extent.high) - step.floor(extent.low) > intervals as i64 {
@@ -220,7 +220,7 @@ fn close_up_limits(extent: Extent, intervals: usize) -> Limits {
     Limits { values: sane(Interval { low, high }), step }
 }
 
-/// How far an axis has to reach below and above zero.
+/// Distances that an axis must extend below and above zero.
 fn need(extent: Extent) -> (f64, f64) {
     if extent.is_empty() || extent.low.abs().max(extent.high.abs()) < SMALLEST {
         return (1.0, 1.0);
@@ -228,14 +228,14 @@ fn need(extent: Extent) -> (f64, f64) {
     ((-extent.low).max(0.0), extent.high.max(0.0))
 }
 
-/// The smallest step with which so many intervals below and above zero reach far enough.
+/// Smallest step with which `below` and `above` intervals reach far enough.
 fn step_for((low, high): (f64, f64), below: usize, above: usize) -> Step {
     let down = if below == 0 { 0.0 } else { low / below as f64 };
     let up = if above == 0 { 0.0 } else { high / above as f64 };
     Step::at_least(down.max(up).max(SMALLEST))
 }
 
-/// How many intervals below and above zero fill the panel best for all axes together.
+/// Numbers of intervals below and above zero that fill the panel best for all axes together.
 fn split(needs: &[(f64, f64)], intervals: usize) -> (usize, usize) {
     let (any_below, any_above) = (needs.iter().any(|need| need.0 > 0.0), needs.iter().any(|need| need.1 > 0.0));
     let mut best = (usize::from(any_below), usize::from(any_above));
@@ -251,7 +251,7 @@ fn split(needs: &[(f64, f64)], intervals: usize) -> (usize, usize) {
                 .map(|need| (need.0 + need.1) / (step_for(*need, below, above).multiple(1) * count as f64))
                 .sum::<f64>()
                 / needs.len() as f64;
-            // Two intervals read badly; beyond four, more are no better.
+            // Two intervals are hard to read; beyond four, more are no better.
             let score = fill * [1.0, 1.0, 0.8, 0.95][if count < 4 { count } else { 0 }];
             if score > best_score {
                 (best, best_score) = ((below, above), score);
@@ -261,7 +261,7 @@ fn split(needs: &[(f64, f64)], intervals: usize) -> (usize, usize) {
     best
 }
 
-/// Limits about values that are all but equal: zero at one end, or one unit to either side of zero.
+/// Limits for values that are nearly equal: from zero to twice the value, or from 0 to 1 for values near zero.
 fn around(low: f64, high: f64) -> Interval {
     if high > SMALLEST {
         sane(Interval { low: 0.0, high: 2.0 * high })
@@ -282,7 +282,7 @@ mod tests {
 
     #[test]
     fn limits_are_round_and_share_their_zero() {
-        // Extents of the axes, the limits expected.
+        // Extents of the axes, expected limits.
         type Case<'a> = (&'a [(f64, f64, bool)], &'a [(f64, f64)]);
         let cases: [Case<'_>; 11] = [
             (&[(-0.43, 0.5, true)], &[(-0.6, 0.6)]),
@@ -292,10 +292,10 @@ mod tests {
             (&[(-3.0, -3.0, false)], &[(-3.0, 0.0)]),
             (&[(0.0, 0.0, false)], &[(-1.0, 1.0)]),
             (&[(f64::INFINITY, f64::NEG_INFINITY, false)], &[(-1.0, 1.0)]),
-            // An oscillation about a distance, and the same run when it has only begun.
+            // An oscillation about a distance, and the same run just after its start.
             (&[(0.78, 0.82, true)], &[(0.78, 0.82)]),
             (&[(0.80, 0.82, false)], &[(0.0, 1.0)]),
-            // The rounding errors of a constant are not shown close up.
+            // Rounding errors of a constant are not shown close up.
             (&[(999.999_999, 1000.0, true)], &[(0.0, 1000.0)]),
             (&[(1.0, 1e300, true)], &[(0.0, 1e300)]),
         ];

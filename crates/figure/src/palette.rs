@@ -1,16 +1,16 @@
-//! Colours of a figure, light and dark.
+//! Colours of a figure, for light and dark pages.
 
 use std::fmt;
 
 use crate::items::Ink;
 
-/// How many series have colours of their own.
+/// Number of different colours of series.
 pub const SERIES_COLOURS: usize = 6;
 
-/// How many kept runs have colours of their own.
+/// Number of different colours of kept runs.
 pub const RUN_COLOURS: usize = 5;
 
-/// A colour in sRGB.
+/// An sRGB colour: red, green, blue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour(pub u8, pub u8, pub u8);
 
@@ -21,7 +21,7 @@ impl fmt::Display for Colour {
 }
 
 impl Colour {
-    /// The relative luminance of WCAG 2.2, from 0 for black to 1 for white.
+    /// Relative luminance (WCAG 2.2), from 0 for black to 1 for white.
     pub fn luminance(self) -> f64 {
         let linear = |channel: u8| {
             let value = f64::from(channel) / 255.0;
@@ -30,13 +30,13 @@ impl Colour {
         0.2126 * linear(self.0) + 0.7152 * linear(self.1) + 0.0722 * linear(self.2)
     }
 
-    /// The contrast ratio of WCAG 2.2 between two colours, from 1 to 21.
+    /// Contrast ratio of two colours (WCAG 2.2), from 1 to 21.
     pub fn contrast(self, other: Colour) -> f64 {
         let (one, two) = (self.luminance(), other.luminance());
         (one.max(two) + 0.05) / (one.min(two) + 0.05)
     }
 
-    /// The colour that has `share` of 255 parts of this one and the rest of the other.
+    /// Mixture of `share`/255 of this colour and the rest of the other, linear in sRGB values.
     pub fn mixed(self, other: Colour, share: u8) -> Colour {
         let mix = |one: u8, two: u8| {
             let sum = u32::from(one) * u32::from(share) + u32::from(two) * (255 - u32::from(share));
@@ -46,35 +46,35 @@ impl Colour {
     }
 }
 
-/// The colours of a figure.
+/// Colours of a figure.
 ///
-/// Contrast with the ground (WCAG 2.2, checked by a test): text at least 7, axes and the marker at least 3, every series at
-/// least 4.5, so that its colour can also be that of a text. Grid and ghosts are meant to be faint. The series were chosen
-/// by search so that any two also differ for protanopes, deuteranopes and tritanopes (at least 18 in CIELAB, by the
-/// simulation of Machado and others, 2009). Those of the runs were chosen in the same way, to differ from each other and from
-/// the first three series by as much; their dashes tell them apart, too.
+/// Contrast with the background (WCAG 2.2, checked by a test): text at least 7, axes and marker at least 3, series at least
+/// 4.5, so that their colours are also suitable for text. Grid and ghosts are intentionally faint. The colours of series
+/// were found by search so that any two differ for protanopes, deuteranopes and tritanopes too (at least 18 in CIELAB,
+/// simulated as by Machado and others, 2009). The colours of runs were found in the same way and differ by as much from
+/// each other and from the first three series; dash patterns distinguish runs as well.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
-    /// Behind everything.
+    /// Background.
     pub ground: Colour,
-    /// Texts.
+    /// Text.
     pub text: Colour,
-    /// The grid.
+    /// Grid lines.
     pub grid: Colour,
-    /// The line of zero.
+    /// Line at zero.
     pub zero: Colour,
     /// Axes and ticks.
     pub axis: Colour,
-    /// The present.
+    /// Line at the present moment.
     pub marker: Colour,
-    /// The series.
+    /// Series, by index.
     pub series: [Colour; SERIES_COLOURS],
-    /// The kept runs.
+    /// Kept runs, by index.
     pub runs: [Colour; RUN_COLOURS],
 }
 
 impl Palette {
-    /// For a light page.
+    /// Palette of a light page.
     pub const LIGHT: Palette = Palette {
         ground: Colour(0xff, 0xff, 0xff),
         text: Colour(0x24, 0x2c, 0x36),
@@ -99,7 +99,7 @@ impl Palette {
         ],
     };
 
-    /// For a dark page.
+    /// Palette of a dark page.
     pub const DARK: Palette = Palette {
         ground: Colour(0x12, 0x18, 0x20),
         text: Colour(0xe4, 0xe9, 0xf0),
@@ -124,7 +124,7 @@ impl Palette {
         ],
     };
 
-    /// The colour of an ink.
+    /// Colour of an ink.
     pub fn colour(&self, ink: Ink) -> Colour {
         let series = |number: u8| self.series[usize::from(number) % SERIES_COLOURS];
         match ink {
@@ -154,7 +154,7 @@ mod tests {
         assert!((black.contrast(white) - 21.0).abs() < 1e-12);
         assert!((white.contrast(black) - 21.0).abs() < 1e-12);
         assert_eq!(white.contrast(white), 1.0);
-        // The example of many guides: the lightest grey that is legible on white.
+        // A common example: the lightest grey that is legible on white.
         assert!((Colour(0x76, 0x76, 0x76).contrast(white) - 4.54).abs() < 0.005);
     }
 
@@ -214,7 +214,7 @@ mod tests {
         }
     }
 
-    /// A colour as an eye sees it, in CIELAB.
+    /// CIELAB coordinates of a colour as seen by this type of eye.
     fn lab(colour: Colour, eye: [[f64; 3]; 3]) -> [f64; 3] {
         let linear = [colour.0, colour.1, colour.2].map(|channel| {
             let value = f64::from(channel) / 255.0;

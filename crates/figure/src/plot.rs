@@ -1,103 +1,101 @@
-//! What is to be drawn: a plot with its axes and series, borrowed from whoever has the data.
+//! Input of a figure: a plot with its axes and series, borrowed from the owner of the data.
 
-/// A plot. Columns and texts are borrowed; the few axes and series are listed again for each layout.
+/// A plot. Columns and texts are borrowed; axes and series are listed again for each layout.
 #[derive(Clone, Debug, Default)]
 pub struct Plot<'a> {
-    /// The title above the plot; nothing is drawn when it is empty.
+    /// Title above the plot; none if empty.
     pub title: &'a str,
-    /// One sentence for those who do not see the figure; becomes the `desc` of the SVG.
+    /// Description in one sentence for readers who cannot see the figure; the `desc` of the SVG.
     pub description: &'a str,
     /// The horizontal axis.
     pub x: Axis<'a>,
-    /// The vertical axes, one for each dimension: the first at the left, the others at the right.
+    /// The vertical axes, one per dimension: the first at the left, the others at the right.
     pub y: Vec<Axis<'a>>,
-    /// The series in the order in which they are drawn, the last on top.
+    /// The series in drawing order, the last one on top.
     pub series: Vec<Series<'a>>,
-    /// Whether the abscissas of every series ascend, as time does. The horizontal axis then grows in steps from where the
-    /// data begin, and the read-out finds values by abscissa; else the curve may turn back, as a phase portrait does.
+    /// True if the horizontal values of every series ascend, such as time. The horizontal axis then grows in steps, and the
+    /// read-out finds samples by their horizontal value. False for curves that may turn back, such as a phase portrait.
     pub ordered: bool,
-    /// Whether the horizontal axis is limited as the vertical ones are, although the abscissas ascend: they do not go forward
-    /// with the run.
+    /// True if the limits of the horizontal axis are chosen as those of the vertical axes although the values ascend,
+    /// because they do not grow during the run.
     pub steady: bool,
-    /// The present: a vertical line at this abscissa.
+    /// Present moment: a vertical line at this horizontal value.
     pub marker: Option<f64>,
-    /// What part of the plane is shown.
+    /// Visible part of the plane.
     pub view: View,
-    /// Whether a unit is as long on the vertical axis as on the horizontal one, so that a path keeps its shape. Plots with
-    /// several vertical axes take no notice.
+    /// True if both axes have the same scale, so that a path keeps its shape. Ignored with several vertical axes.
     pub equal: bool,
 }
 
-/// One axis: the quantity drawn along it and the unit of its numbers.
+/// An axis: quantity and unit.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Axis<'a> {
-    /// The quantity, `y` or `E, T, V`.
+    /// Name of the quantity, `y` or `E, T, V`.
     pub label: &'a str,
-    /// The unit as text, empty for a pure number.
+    /// Unit as text, empty for a pure number.
     pub unit: &'a str,
-    /// Automatic limits contain these values too, so that an axis does not begin with nothing.
+    /// Range that automatic limits must contain as well, in the unit of the axis; keeps an axis from starting empty.
     pub include: Option<Interval>,
 }
 
-/// One series of points.
+/// A series of points.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Series<'a> {
-    /// The name in the legend; a series without a name is not listed there.
+    /// Name in the legend; a series without name is not listed.
     pub label: &'a str,
-    /// What its abscissas are in a read-out, where it is not the label of the horizontal axis; else empty.
+    /// Name of the horizontal quantity in read-outs; empty if it is the label of the horizontal axis.
     pub across: &'a str,
-    /// Which of the plot's vertical axes it belongs to.
+    /// Index of its vertical axis.
     pub axis: usize,
-    /// Which of the palette's series colours it is drawn in (counted modulo their number).
+    /// Index of its colour in the palette, modulo the number of series colours.
     pub colour: u8,
-    /// How it is drawn.
+    /// Style of drawing.
     pub style: Style,
-    /// The abscissas, in the unit of the horizontal axis.
+    /// Horizontal values, in the unit of the horizontal axis.
     pub x: &'a [f64],
-    /// The ordinates, in the unit of the vertical axis. The shorter of the two columns counts.
+    /// Vertical values, in the unit of the vertical axis. If the columns differ in length, the shorter one counts.
     pub y: &'a [f64],
-    /// How wide each of [`Style::Bars`] is, in the unit of the horizontal axis.
+    /// Width of each of [`Style::Bars`], in the unit of the horizontal axis.
     pub width: f64,
-    /// The uncertainty of each ordinate, if there is one: an error bar on a point, a band about a line.
+    /// Uncertainty of each vertical value, in its unit, or empty: error bars of points, or a band around a line.
     pub spread: &'a [f64],
-    /// Rows before which the line is interrupted (the first row after a jump), ascending.
+    /// Rows before which the line is interrupted (the first row after each jump), ascending.
     pub breaks: &'a [usize],
-    /// Names the columns of a series with very many points from layout to layout, so that they are not gone through again
-    /// each time: while it is the same, rows are only added. 0 for columns that are looked at each time.
+    /// Identifies the columns of a series with very many points between layouts, to avoid a new pass over them: as long as
+    /// it is the same, rows are only added. 0: all rows are examined in each layout.
     pub version: u64,
-    /// Where the series is at the present: a dot there.
+    /// Values at the present moment, marked by a dot.
     pub present: Option<(f64, f64)>,
 }
 
-/// How a series is drawn.
+/// Style in which a series is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Style {
     /// A solid line.
     #[default]
     Line,
-    /// A thin, faint line: what an earlier run left behind.
+    /// A thin, faint line: a curve of an earlier run.
     Ghost,
-    /// A line in a dash pattern of its own (counted modulo their number).
+    /// A line with a dash pattern, by index modulo their number.
     Kept(u8),
-    /// A run that was kept, in a colour and a dash pattern of its own (both counted modulo their number). The curves after
-    /// the first are thinner.
+    /// A kept run, with its own colour and dash pattern, by index modulo their numbers. Curves after the first are thinner.
     Run(u8),
     /// Separate points: measured data.
     Points,
-    /// Separate points that are computed, such as those of a section: the more there are, the smaller they are.
+    /// Separate computed points, such as those of a Poincaré section: the more points, the smaller.
     Dots,
-    /// Upright bars from zero, about their abscissas: how often values occur.
+    /// Vertical bars from zero, centred on the horizontal values: a histogram.
     Bars,
 }
 
 impl Style {
-    /// Whether it consists of separate points.
+    /// True if it consists of separate points.
     pub fn is_of_points(self) -> bool {
         matches!(self, Style::Points | Style::Dots)
     }
 }
 
-/// A closed interval of values, `low` below `high`.
+/// A closed interval of values, with `low` not above `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// The lower end.
@@ -107,48 +105,48 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// The interval between two values, in whichever order they come.
+    /// Interval between two values, in any order.
     pub fn new(one: f64, other: f64) -> Interval {
         if other < one { Interval { low: other, high: one } } else { Interval { low: one, high: other } }
     }
 
-    /// The distance between the ends.
+    /// Length of the interval.
     pub fn length(self) -> f64 {
         self.high - self.low
     }
 
-    /// Whether the value lies in it, ends included.
+    /// True if the interval contains the value; ends are included.
     pub fn contains(self, value: f64) -> bool {
         self.low <= value && value <= self.high
     }
 }
 
-/// What part of the plane is shown; the default is all of it, and growing with the data.
+/// Visible part of the plane; by default automatic, which shows all data and grows with them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct View {
-    /// The limits of the horizontal axis, automatic when absent.
+    /// Limits of the horizontal axis, `None` for automatic.
     pub x: Option<Interval>,
-    /// The limits of each vertical axis, automatic when empty.
+    /// Limits of each vertical axis, empty for automatic.
     pub y: Vec<Interval>,
 }
 
 impl View {
-    /// Whether all limits are automatic.
+    /// True if all limits are automatic.
     pub fn is_automatic(&self) -> bool {
         self.x.is_none() && self.y.is_empty()
     }
 }
 
-/// The size of the figure and how its texts are written.
+/// Size of the figure and style of its texts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Width of the whole figure in CSS pixels.
+    /// Width of the figure, CSS pixels.
     pub width: f64,
-    /// Height of the whole figure in CSS pixels.
+    /// Height of the figure, CSS pixels.
     pub height: f64,
-    /// Size of the text in CSS pixels.
+    /// Font size, CSS pixels.
     pub font_size: f64,
-    /// Whether numbers have a decimal comma.
+    /// True for numbers with a decimal comma.
     pub decimal_comma: bool,
 }
 

@@ -1,10 +1,10 @@
-//! Which pixels of a panel hold a point of a long series, kept from frame to frame.
+//! Raster of a panel: the pixels that contain a point of a long series, kept from frame to frame.
 
 use crate::items::{Rect, Scale};
 use crate::limits::{Progressive, drawable};
 use crate::plot::Series;
 
-/// What is kept of a series that is known by its version.
+/// Data kept of a series with a version.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Cloud {
     pub version: u64,
@@ -13,26 +13,26 @@ pub(crate) struct Cloud {
     pub raster: Option<Raster>,
 }
 
-/// Which pixels of a panel hold a point.
+/// The pixels of a panel that contain a point.
 #[derive(Clone, Debug)]
 pub(crate) struct Raster {
     pub x: Scale,
     pub y: Scale,
     pub panel: Rect,
-    /// The first row that was looked at, and the next one to be.
+    /// First row examined, and next row to examine.
     pub first: usize,
     pub next: usize,
     rows: usize,
-    /// Whether the series has not been drawn before.
+    /// True if the series has not been drawn completely before.
     pub is_new: bool,
-    /// A bit for each pixel, column by column; each column begins with a word of its own.
+    /// One bit per pixel, column by column; each column begins with a new word.
     cells: Vec<u64>,
-    /// The highest and the lowest point of each column, in pixels from above.
+    /// Upper and lower end of the points in each column, in pixels below the upper edge of the panel.
     ends: Vec<(f32, f32)>,
 }
 
 impl Cloud {
-    /// What is known of a series, and keeps what it learns.
+    /// The kept data of the series of this version, created if missing.
     pub fn of(clouds: &mut Vec<Self>, version: u64) -> &mut Self {
         let place = clouds.iter().position(|cloud| cloud.version == version).unwrap_or_else(|| {
             clouds.push(Self { version, ..Self::default() });
@@ -43,7 +43,7 @@ impl Cloud {
 }
 
 impl Raster {
-    /// No pixel of the panel, before the row `first`.
+    /// An empty raster for the rows from `first` on.
     pub fn new(x: Scale, y: Scale, panel: Rect, first: usize) -> Self {
         let pixels = |length: f32| libm::ceilf(length.clamp(1.0, 1e5)) as usize;
         let (columns, rows) = (pixels(panel.width), pixels(panel.height));
@@ -61,7 +61,7 @@ impl Raster {
         }
     }
 
-    /// Marks the pixels of the points up to a row.
+    /// Marks the pixels of the points up to row `end`, exclusive.
     pub fn take(&mut self, series: &Series<'_>, end: usize) {
         let panel = self.panel;
         let words = self.rows.div_ceil(64);
@@ -72,17 +72,17 @@ impl Raster {
         for (&value_x, &value_y) in points {
             let across = x_start + (value_x - self.x.values.low) * x_factor;
             let down = y_start + (value_y - self.y.values.low) * y_factor;
-            // False for what is not a number, too.
+            // Also false for NaN.
             let inside = across >= -0.5 && across <= width + 0.5 && down >= -0.5 && down <= height + 0.5;
             if !inside || !drawable(value_x) || !drawable(value_y) {
                 continue;
             }
-            // What lies half a pixel outside becomes 0.
+            // A point up to half a pixel outside becomes 0.
             let column = (across as usize).min(self.ends.len() - 1);
             let row = (down as usize).min(self.rows - 1);
             self.cells[column * words + row / 64] |= 1 << (row % 64);
             let ends = &mut self.ends[column];
-            // In WebAssembly `min` and `max` of floats are calls, too dear for a million points.
+            // In WebAssembly, `min` and `max` of floats are function calls, too slow for a million points.
             let down = down as f32;
             if down < ends.0 {
                 ends.0 = down;
@@ -94,10 +94,10 @@ impl Raster {
         self.next = self.next.max(end);
     }
 
-    /// Appends the bars: abscissa, upper and lower end of each. The dots have this radius in pixels.
+    /// Appends the bars, three numbers each: x, upper end, lower end. The dots have this radius in pixels.
     pub fn bars(&self, radius: f32, out: &mut Vec<f32>) {
         let words = self.rows.div_ceil(64);
-        // Dots nearer than this overlap.
+        // Distance below which dots overlap.
         let apart = libm::ceilf(2.0 * radius) as usize;
         for (number, (column, ends)) in self.cells.chunks_exact(words).zip(&self.ends).enumerate() {
             let across = self.panel.x + number as f32 + 0.5;

@@ -1,4 +1,4 @@
-//! The series of a figure: lines, points, and where they are at the present.
+//! Drawing of series: lines, points, and the dots at the present moment.
 
 use std::ops::Range;
 
@@ -8,11 +8,11 @@ use crate::limits::drawable;
 use crate::plot::{Plot, Series, Style};
 use crate::trace::{Tracer, scatter};
 
-/// How far lines may pass the edge of the panel, so that one along the edge is not cut in half.
+/// Distance by which lines may cross the edge of the panel, in pixels, so that a line along the edge is not cut in half.
 const BLEED: f32 = 1.5;
 
 impl Figure {
-    /// The line or the points of a series.
+    /// Draws the line or the points of a series.
     pub(crate) fn trace(&mut self, plot: &Plot<'_>, series: &Series<'_>) {
         let (Some(x), Some(y)) = (self.x, self.y.get(series.axis).copied()) else {
             return;
@@ -23,7 +23,7 @@ impl Figure {
         let panel = self.panel;
         let (x_factor, y_factor) = (x.factor(), y.factor());
         let (x_low, y_low) = (x.values.low, y.values.low);
-        // Far outside the panel, singles would overflow: anything beyond this is as good as this.
+        // Limit of pixel coordinates: values far outside the panel would overflow `f32`.
         let limit = 1e9;
         let pixel = |row: usize| {
             let (value_x, value_y) = (series.x[row], series.y[row]);
@@ -63,7 +63,7 @@ impl Figure {
         tracer.interrupt();
     }
 
-    /// Bars from zero, as far as they lie in the panel, with a gap of a pixel between them.
+    /// Draws the visible parts of bars from zero, with a gap of one pixel between them.
     fn columns(&mut self, series: &Series<'_>, rows: Range<usize>, x: &Scale, y: &Scale) {
         let panel = self.panel;
         let (right, bottom) = (f64::from(panel.x + panel.width), f64::from(panel.y + panel.height));
@@ -85,7 +85,7 @@ impl Figure {
         }
     }
 
-    /// The line of the present and the dots on the series.
+    /// Draws the line at the present moment and the dots on the series.
     pub(crate) fn present(&mut self, plot: &Plot<'_>) {
         let Some(x) = self.x else { return };
         let panel = self.panel;
@@ -109,12 +109,12 @@ impl Figure {
     }
 }
 
-/// The radius of each of the `count` points of a series.
+/// Radius of the dots of a series with `count` points, pixels.
 pub(crate) fn radius(series: &Series<'_>, count: usize) -> f32 {
     if series.style == Style::Dots { radius_of(count) } else { DATA_RADIUS }
 }
 
-/// How the line of a series is drawn.
+/// Style of the line of a series.
 pub(crate) fn stroke(series: &Series<'_>) -> Stroke {
     match series.style {
         Style::Line | Style::Points | Style::Dots | Style::Bars => {
@@ -129,12 +129,13 @@ pub(crate) fn stroke(series: &Series<'_>) -> Stroke {
     }
 }
 
-/// A rectangle with its edges moved outwards.
+/// Rectangle with its edges moved outwards by `by`.
 fn grown(area: Rect, by: f32) -> Rect {
     Rect { x: area.x - by, y: area.y - by, width: area.width + 2.0 * by, height: area.height + 2.0 * by }
 }
 
-/// The rows that can be seen: all, or where the abscissas ascend those in the panel and one more at either side.
+/// Visible rows: all of them, or if horizontal values ascend in a zoomed view, those in the panel and one more on either
+/// side.
 pub(crate) fn visible_rows(plot: &Plot<'_>, series: &Series<'_>, x: &Scale) -> Range<usize> {
     let rows = series.x.len().min(series.y.len());
     if !plot.ordered || plot.view.x.is_none() {

@@ -1,4 +1,4 @@
-//! The uncertainty of a series: error bars on points, a band about a line.
+//! Uncertainty of a series: error bars of points, or a band around a line.
 
 use std::ops::Range;
 
@@ -8,12 +8,12 @@ use crate::limits::{Extent, drawable};
 use crate::plot::{Plot, Series};
 use crate::series::visible_rows;
 
-/// Half the length of the line across the end of an error bar, in pixels.
+/// Half the length of the caps of an error bar, pixels.
 const CAP: f32 = 2.0;
-/// The least distance of error bars in pixels: of points that lie closer, only some have theirs drawn.
+/// Minimum distance of error bars, pixels: if points are denser, only some have error bars.
 const SPACE: f32 = 8.0;
 
-/// What the ordinates may reach, with their uncertainties.
+/// Extent of the vertical values with their uncertainties.
 pub(crate) fn extent(series: &Series<'_>) -> Extent {
     let ends = series.y.iter().zip(series.spread).flat_map(|(y, spread)| [y - spread, y + spread]);
     ends.filter(|end| drawable(*end))
@@ -21,7 +21,7 @@ pub(crate) fn extent(series: &Series<'_>) -> Extent {
 }
 
 impl Figure {
-    /// The band about a line, interrupted where the line is.
+    /// Draws the band around a line, interrupted where the line is.
     pub(crate) fn band(&mut self, plot: &Plot<'_>, series: &Series<'_>) {
         let (Some(x), Some(y)) = (self.x, self.y.get(series.axis).copied()) else {
             return;
@@ -45,7 +45,7 @@ impl Figure {
         self.piece(series, start..rows.end, &x, &y);
     }
 
-    /// A part of the band without gaps: there along its upper edge, back along the lower one.
+    /// Draws a part of the band without gaps: forward along its upper edge, back along the lower one.
     fn piece(&mut self, series: &Series<'_>, rows: Range<usize>, x: &Scale, y: &Scale) {
         if rows.len() < 2 {
             return;
@@ -59,7 +59,7 @@ impl Figure {
         self.entries.push(Entry::Area(start..self.points.len(), Ink::Band(series.colour)));
     }
 
-    /// The error bars of points, where they are longer than the points; evenly thinned where they are dense.
+    /// Draws the error bars that are longer than the dots; evenly thinned if they are dense.
     pub(crate) fn bars(&mut self, series: &Series<'_>, rows: Range<usize>, x: &Scale, y: &Scale) {
         let stroke = Stroke { ink: Ink::Ghost(series.colour), width: 1.0, dash: Dash::Solid };
         let inside = |row: &usize| {
@@ -90,7 +90,7 @@ impl Figure {
     }
 }
 
-/// The pixel of a value, or of the end of the axis that is nearest.
+/// Pixel of a value, or of the nearest end of the axis.
 fn within(scale: &Scale, value: f64) -> f32 {
     scale.pixel(value.clamp(scale.values.low, scale.values.high)) as f32
 }

@@ -8,11 +8,11 @@ use crate::palette::Palette;
 use units::alphabet::with_indices;
 use units::markup::Escaped;
 
-/// The fonts of all texts: what the system shows its own in.
+/// Font family of all texts: the font of the system.
 pub const FONT_FAMILY: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif";
 
 impl Figure {
-    /// The figure as a standalone, accessible SVG document: title and description are in it.
+    /// The figure as a standalone, accessible SVG document with title and description.
     pub fn svg(&self, palette: &Palette) -> String {
         let mut out = String::with_capacity(4096 + self.points.len() * 6);
         // Writing to a string cannot fail.
@@ -27,7 +27,7 @@ impl Figure {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FONT_FAMILY}\">"
         )?;
-        // An image needs a name: where the page around it shows the title, the description is it.
+        // An image needs a name: if the surrounding page shows the title, the description takes its place.
         let name = if self.title.is_empty() { &self.description } else { &self.title };
         write!(out, "<title>{}</title>", Escaped(name))?;
         write!(out, "<desc>{}</desc>", Escaped(&self.description))?;
@@ -107,14 +107,14 @@ fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::
     }
 }
 
-/// A text whose indices are smaller and below the line.
+/// Writes a text with its indices smaller and below the baseline.
 fn write_with_indices(out: &mut String, text: &str) -> std::fmt::Result {
     let mut lowered = false;
     for (piece, is_index) in with_indices(text) {
         let piece = Escaped(piece);
         match (is_index, lowered) {
             (true, _) => write!(out, "<tspan dy=\"0.3em\" font-size=\"75%\">{piece}</tspan>")?,
-            // Back on the line: 0.3 of 75 %.
+            // Back to the baseline: 0.3 em of 75 %.
             (false, true) => write!(out, "<tspan dy=\"-0.225em\">{piece}</tspan>")?,
             (false, false) => write!(out, "{piece}")?,
         }
@@ -148,7 +148,7 @@ fn write_stroke(out: &mut String, stroke: Stroke, palette: &Palette) -> std::fmt
     Ok(())
 }
 
-/// A length to a hundredth of a pixel, without superfluous zeros.
+/// A length rounded to a hundredth of a pixel, without trailing zeros.
 struct Short(f32);
 
 impl std::fmt::Display for Short {

@@ -1,14 +1,14 @@
-//! How wide a text is, without a font at hand.
+//! Estimate of the width of a text without a font.
 
 use std::borrow::Cow;
 
-/// An estimate of the width of a text in the fonts that `system-ui` stands for, in pixels; generous, so that what is kept
-/// apart by it does not touch in the widest of them.
+/// Estimated width of a text in a font of `size`, both in pixels. It is an upper bound for the usual system fonts, so that
+/// texts placed by it do not touch.
 pub(crate) fn width(text: &str, size: f64) -> f64 {
     text.chars().map(advance).sum::<f64>() * size
 }
 
-/// A text cut short with an ellipsis where it is wider than there is room.
+/// The text, shortened with an ellipsis if it is wider than `room` pixels.
 pub(crate) fn fitted(text: &str, size: f64, room: f64) -> Cow<'_, str> {
     if width(text, size) <= room {
         return Cow::Borrowed(text);
@@ -24,7 +24,7 @@ pub(crate) fn fitted(text: &str, size: f64, room: f64) -> Cow<'_, str> {
     Cow::Owned(short)
 }
 
-/// The advance of a character in ems.
+/// Advance width of a character, em.
 fn advance(character: char) -> f64 {
     match character {
         '.' | ',' | ':' | ';' | '\'' | '′' | 'i' | 'j' | 'l' | '|' | '!' => 0.32,
@@ -34,7 +34,7 @@ fn advance(character: char) -> f64 {
         '−' | '×' | '+' | '=' | '<' | '>' | '±' | '≈' => 0.72,
         'A'..='Z' | 'Ω' | 'Δ' => 0.72,
         '\u{300}'..='\u{36f}' => 0.0,
-        // Ideographs and their kin fill the em.
+        // Ideographs and similar characters are one em wide.
         '\u{1100}'..='\u{11ff}' | '\u{2e80}'..='\u{d7ff}' | '\u{ff00}'..='\u{ff60}' => 1.05,
         _ => 0.64,
     }
@@ -49,7 +49,7 @@ mod tests {
         assert_eq!(width("", 13.0), 0.0);
         assert!(width("−0.25", 13.0) > width("0.25", 13.0));
         assert!((width("10", 20.0) - 25.6).abs() < 1e-9);
-        // DejaVu Sans, the widest of the usual ones, has digits of 0.636 and a point of 0.318 em.
+        // DejaVu Sans, the widest usual font, has digits of 0.636 em and a point of 0.318 em.
         assert!(width("0.25", 100.0) > 0.95 * (3.0 * 63.6 + 31.8));
     }
 

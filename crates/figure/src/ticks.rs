@@ -1,9 +1,9 @@
-//! Ticks: multiples of 1, 2 or 5 times a power of ten, kept as integers so that their labels are exact.
+//! Ticks: multiples of 1, 2 or 5 times a power of ten, as integers so that their labels are exact.
 
 use crate::plot::Interval;
 use units::number::{Style, axis_unit, common_power, leading_exponent, scaled_by, tick, write_power};
 
-/// The distance between ticks: `mantissa * 10^exponent` with a mantissa of 1, 2 or 5.
+/// Distance between ticks: `mantissa * 10^exponent` with mantissa 1, 2 or 5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Step {
     mantissa: i64,
@@ -11,9 +11,9 @@ pub(crate) struct Step {
 }
 
 impl Step {
-    /// The smallest step that is no smaller than a positive number, up to rounding.
+    /// Smallest step that is at least `size`, which must be positive, up to rounding.
     pub(crate) fn at_least(size: f64) -> Step {
-        // A hair of tolerance, so that 0.6 / 3 asks for 0.2 and not for 0.5.
+        // Tolerance for rounding: 0.6 / 3 must give 0.2, not 0.5.
         let wanted = size * (1.0 - 1e-9);
         let exponent = leading_exponent(wanted);
         for mantissa in [1, 2, 5] {
@@ -25,7 +25,7 @@ impl Step {
         Step { mantissa: 1, exponent: exponent + 1 }
     }
 
-    /// The next larger step.
+    /// Next larger step.
     pub(crate) fn larger(self) -> Step {
         match self.mantissa {
             1 => Step { mantissa: 2, ..self },
@@ -34,48 +34,48 @@ impl Step {
         }
     }
 
-    /// So many steps.
+    /// Value of `count` steps.
     pub(crate) fn multiple(self, count: i64) -> f64 {
         scaled_by((count * self.mantissa) as f64, self.exponent)
     }
 
-    /// How many steps a value is, rounded down.
+    /// Number of steps in a value, rounded down.
     pub(crate) fn floor(self, value: f64) -> i64 {
         libm::floor(value / self.multiple(1) + 1e-9) as i64
     }
 
-    /// How many steps a value is, rounded up.
+    /// Number of steps in a value, rounded up.
     pub(crate) fn ceil(self, value: f64) -> i64 {
         libm::ceil(value / self.multiple(1) - 1e-9) as i64
     }
 }
 
-/// The ticks of an axis: the multiples of a step from `first` to `last`.
+/// Ticks of an axis: the multiples of a step from `first` to `last`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Ticks {
     pub(crate) step: Step,
     pub(crate) first: i64,
     pub(crate) last: i64,
-    /// The power of ten that is taken out of all labels and written with the unit.
+    /// Power of ten factored out of all labels and written with the unit.
     pub(crate) power: i32,
 }
 
 impl Ticks {
-    /// The ticks in an interval.
+    /// All ticks in an interval.
     pub(crate) fn within(values: Interval, step: Step) -> Ticks {
         let (first, last) = (step.ceil(values.low), step.floor(values.high));
         let magnitude = step.multiple(first).abs().max(step.multiple(last).abs());
         Ticks { step, first, last, power: common_power(magnitude) }
     }
 
-    /// The ticks with the smallest step for which so many pixels lie between two of them at least, and for which `fits`
-    /// finds room.
+    /// Ticks with the smallest step for which they are at least about `spacing` pixels apart and `fits` is true; `fits`
+    /// receives the ticks and their distance in pixels.
     pub(crate) fn spaced(values: Interval, pixels: f64, spacing: f64, fits: impl Fn(&Ticks, f64) -> bool) -> Ticks {
         let per_value = pixels / values.length();
         let mut step = Step::at_least(values.length() * (spacing / pixels).min(1.0));
         loop {
             let ticks = Ticks::within(values, step);
-            // With fewer than two ticks there is nothing left that could collide.
+            // A single tick cannot collide.
             if ticks.last <= ticks.first || fits(&ticks, step.multiple(1) * per_value) {
                 return ticks;
             }
@@ -83,22 +83,22 @@ impl Ticks {
         }
     }
 
-    /// The value of each tick and its number.
+    /// Index and value of each tick.
     pub(crate) fn iter(self) -> impl Iterator<Item = (i64, f64)> {
         (self.first..=self.last).map(move |number| (number, self.step.multiple(number)))
     }
 
-    /// Writes the label of a tick.
+    /// Writes the label of the tick with index `number`.
     pub(crate) fn write_label(&self, out: &mut String, number: i64, style: Style) {
         let step = self.step;
         out.push_str(&tick(number * step.mantissa, step.exponent - self.power, style));
     }
 
-    /// The width of the widest label in a font of this size.
+    /// Width of the widest label in a font of this size, pixels.
     pub(crate) fn widest_label(&self, size: f64, style: Style) -> f64 {
         let mut label = String::new();
         let mut widest = 0.0_f64;
-        // Labels grow with their magnitude and with a sign, so that one of the two ends is the widest.
+        // Labels get wider with magnitude and sign, so the widest one is at an end.
         for number in [self.first, self.last] {
             label.clear();
             self.write_label(&mut label, number, style);
@@ -107,7 +107,7 @@ impl Ticks {
         widest
     }
 
-    /// Writes the title of the axis: quantity and unit, `y [mm]`; `b [10⁻³ 1/s]` where the unit takes no prefix.
+    /// Writes the title of the axis with quantity and unit: `y [mm]`, or `b [10⁻³ 1/s]` if the unit takes no prefix.
     pub(crate) fn write_title(&self, out: &mut String, label: &str, unit: &str) {
         out.push_str(label);
         let (unit, power) = axis_unit(unit, self.power);

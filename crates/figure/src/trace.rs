@@ -1,43 +1,43 @@
-//! From rows of values to polylines in pixels: broken at jumps, clipped to the panel, and without the points that could
-//! not be seen.
+//! Conversion of rows of values to polylines in pixels: interrupted at jumps, clipped to the panel, without invisible
+//! points.
 //!
-//! Two things are left out. Of the many points that share one column of pixels in dense data that go forward, the first,
-//! the lowest, the highest and the last are kept (the M4 aggregation of Jugel and others, 2014). And of a run of points
-//! along an all but straight line only the ends are kept, by the sleeve of Zhao and Saalfeld (1997): no point that is left
-//! out is farther than `TOLERANCE` from the line that is drawn.
+//! Points are left out in two ways. If many points of ascending data share a column of pixels, only the first, the lowest,
+//! the highest and the last are kept (M4 aggregation of Jugel and others, 2014). Of points along a nearly straight line
+//! only the ends are kept (sleeve algorithm of Zhao and Saalfeld, 1997): no point left out is farther than `TOLERANCE` from
+//! the line drawn.
 
 use std::ops::Range;
 
 use crate::items::{Entry, Ink, Rect, Stroke};
 
-/// How far, in pixels, a line may pass by a point that was left out.
+/// Maximum distance of a line from a point left out, pixels.
 const TOLERANCE: f32 = 0.2;
 
-/// Draws one line after the other into the buffers of a figure.
+/// Draws lines into the buffers of a figure, one after the other.
 pub(crate) struct Tracer<'a> {
     points: &'a mut Vec<f32>,
     entries: &'a mut Vec<Entry>,
     area: Rect,
     stroke: Stroke,
-    /// Where the present polyline begins in `points`.
+    /// Index in `points` where the current polyline begins.
     start: usize,
-    /// The point before, whether it is inside the area or not.
+    /// Previous point, inside the area or not.
     previous: Option<(f32, f32)>,
-    /// The latest point of the polyline that is not drawn yet.
+    /// Latest point of the polyline, not drawn yet.
     held: Option<(f32, f32)>,
-    /// The directions in which the next point continues the line from the last one drawn: right and left end.
+    /// Range of directions from the last point drawn in which the line can continue straight: right and left end.
     sleeve: Option<((f32, f32), (f32, f32))>,
-    /// How far from the last point drawn the line has come.
+    /// Greatest distance of the line from the last point drawn, pixels.
     reach: f32,
     column: Option<Column>,
 }
 
-/// What is kept of the points in one column of pixels.
+/// Points kept of one column of pixels.
 struct Column {
     number: i32,
-    /// How many points it has had.
+    /// Number of points after the first.
     count: u32,
-    /// Each with its place among the points of the column.
+    /// Index in the column, x and y of the point with the least y; `highest` and `last` likewise.
     lowest: (u32, f32, f32),
     highest: (u32, f32, f32),
     last: (u32, f32, f32),
@@ -60,9 +60,9 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// Takes the next point of a line of which many points may share a column of pixels.
+    /// Takes the next point of a line with many points per column of pixels.
     pub(crate) fn dense(&mut self, x: f32, y: f32) {
-        // Towards zero: left of the figure, where nothing is drawn, two columns count as one.
+        // Rounds towards zero: two columns left of the figure, where nothing is drawn, count as one.
         let number = x as i32;
         match &mut self.column {
             Some(column) if column.number == number => {
@@ -85,7 +85,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// Draws what was kept of a column, in the order in which it came.
+    /// Draws the points kept of a column, in their original order.
     fn flush_column(&mut self) {
         let Some(Column { lowest, highest, last, .. }) = self.column.take() else {
             return;
@@ -112,7 +112,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// Ends the line; the next point begins another.
+    /// Ends the line; the next point begins a new one.
     pub(crate) fn interrupt(&mut self) {
         self.flush_column();
         self.previous = None;
@@ -124,7 +124,7 @@ impl<'a> Tracer<'a> {
         x >= area.x && x <= area.x + area.width && y >= area.y && y <= area.y + area.height
     }
 
-    /// Draws the part of a segment that is inside the area (Liang and Barsky's clipping).
+    /// Draws the part of a segment inside the area (Liang-Barsky clipping).
     fn cross(&mut self, from: (f32, f32), to: (f32, f32), ends_inside: bool) {
         let area = self.area;
         let (x, y) = (f64::from(from.0), f64::from(from.1));
@@ -156,7 +156,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// Continues the polyline to a point in the area, leaving out the held point if the line passes by it.
+    /// Continues the polyline to a point inside the area. The held point is left out if the line passes close to it.
     fn continue_to(&mut self, point: (f32, f32)) {
         if self.points.len() == self.start {
             self.points.extend([point.0, point.1]);
@@ -178,7 +178,7 @@ impl<'a> Tracer<'a> {
         }
         self.held = Some(point);
         self.reach = self.reach.max(distance);
-        // Anything nearer than the tolerance leaves every direction open.
+        // A point within the tolerance restricts no direction.
         if distance > TOLERANCE {
             let ratio = TOLERANCE / distance;
             let (across_x, across_y) = (-dy * ratio, dx * ratio);
@@ -203,7 +203,7 @@ impl<'a> Tracer<'a> {
         self.start = self.points.len();
         match range.len() {
             0 => {}
-            // A row by itself, between two that cannot be drawn, is a dot.
+            // A single row between two that cannot be drawn becomes a dot.
             2 => {
                 let (radius, ink) = (self.stroke.width * 0.75, self.stroke.ink);
                 self.entries.push(Entry::Dots { centres: range, radius, ink, ringed: false });
@@ -213,13 +213,12 @@ impl<'a> Tracer<'a> {
     }
 }
 
-/// Positive when the second direction lies counter-clockwise of the first, in the sense in which x turns to y.
+/// Cross product: positive if the second direction is counter-clockwise of the first, in the sense from x to y.
 fn cross(one: (f32, f32), two: (f32, f32)) -> f32 {
     one.0 * two.1 - one.1 * two.0
 }
 
-/// Puts the centres of separate points into the buffer: those in the area, and of those that all but coincide with the one
-/// before only the first.
+/// Adds the centres of separate points inside the area. Points that nearly coincide with the previous one are left out.
 pub(crate) fn scatter(
     points: &mut Vec<f32>,
     entries: &mut Vec<Entry>,

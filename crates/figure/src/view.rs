@@ -1,32 +1,32 @@
-//! Zooming and panning: from a gesture in pixels to the next view. The default view, all automatic, is the way back.
+//! Zooming and panning: the next view after a gesture in pixels. The default view, fully automatic, resets it.
 
 use crate::figure::Figure;
 use crate::items::{Point, Scale};
 use crate::limits::sane;
 use crate::plot::{Interval, View};
 
-/// How many times longer than what the automatic limits show an axis may get.
+/// Maximum length of an axis relative to its automatic limits.
 const WIDEST: f64 = 100.0;
 
-/// How many times shorter than its values an axis may get: finer, the labels would not fit.
+/// Minimum length of an axis relative to the magnitude of its values: labels would not fit below.
 const CLOSEST: f64 = 1e-9;
 
-/// A rectangle narrower than this, in pixels, is meant along the other direction only.
+/// Minimum width and height of a zoom rectangle, pixels; a narrower one zooms only in the other direction.
 const LEAST_RECTANGLE: f32 = 6.0;
 
-/// Along which axes a view changes.
+/// Axes along which a view changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// Along the horizontal axis.
+    /// The horizontal axis.
     Horizontal,
-    /// Along the vertical axes.
+    /// The vertical axes.
     Vertical,
-    /// Along both.
+    /// All axes.
     Both,
 }
 
 impl Figure {
-    /// Zooms by a factor (2 shows half as much) about a pixel, which keeps its values.
+    /// Zooms by `factor` (2 shows half as much) about a pixel, whose values stay in place.
     pub fn zoom(&self, at: Point, factor: f64, direction: Direction) -> View {
         if !factor.is_finite() || factor <= 0.0 {
             return self.view.clone();
@@ -38,15 +38,15 @@ impl Figure {
         })
     }
 
-    /// Zooms by a factor about the centre of the panel.
+    /// Zooms by `factor` about the centre of the panel.
     pub fn zoom_centre(&self, factor: f64, direction: Direction) -> View {
         let panel = self.panel;
         let at = Point { x: panel.x + panel.width / 2.0, y: panel.y + panel.height / 2.0 };
         self.zoom(at, factor, direction)
     }
 
-    /// Zooms to the rectangle between two pixels. A flat or narrow one zooms along one direction only, and one that is
-    /// both changes nothing.
+    /// Zooms to the rectangle between two pixels. A flat or narrow one zooms in one direction only; one that is both flat
+    /// and narrow changes nothing.
     pub fn zoom_to(&self, one: Point, other: Point) -> View {
         let direction = match ((one.x - other.x).abs() >= LEAST_RECTANGLE, (one.y - other.y).abs() >= LEAST_RECTANGLE) {
             (true, true) => Direction::Both,
@@ -62,7 +62,7 @@ impl Figure {
         })
     }
 
-    /// Moves what is shown by so many pixels, right and down, as if the paper were dragged.
+    /// Moves the content by so many pixels to the right and down.
     pub fn pan(&self, right: f64, down: f64) -> View {
         let direction = match (right == 0.0, down == 0.0) {
             (true, true) => return self.view.clone(),
@@ -76,7 +76,7 @@ impl Figure {
         })
     }
 
-    /// The view with the limits of some axes changed, kept within reason.
+    /// The view with some limits changed by `limits`, within reason; its second argument is true for the horizontal axis.
     fn change(&self, direction: Direction, limits: impl Fn(&Scale, bool) -> Interval) -> View {
         let mut view = self.view.clone();
         if direction != Direction::Vertical
@@ -93,8 +93,8 @@ impl Figure {
     }
 }
 
-/// Limits as they are wanted, unless they are too long, too short or not finite; and moved so far that something of what
-/// the automatic limits show stays in sight.
+/// The wanted limits, moved so that part of the automatic limits stays visible. The present ones if the wanted limits are
+/// too long, too short or not finite.
 fn reasonable(wanted: Interval, present: Interval, home: Interval) -> Interval {
     let length = wanted.high - wanted.low;
     let magnitude = wanted.low.abs().max(wanted.high.abs());
@@ -106,7 +106,7 @@ fn reasonable(wanted: Interval, present: Interval, home: Interval) -> Interval {
     {
         return present;
     }
-    // At least a tenth of what is shown stays within the automatic limits.
+    // At least a tenth of the visible length stays within the automatic limits.
     let overlap = 0.1 * length.min(home.length());
     let right = (home.low + overlap - wanted.high).max(0.0);
     let left = (wanted.low - (home.high - overlap)).max(0.0);

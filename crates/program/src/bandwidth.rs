@@ -1,13 +1,14 @@
-//! An order of the unknowns of a sparse system in which its entries lie near the diagonal (reverse Cuthill-McKee: Cuthill &
-//! McKee, Proc. 24th ACM Nat. Conf. (1969) 157; the first node by George & Liu, ACM Trans. Math. Softw. 5 (1979) 284).
+//! Bandwidth reduction: an order of the unknowns of a sparse system with its entries close to the diagonal (reverse
+//! Cuthill-McKee: Cuthill & McKee, Proc. 24th ACM Nat. Conf. (1969) 157; first node by George & Liu, ACM Trans. Math.
+//! Softw. 5 (1979) 284).
 
 use std::collections::VecDeque;
 
-/// Smaller systems are dense: their elimination takes the least time.
+/// Minimum size of a banded system: dense elimination is faster for smaller ones.
 const LEAST_BANDED: usize = 32;
 
-/// The order of the unknowns in which a matrix with entries at these rows and columns is banded; `None` where a dense elimination
-/// takes less work.
+/// Order of the unknowns for a banded elimination of a matrix with entries at these (row, column); `None` if a dense
+/// elimination takes less work.
 pub fn banded_order(size: usize, pattern: &[(usize, usize)]) -> Option<Vec<usize>> {
     if size < LEAST_BANDED {
         return None;
@@ -22,20 +23,20 @@ pub fn banded_order(size: usize, pattern: &[(usize, usize)]) -> Option<Vec<usize
     (2 * width(&order) < size).then_some(order)
 }
 
-/// How many numbers of a row an elimination needs, with so many diagonals below and above the main one: exchanges of rows fill
-/// further `lower` ones.
+/// Stored numbers per row for a banded elimination with `lower` diagonals below and `upper` above the main one; row
+/// exchanges fill `lower` further ones.
 pub fn band_width(lower: usize, upper: usize) -> usize {
     2 * lower + upper + 1
 }
 
-/// The place of each number in an order.
+/// Inverse permutation: the place of each number in `order`.
 pub fn places(order: &[usize]) -> Vec<usize> {
     let mut places = vec![0; order.len()];
     order.iter().enumerate().for_each(|(place, &number)| places[number] = place);
     places
 }
 
-/// The numbers of the unknowns in such an order; `pattern` has row and column of every entry off the diagonal.
+/// Indices of the unknowns in an order of small bandwidth; `pattern` has row and column of every entry.
 fn narrow_order(size: usize, pattern: &[(usize, usize)]) -> Vec<usize> {
     let mut neighbours = vec![Vec::new(); size];
     for &(row, column) in pattern.iter().filter(|(row, column)| row != column) {
@@ -63,7 +64,7 @@ fn narrow_order(size: usize, pattern: &[(usize, usize)]) -> Vec<usize> {
     order
 }
 
-/// Adds what is connected with `first` in the order of the distance; the number of distances.
+/// Appends all nodes connected with `first` to `order`, by distance. Returns the greatest distance.
 fn breadth_first(neighbours: &[Vec<usize>], first: usize, reached: &mut [bool], order: &mut Vec<usize>) -> usize {
     let mut waiting = VecDeque::from([(first, 0)]);
     let mut farthest = 0;
@@ -80,9 +81,9 @@ fn breadth_first(neighbours: &[Vec<usize>], first: usize, reached: &mut [bool], 
     farthest
 }
 
-/// A node far away from others that are connected with `node`.
+/// Pseudo-peripheral node: a node far away from others in the component of `node`.
 fn end_of(neighbours: &[Vec<usize>], node: usize) -> usize {
-    /// After so many attempts little is gained.
+    /// Maximum number of attempts; further ones gain little.
     const ATTEMPTS: usize = 4;
     let (mut best, mut greatest) = (node, 0);
     for _ in 0..ATTEMPTS {
@@ -94,7 +95,7 @@ fn end_of(neighbours: &[Vec<usize>], node: usize) -> usize {
     best
 }
 
-/// How many diagonals below and above the main one have entries, where `place` is the place of each unknown.
+/// Number of diagonals with entries below and above the main one; `place` has the place of each unknown.
 pub fn bandwidth(pattern: &[(usize, usize)], place: &[usize]) -> (usize, usize) {
     pattern.iter().fold((0, 0), |(lower, upper), &(row, column)| {
         let (row, column) = (place[row], place[column]);

@@ -1,37 +1,37 @@
-//! A program as bytes, for a page that plays it without the parsers of the language.
+//! A program as bytes, for a page that runs it without the parsers of the language.
 //!
 //! A bundle is a signature, a version, and the program in the format of [postcard](https://postcard.jamesmunns.com).
-//! Reading checks everything that running relies on: a bundle that is read cannot make the engine reach beyond its model.
+//! Reading checks everything the engine relies on: a damaged bundle cannot make it access anything outside its model.
 
 use crate::{
     Aggregate, Choices, Compiled, Drag, Dragged, Drawing, Drawn, Members, Model, Node, NodeId, OfDrawing, Parameter,
     Piece, Program, Scene, Sweep, Taken, Trail,
 };
 
-/// What a bundle begins with.
+/// Signature at the start of a bundle.
 const SIGNATURE: &[u8] = b"meniscus";
-/// The version of the format; raised whenever a program of an earlier version would be misread.
+/// Format version; raised whenever a program of an earlier version would be misread.
 const VERSION: u8 = 8;
-/// The longest bundle, in bytes. Documents are at most 1 MiB long.
+/// Maximum length of a bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
-/// Why bytes are not a program.
+/// Reason why bytes are not a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BundleError {
-    /// They do not begin as a bundle does.
+    /// The signature is missing.
     NoBundle,
-    /// They are a bundle of this other version.
+    /// The bundle has this other version.
     OtherVersion(u8),
-    /// There are more of them than a bundle may have.
+    /// The bundle is longer than the limit (16 MiB).
     TooLong,
-    /// They end too early, go on too long, or contradict themselves.
+    /// The bundle is cut, has trailing bytes, or is inconsistent.
     Damaged,
 }
 
-/// Writes a program.
+/// Serializes a program.
 ///
 /// # Errors
-/// [`BundleError::TooLong`], and [`BundleError::Damaged`] for a program that could not be read again.
+/// [`BundleError::TooLong`], or [`BundleError::Damaged`] for a program that [`read`] would refuse.
 pub fn write(program: &Program) -> Result<Vec<u8>, BundleError> {
     check(program)?;
     let mut bytes = [SIGNATURE, &[VERSION]].concat();
@@ -39,10 +39,10 @@ pub fn write(program: &Program) -> Result<Vec<u8>, BundleError> {
     if bytes.len() > LONGEST { Err(BundleError::TooLong) } else { Ok(bytes) }
 }
 
-/// Reads a program that [`write`] has written.
+/// Reads a program written by [`write()`].
 ///
 /// # Errors
-/// Every [`BundleError`].
+/// Any [`BundleError`].
 pub fn read(bytes: &[u8]) -> Result<Program, BundleError> {
     if bytes.len() > LONGEST {
         return Err(BundleError::TooLong);
@@ -60,7 +60,7 @@ pub fn read(bytes: &[u8]) -> Result<Program, BundleError> {
     Ok(program)
 }
 
-/// Whether everything that the program refers to by number is there.
+/// Checks that every index in the program refers to something that exists.
 fn check(program: &Program) -> Result<(), BundleError> {
     let model = &program.model;
     let runs = of_runs(model);
@@ -112,7 +112,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
     if good { Ok(()) } else { Err(BundleError::Damaged) }
 }
 
-/// Whether a plot of so many curves can come about as it says.
+/// True if a plot with `curves` curves is consistent with its kind of drawing.
 fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model, known: &impl Fn(&NodeId) -> bool) -> bool {
     match drawing {
         Drawing::Run => true,
@@ -142,7 +142,7 @@ fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model, known: &impl 
     }
 }
 
-/// Whether a curve over the values of a parameter can be computed: it reads no more numbers of a run than are taken.
+/// True if a curve of a sweep can be computed: it reads only aggregates that exist.
 fn is_taken(taken: Taken, sweep: &Sweep, model: &Model) -> bool {
     match taken {
         Taken::Value => true,
@@ -156,7 +156,8 @@ fn is_taken(taken: Taken, sweep: &Sweep, model: &Model) -> bool {
     }
 }
 
-/// For each node whether it is computed from parameters behind those of the model, which only [`Taken::Run`] may be.
+/// True for each node that depends on parameters beyond those of the model, which only [`Taken::Run`] may do; one value per
+/// node.
 fn of_runs(model: &Model) -> Vec<bool> {
     let mut found: Vec<bool> = Vec::with_capacity(model.graph.len());
     for number in 0..model.graph.len() {
@@ -169,9 +170,9 @@ fn of_runs(model: &Model) -> Vec<bool> {
     found
 }
 
-/// Whether each curve that the reader draws belongs to a table, and to no other.
+/// True if each curve drawn by the reader belongs to exactly one table.
 fn drawings_exist(model: &Model) -> bool {
-    /// No expression is differentiated so often.
+    /// Upper bound of the order of a derivative.
     const DEEPEST: u32 = 16;
     let drawn = |number: usize| model.tables.get(number).and_then(|table| table.drawn.as_ref());
     let curves = model.graph.interpolations();
@@ -187,7 +188,7 @@ fn drawings_exist(model: &Model) -> bool {
             .all(|of| of.derivative <= DEEPEST && drawn(of.table as usize).is_some())
 }
 
-/// Whether the texts of a choice are there.
+/// True if the texts of a choice exist.
 fn texts_exist(parameter: &Parameter, texts: usize) -> bool {
     match &parameter.choices {
         Choices::Texts(own) => own.iter().all(|&text| (text as usize) < texts),
@@ -195,7 +196,7 @@ fn texts_exist(parameter: &Parameter, texts: usize) -> bool {
     }
 }
 
-/// Whether the graph reads states that there are.
+/// True if the graph refers only to existing states.
 fn inputs_exist(model: &Model) -> bool {
     (0..model.graph.len()).all(|number| match model.graph.node(NodeId(number as u32)) {
         Node::Initial(index) | Node::State(index) => (index as usize) < model.states.len(),
@@ -203,7 +204,7 @@ fn inputs_exist(model: &Model) -> bool {
     })
 }
 
-/// Whether the orders of each variable stand together, lowest first.
+/// True if the states of each variable are adjacent, in ascending order.
 fn orders_ascend(model: &Model) -> bool {
     let first = model.states.first().is_none_or(|first| first.order == 0);
     first
@@ -213,7 +214,7 @@ fn orders_ascend(model: &Model) -> bool {
         })
 }
 
-/// Whether an element of a scene shows values and drags states and parameters that there are.
+/// True if an element of a scene refers only to existing values, trails, states and parameters.
 fn element_exists(element: &crate::Element, scene: &Scene, model: &Model) -> bool {
     let value = |index: &usize| *index < scene.values.len();
     let piece = |piece: &Piece| match piece {

@@ -1,64 +1,64 @@
-//! Random draws as functions of numbers: the same arguments give the same bits on every machine, whatever was drawn before.
+//! Random draws as pure functions: the same arguments give the same bits on every machine, whatever was drawn before.
 //!
-//! Each draw has a stream of its own, a whole number that [`stream`] mixes from the seed, the quantity and the number of the
-//! firing. The stream is the start of a SplitMix64 generator (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014, 453), which gives
-//! as many numbers as the draw needs.
+//! Each draw has its own stream, an integer that [`stream`] mixes from the seed, the quantity and the index of the firing.
+//! The stream seeds a SplitMix64 generator (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014, 453), which gives as many
+//! numbers as the draw needs.
 
 use units::split_mix::{GOLDEN, SplitMix64, scramble};
 
-/// A rejection takes less than two rounds on average; so many it takes only if its arguments are beyond all sense.
+/// Maximum number of rejection rounds. The average is below two; only absurd arguments reach the maximum.
 const ROUNDS: usize = 1000;
-/// From this mean on the sum of probabilities would take longer than a rejection.
+/// Mean from which on rejection is faster than summing probabilities.
 const LARGE: f64 = 10.0;
-/// Beyond this number the logarithms of factorials are too inexact to be compared; there the distribution is a normal one to
-/// four digits, or a Poisson one.
+/// Number beyond which logarithms of factorials are too inexact to be compared. The distribution is then normal to four
+/// digits, or a Poisson distribution.
 const ENORMOUS: f64 = 1e12;
 
-/// A whole number below 2^53 that depends on both numbers and looks like neither; NaN for NaN.
+/// Hash of two numbers: an integer from 0 to 2^53 - 1; NaN if either is NaN.
 pub fn stream(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
         return f64::NAN;
     }
-    // Both zeros are one number.
+    // 0 and -0 must give the same stream.
     let bits = |number: f64| (number + 0.0).to_bits();
     let mixed = scramble(scramble(bits(a).wrapping_add(GOLDEN)) ^ bits(b).wrapping_add(GOLDEN));
     (mixed >> 11) as f64
 }
 
-/// The numbers of a stream.
+/// Random number generator of a stream.
 struct Numbers(SplitMix64);
 
 impl Numbers {
-    /// Those of a stream; none of what is no number.
+    /// The generator of a stream; `None` for NaN.
     fn of(stream: f64) -> Option<Self> {
         (!stream.is_nan()).then(|| Self(SplitMix64::new(scramble((stream + 0.0).to_bits()))))
     }
 
-    /// The next one, between 0 and 1 and neither of them.
+    /// Next number, uniform in (0, 1), both ends excluded.
     fn next(&mut self) -> f64 {
         ((self.0.bits() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
     }
 }
 
-/// Evenly distributed between 0 and 1.
+/// Uniform draw in (0, 1); NaN if `stream` is NaN.
 pub fn uniform(stream: f64) -> f64 {
     Numbers::of(stream).map_or(f64::NAN, |mut numbers| numbers.next())
 }
 
-/// Normally distributed with the mean 0 and the standard deviation 1 (G. E. P. Box, M. E. Muller, Ann. Math. Stat. 29 (1958)
-/// 610).
+/// Normal draw with mean 0 and standard deviation 1 (G. E. P. Box, M. E. Muller, Ann. Math. Stat. 29 (1958) 610); NaN if
+/// `stream` is NaN.
 pub fn normal(stream: f64) -> f64 {
     let Some(mut numbers) = Numbers::of(stream) else { return f64::NAN };
     let radius = (-2.0 * libm::log(numbers.next())).sqrt();
     radius * libm::cos(2.0 * std::f64::consts::PI * numbers.next())
 }
 
-/// Exponentially distributed with the mean 1.
+/// Exponential draw with mean 1; NaN if `stream` is NaN.
 pub fn exponential(stream: f64) -> f64 {
     -libm::log(uniform(stream))
 }
 
-/// The number of events that happen independently of each other, of which `mean` are expected. NaN for a mean below 0.
+/// Poisson draw with this mean; NaN if the mean is negative or not finite, or if `stream` is NaN.
 pub fn poisson(mean: f64, stream: f64) -> f64 {
     let Some(mut numbers) = Numbers::of(stream).filter(|_| mean >= 0.0 && mean.is_finite()) else { return f64::NAN };
     if mean < LARGE {
@@ -90,8 +90,8 @@ pub fn poisson(mean: f64, stream: f64) -> f64 {
     mean.round()
 }
 
-/// The number of successes in `trials`, each with this probability. NaN for trials below 0 or not whole, and for what is no
-/// probability.
+/// Binomial draw: number of successes in `trials` with this probability each. NaN if `trials` is negative, not an integer
+/// or not finite, if the probability is outside 0 to 1, or if `stream` is NaN.
 pub fn binomial(trials: f64, probability: f64, stream: f64) -> f64 {
     let possible =
         trials >= 0.0 && trials.is_finite() && trials.floor() == trials && (0.0..=1.0).contains(&probability);
@@ -136,11 +136,11 @@ pub fn binomial(trials: f64, probability: f64, stream: f64) -> f64 {
     mode
 }
 
-/// The least count whose probabilities, from 0 on, add up to `part`: `none` is that of 0, and `ratio` what each is of the one
-/// before.
+/// Inversion by summation: the smallest count at which the cumulative probability reaches `part`. `none` is the probability
+/// of 0, `ratio(k)` that of `k` divided by that of `k - 1`.
 fn invert(part: f64, none: f64, ratio: impl Fn(f64) -> f64) -> f64 {
     let (mut count, mut probability, mut sum) = (0.0, none, none);
-    // Of a mean below 10 nothing is left beyond.
+    // For a mean below 10 the probability beyond is negligible.
     while part > sum && count < ROUNDS as f64 {
         count += 1.0;
         probability *= ratio(count);
@@ -155,8 +155,8 @@ mod tests {
 
     const DRAWS: usize = 1_000_000;
 
-    /// Mean and variance of draws by their number are those expected, within 5 standard errors; `kurtosis` is the fourth
-    /// central moment by the squared variance.
+    /// Mean and variance of many draws agree with the expected ones within 5 standard errors; `kurtosis` is the fourth
+    /// central moment divided by the squared variance.
     #[track_caller]
     fn check(what: &str, draw: impl Fn(f64) -> f64, mean: f64, variance: f64, kurtosis: f64) {
         let key = stream(7.0, 12_345.0);
@@ -202,7 +202,7 @@ mod tests {
         }
     }
 
-    /// The probability of each count, not of their mean alone, on both sides of where the method changes.
+    /// Frequencies of the single counts, on both sides of the mean where the method changes.
     #[test]
     fn counts_are_as_frequent_as_they_should_be() {
         let compare = |what: &str, draw: &dyn Fn(f64) -> f64, probability: &dyn Fn(f64) -> f64| {
@@ -234,7 +234,7 @@ mod tests {
         }
     }
 
-    /// Three neighbouring seeds, sites and firings have nothing to do with one another.
+    /// Three neighbouring seeds, sites or firings are uncorrelated.
     #[test]
     fn neighbours_are_not_correlated() {
         let by_seed = |seed: f64, number: f64| uniform(stream(stream(seed, 5.0), number));
@@ -250,7 +250,7 @@ mod tests {
         }
     }
 
-    /// Bits that any other machine must give, too, and what has no value.
+    /// Reference bits, equal on all machines, and undefined arguments.
     #[test]
     fn bits_and_what_is_undefined() {
         assert_eq!(stream(1.0, 2.0), stream(1.0, 2.0));
@@ -280,7 +280,7 @@ mod tests {
             let own = stream(8.0, f64::from(number));
             assert_eq!((poisson(0.0, own), binomial(0.0, 0.5, own), binomial(9.0, 0.0, own)), (0.0, 0.0, 0.0));
             assert_eq!(binomial(9.0, 1.0, own), 9.0);
-            // The greatest arguments end in time, and within what is possible.
+            // The greatest arguments terminate, with possible results.
             assert!(poisson(f64::MAX, own).is_finite() && poisson(f64::MIN_POSITIVE, own) == 0.0);
             assert!((0.0..=f64::MAX).contains(&binomial(f64::MAX, 0.5, own)));
         }

@@ -1,72 +1,72 @@
-//! Checks: what the author of a document claims about its runs.
+//! Checks: claims of an author about runs of the document.
 
 use crate::{Assignment, Compiled, NodeId, Tolerance};
 use serde::{Deserialize, Serialize};
 
-/// Claims about one run: that of the document's own values, with some parameters set.
+/// Claims about one run, which has the values of the document with some parameters set.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Check {
-    /// The parameters that are set for the run, one after the other.
+    /// Parameters set for the run, one after the other.
     pub setup: Vec<Assignment>,
-    /// In the order of the text.
+    /// The claims, in the order of the text.
     pub claims: Vec<Claim>,
 }
 
 /// A claim: `"Energy is kept": E within 1e-6 of E(0) always`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
-    /// Its name, to be passed through [`crate::Program::text`].
+    /// Name of the claim, to be translated with [`crate::Program::text`].
     pub name: String,
-    /// As written, without the name.
+    /// Source text without the name.
     pub written: String,
-    /// What is claimed.
+    /// The claimed statement.
     pub test: Test,
-    /// When it is claimed.
+    /// Moment or moments of the claim.
     pub moment: Moment,
 }
 
-/// What a claim says.
+/// The statement of a claim.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Test {
-    /// A number is near another one.
+    /// A number equals another one within a tolerance.
     Near {
-        /// The number.
+        /// The claimed number.
         value: Compiled,
-        /// What it should be.
+        /// Expected value.
         expected: Compiled,
-        /// How far off it may be. A relative tolerance is a fraction of the expected number; of a claim for the whole run, a
-        /// fraction of the greatest magnitude that the expected number has in it.
+        /// Allowed difference. A relative tolerance is a fraction of the expected number; for a claim about the whole run,
+        /// a fraction of the greatest magnitude of the expected number during it.
         tolerance: Tolerance,
     },
     /// A condition is true.
     Holds {
         /// The condition.
         condition: NodeId,
-        /// What it compares, where it is one comparison of two numbers.
+        /// The two sides, if the condition is one comparison of two numbers.
         compared: Option<Sides>,
     },
-    /// Halving the step changes a number by less than this. With a method that chooses its own steps the tolerance becomes a
-    /// tenth instead.
+    /// Halving the step changes a number by less than this. With an adaptive method, a tenth of the tolerance replaces half
+    /// the step.
     HalvedStep {
-        /// The number.
+        /// The number that must not change.
         value: Compiled,
-        /// How much it may change, relative to what it is with the finer step as in [`Test::Near`].
+        /// Upper bound of the change; a relative one refers to the value with the finer step, as in [`Test::Near`].
         tolerance: Tolerance,
     },
 }
 
-/// A comparison of two numbers of one dimension.
+/// A comparison of two numbers of the same dimension.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sides {
     /// The left side.
     pub left: Compiled,
-    /// How they are compared.
+    /// The relation.
     pub relation: Relation,
     /// The right side.
     pub right: Compiled,
 }
 
-/// How two numbers are compared.
+/// Relation between two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Relation {
     /// `<` or `<=`
@@ -79,19 +79,19 @@ pub enum Relation {
     Different,
 }
 
-/// When a claim is made.
+/// Moment or moments of a claim.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Moment {
-    /// At every row of the run, those before and after events among them.
+    /// Every row of the run, including those before and after events.
     Always,
-    /// Where the run ends.
+    /// End of the run.
     End,
-    /// At this value of the independent variable, in terms of parameters only.
+    /// At this value of the independent variable, an expression of parameters.
     At(Compiled),
 }
 
 impl Claim {
-    /// The values that it is computed from.
+    /// All compiled values of the claim.
     pub fn values(&self) -> Vec<&Compiled> {
         let mut values = match &self.test {
             Test::Near { value, expected, .. } => vec![value, expected],
@@ -106,7 +106,7 @@ impl Claim {
         values
     }
 
-    /// Its condition, where it has one.
+    /// The condition of [`Test::Holds`], otherwise `None`.
     pub fn condition(&self) -> Option<NodeId> {
         match &self.test {
             Test::Holds { condition, .. } => Some(*condition),

@@ -1,4 +1,4 @@
-//! The functions an author can call: their arguments, their dimensions, and what they become in the graph.
+//! Functions of the language: arguments, dimensions and graph nodes.
 
 use crate::{Binary, Graph, Node, NodeId, Unary};
 use units::{Words, words};
@@ -6,68 +6,68 @@ use units::{Words, words};
 /// A function of the language.
 #[derive(Debug)]
 pub struct Function {
-    /// What the author writes before the parenthesis.
+    /// Name as written before the parenthesis.
     pub name: &'static str,
-    /// The least number of arguments.
+    /// Minimum number of arguments.
     pub least: usize,
-    /// The greatest number of arguments.
+    /// Maximum number of arguments.
     pub most: usize,
-    /// What it does with dimensions.
+    /// Rule for the dimensions of arguments and result.
     pub dimensions: Rule,
     build: Build,
 }
 
-/// How a function treats the dimensions of its arguments.
+/// Rule for the dimensions of arguments and result of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// A pure number in, a pure number out.
+    /// Argument and result are pure numbers.
     Pure,
-    /// A pure number in, as it depends on the unit whether a number is whole.
+    /// Argument and result are pure numbers: rounding would depend on the unit.
     Whole,
-    /// The root of this degree.
+    /// Root of this degree.
     Root(i8),
-    /// Arguments of one dimension, which is also the result's.
+    /// All arguments have the same dimension, as has the result.
     Same,
-    /// Arguments of one dimension; the result is a pure number.
+    /// All arguments have the same dimension; the result is a pure number.
     Ratio,
-    /// After the first, arguments of one dimension, which is also the result's.
+    /// All arguments but the first have the same dimension, as has the result.
     Rest,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Build {
     Unary(Unary),
-    /// Two arguments, or more from left to right.
+    /// Two arguments; more are combined from left to right.
     Binary(Binary),
     Hypotenuse,
-    /// Of any number of arguments.
+    /// Sum of any number of arguments.
     Sum,
-    /// `a - b*floor(a/b)`: the sign of the divisor.
+    /// `a - b*floor(a/b)`: has the sign of the divisor.
     Remainder,
-    /// Stands for itself until the model is solved ([`Node::Friction`]).
+    /// Dry friction, kept as [`Node::Friction`] until the model is solved.
     Friction,
-    /// A random draw. Its first argument is its stream, which no author writes.
+    /// A random draw. The first argument is its stream, which authors cannot write.
     Draw(Draw),
-    /// The stream of draws that belongs to two numbers.
+    /// Stream of draws, a hash of two numbers.
     Stream,
 }
 
-/// How a draw is distributed.
+/// Distribution of a draw.
 #[derive(Clone, Copy, Debug)]
 enum Draw {
-    /// Between two values.
+    /// Uniform between two values.
     Uniform,
-    /// With a mean and a standard deviation.
+    /// Normal with mean and standard deviation.
     Normal,
-    /// With a mean.
+    /// Exponential with a mean.
     Exponential,
-    /// With a mean.
+    /// Poisson with a mean.
     Poisson,
-    /// With a number of trials and a probability.
+    /// Binomial with number of trials and probability.
     Binomial,
 }
 
-/// As many as a model can write out.
+/// No limit other than the size of a model.
 const MANY: usize = u32::MAX as usize;
 
 const fn one(name: &'static str, dimensions: Rule, function: Unary) -> Function {
@@ -78,7 +78,7 @@ const fn two(name: &'static str, most: usize, dimensions: Rule, function: Binary
     Function { name, least: 2, most, dimensions, build: Build::Binary(function) }
 }
 
-/// A draw with so many arguments of the author's.
+/// A draw with `arguments` arguments besides its stream.
 const fn draw(name: &'static str, arguments: usize, dimensions: Rule, draw: Draw) -> Function {
     Function { name, least: 1 + arguments, most: 1 + arguments, dimensions, build: Build::Draw(draw) }
 }
@@ -123,32 +123,32 @@ pub const FUNCTIONS: &[Function] = &[
 ];
 
 impl Function {
-    /// The name of what makes streams of draws, which no text can give.
+    /// Name of the function that makes streams of draws; it cannot be written in a text.
     pub const STREAM: &str = "stream of draws";
 
-    /// Whether it draws at random.
+    /// True if the function draws at random.
     pub fn draws(&self) -> bool {
         matches!(self.build, Build::Draw(_))
     }
 
-    /// The function of that name.
+    /// The function of this name.
     pub fn named(name: &str) -> Option<&'static Self> {
         FUNCTIONS.iter().find(|function| function.name == name)
     }
 
-    /// The function of that name if nothing else may have it. The names of functions that the language has gained since its
-    /// first edition are free for other use.
+    /// The function of this name if the name is reserved. Names of functions added after the first edition of the language
+    /// can be used otherwise.
     pub fn reserving(name: &str) -> Option<&'static Self> {
         Self::named(name)
             .filter(|function| !matches!(function.build, Build::Friction | Build::Sum | Build::Draw(_) | Build::Stream))
     }
 
-    /// Whether it can be called with so many arguments.
+    /// True if the function accepts this number of arguments.
     pub fn takes(&self, arguments: usize) -> bool {
         (self.least..=self.most).contains(&arguments)
     }
 
-    /// `1 argument`, `2 arguments`, `2 or more arguments`
+    /// Accepted number of arguments as text: `1 argument`, `2 arguments`, `2 or more arguments`.
     pub fn arity(&self) -> Words {
         match (self.least, self.most) {
             (1, 1) => words("1 argument", "1 argumento"),
@@ -160,7 +160,7 @@ impl Function {
         }
     }
 
-    /// Its value; 0 without arguments, which a check has refused before.
+    /// Builds the node of a call; a constant 0 without arguments, which an earlier check excludes.
     pub fn build(&self, graph: &mut Graph, arguments: &[NodeId]) -> NodeId {
         let Some((&first, rest)) = arguments.split_first() else {
             return graph.constant(0.0);
@@ -193,7 +193,7 @@ impl Function {
     }
 }
 
-/// A draw of a stream.
+/// Node of a draw from a stream.
 fn draws(graph: &mut Graph, draw: Draw, stream: NodeId, arguments: &[NodeId]) -> NodeId {
     match (draw, arguments) {
         (Draw::Uniform, &[low, high]) => {
@@ -216,8 +216,8 @@ fn draws(graph: &mut Graph, draw: Draw, stream: NodeId, arguments: &[NodeId]) ->
     }
 }
 
-/// Neighbours first, then their sums, and so on: the rounding errors of n terms grow with log n only (N. J. Higham, SIAM J.
-/// Sci. Comput. 14 (1993) 783), and the sums of one level are alike.
+/// Pairwise summation: the rounding error of n terms grows with log n only (N. J. Higham, SIAM J. Sci. Comput. 14 (1993)
+/// 783), and the sums of one level are independent.
 fn pairwise_sum(graph: &mut Graph, terms: &[NodeId]) -> NodeId {
     let mut level = terms.to_vec();
     while level.len() > 1 {

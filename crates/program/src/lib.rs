@@ -1,5 +1,5 @@
-//! What is left when a document is understood: equations as a graph, drawing, plots, presets, questions, checks and finished prose,
-//! without source text and places in it. It is what runs; [`bundle`] writes and reads it.
+//! The compiled form of a document, without source text and source positions: equations as a graph, drawing, plots,
+//! presets, questions, checks and finished prose. The engine runs it; [`bundle`] writes and reads it.
 
 mod bandwidth;
 pub mod bundle;

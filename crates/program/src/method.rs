@@ -1,14 +1,14 @@
-//! The methods by name.
+//! Integration methods and their names.
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 use units::{Words, words};
 
-/// How the equations are integrated.
+/// Integration method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 pub enum Method {
-    /// Euler's, order 1.
+    /// Euler's method, order 1.
     Euler,
     /// Euler-Richardson, the midpoint method, order 2.
     EulerRichardson,
@@ -24,7 +24,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// All of them, the default's family first.
+    /// All methods, those of fixed step first.
     pub const ALL: [Self; 6] = [
         Self::Euler,
         Self::EulerRichardson,
@@ -34,7 +34,7 @@ impl Method {
         Self::Rosenbrock,
     ];
 
-    /// The name in documents, links and on the command line.
+    /// Name in documents, links and on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Euler => "euler",
@@ -46,7 +46,7 @@ impl Method {
         }
     }
 
-    /// The order: the error of a run is proportional to this power of the step.
+    /// Order p: the error of a run is proportional to step^p.
     pub fn order(self) -> u32 {
         match self {
             Self::Euler => 1,
@@ -56,7 +56,7 @@ impl Method {
         }
     }
 
-    /// Whether it chooses its own steps by the tolerance; the rows are on the grid all the same.
+    /// True if the method chooses its own steps by the tolerance; rows are on the grid in any case.
     pub fn adaptive(self) -> bool {
         matches!(self, Self::DormandPrince | Self::Rosenbrock)
     }
@@ -68,12 +68,12 @@ impl fmt::Display for Method {
     }
 }
 
-/// A text that names no method.
+/// A name that belongs to no method.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownMethod(pub String);
 
 impl UnknownMethod {
-    /// What is wrong, with the methods there are.
+    /// Error message with the list of the methods.
     pub fn words(&self) -> Words {
         let Self(name) = self;
         let [first @ .., last] = Method::ALL.map(Method::name);
@@ -85,7 +85,7 @@ impl UnknownMethod {
     }
 }
 
-/// In English.
+/// The English message.
 impl fmt::Display for UnknownMethod {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(&self.words().english)

@@ -1,4 +1,4 @@
-//! Plots: what is drawn against what.
+//! Plots: curves, axes and kinds of figures.
 
 use crate::{Compiled, NodeId};
 use serde::{Deserialize, Serialize};
@@ -6,64 +6,64 @@ use serde::{Deserialize, Serialize};
 /// A figure: `"Phase portrait": y' against y`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plot {
-    /// The title, to be passed through [`crate::Program::text`].
+    /// Title, to be translated with [`crate::Program::text`].
     pub title: String,
-    /// What is drawn along the horizontal axis.
+    /// Quantity on the horizontal axis.
     pub x: Curve,
-    /// What is drawn; those of equal dimension share an axis.
+    /// Curves; those of equal dimension share a vertical axis.
     pub curves: Vec<Curve>,
-    /// The curves that are drawn against something else than `x`, of the same dimension: their places and that.
+    /// Curves with their own horizontal quantity, of the same dimension as `x`: index of the curve and that quantity.
     pub others: Vec<(usize, Curve)>,
-    /// Whether the document asks for a unit of the same length on both axes.
+    /// True if the document asks for equal scales on both axes.
     pub equal: bool,
-    /// How it comes about.
+    /// Kind of figure.
     pub drawing: Drawing,
 }
 
-/// How a plot comes about.
+/// Kind of figure.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Drawing {
     /// Lines along the run.
     #[default]
     Run,
-    /// A point of the run at each multiple of a period.
+    /// A point of the run at each multiple of a period (stroboscopic section).
     Every(Every),
     /// Lines or points over the values of a parameter.
     Sweep(Sweep),
-    /// A point of the run, as it was before, at each firing of the event that this counts.
+    /// A point of the run before each firing of an event; the node counts the firings.
     At(NodeId),
     /// Lines or points over the members of families at the moment shown.
     Profile(Profile),
-    /// How many values lie where, of the members of a family at the moment shown; where there are none, of the curve over
-    /// the run so far.
+    /// Histogram of the values of these members of a family at the moment shown; if there are none, of the curve over the
+    /// run so far.
     Histogram(Vec<NodeId>),
 }
 
-/// What is drawn over the members of families.
+/// Curves over the members of families.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
-    /// For each curve, in their order.
+    /// Members of each curve, in the order of the curves.
     pub members: Vec<Members>,
-    /// Whether the members are single points, not joined by a line.
+    /// True if the members are single points, not joined by a line.
     pub points: bool,
 }
 
-/// The members of one curve, in the order in which a line joins them.
+/// Members of one curve, in the order in which a line joins them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Members {
-    /// What each is drawn against.
+    /// Horizontal values, one per member.
     pub x: Vec<NodeId>,
-    /// What is drawn of each.
+    /// Vertical values, one per member.
     pub y: Vec<NodeId>,
 }
 
 impl Members {
-    /// No curve has more members, and no histogram.
+    /// Maximum number of members of a curve or a histogram.
     pub const MOST: usize = 2_000;
 }
 
 impl Drawing {
-    /// Whether it shows one moment of a run and not what led to it.
+    /// True if it shows a single moment of the run, not its past.
     pub fn is_of_a_moment(&self) -> bool {
         match self {
             Self::Profile(_) => true,
@@ -73,74 +73,74 @@ impl Drawing {
     }
 }
 
-/// The moments of a section.
+/// Moments of a stroboscopic section.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Every {
-    /// The period, of the independent variable (SI); depends on parameters only.
+    /// Period in the independent variable, SI units; depends on parameters only.
     pub period: NodeId,
-    /// The first moment (SI); one period after the start where the document does not say.
+    /// First moment, SI units; `None`: one period after the start.
     pub from: Option<f64>,
 }
 
-/// The values of a parameter over which curves are drawn.
+/// Values of a parameter over which curves are drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sweep {
-    /// By its place in [`crate::Model::parameters`].
+    /// Index in [`crate::Model::parameters`].
     pub parameter: usize,
-    /// The least value, SI.
+    /// Minimum value, SI units.
     pub low: f64,
-    /// The greatest value, SI.
+    /// Maximum value, SI units.
     pub high: f64,
-    /// The distance of the values, SI.
+    /// Distance of the values, SI units.
     pub step: f64,
-    /// What is drawn of each curve, in their order.
+    /// Drawn value of each curve, in the order of the curves.
     pub taken: Vec<Taken>,
-    /// What [`Taken::Run`] reads: the value of each is a parameter behind those of the model.
+    /// Aggregates that [`Taken::Run`] reads: each is the value of a further parameter after those of the model.
     pub aggregates: Vec<Aggregate>,
-    /// Where the runs end, SI; 0 where none are needed.
+    /// End of the runs, SI units; 0 if no runs are needed.
     pub until: f64,
-    /// What counts the event at whose firings [`Taken::Points`] are taken; each row of a run has them where there is none.
+    /// Node that counts the firings of the event at which [`Taken::Points`] are taken; `None`: at every row.
     pub at: Option<NodeId>,
 }
 
-/// What is drawn for a value of the parameter. Times are SI.
+/// Drawn value for each value of the parameter. Times are in SI units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Taken {
-    /// The curve's own value, which parameters alone decide.
+    /// The value of the curve itself, which depends on parameters only.
     Value,
-    /// This expression of [`Sweep::aggregates`], parameters and initial values, and of states and the independent variable
-    /// at the end of the run. The curve's own value is never a number.
+    /// This expression of [`Sweep::aggregates`], parameters, initial values, and of states and the independent variable at
+    /// the end of the run. The value of the curve itself is not defined.
     Run(NodeId),
-    /// Points of a run from this time on. All curves of a plot are such, or none.
+    /// Points of a run from this time on. Either all curves of a plot have points, or none.
     Points(f64),
 }
 
-/// A number that is taken of a whole run: `maximum(x) from 60 [s]`.
+/// A number computed from a whole run: `maximum(x) from 60 [s]`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Aggregate {
-    /// Which number.
+    /// Kind of number.
     pub kind: AggregateKind,
-    /// What it is taken of, along the run.
+    /// Quantity along the run.
     pub of: NodeId,
-    /// From when on a run counts (SI).
+    /// Start of the evaluation, SI units.
     pub from: f64,
 }
 
-/// Which number is taken of a run.
+/// Kind of number computed from a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum AggregateKind {
-    /// The greatest value, at rows and events.
+    /// Maximum, over rows and events.
     Maximum,
-    /// The least value likewise.
+    /// Minimum, over rows and events.
     Minimum,
-    /// The mean over the independent variable.
+    /// Mean over the independent variable.
     Mean,
-    /// The integral over the independent variable.
+    /// Integral over the independent variable.
     Integral,
 }
 
 impl AggregateKind {
-    /// The kind that a function of this name takes.
+    /// The kind computed by the function of this name.
     pub fn named(name: &str) -> Option<Self> {
         match name {
             "maximum" => Some(Self::Maximum),
@@ -153,35 +153,35 @@ impl AggregateKind {
 }
 
 impl Aggregate {
-    /// No plot takes more of a run.
+    /// Maximum number of aggregates of a plot.
     pub const MOST: usize = 1_000;
 }
 
 impl Sweep {
-    /// No curve has more values.
+    /// Maximum number of values of a curve.
     pub const MOST: usize = 2_000;
 
-    /// No plot has more points, and each run the same part of them.
+    /// Maximum number of points of a plot; each run has an equal share.
     pub const MOST_POINTS: usize = 100_000;
 
-    /// Whether points are drawn, and no lines.
+    /// True if points are drawn instead of lines.
     pub fn is_of_points(&self) -> bool {
         self.taken.iter().any(|taken| matches!(taken, Taken::Points(_)))
     }
 
-    /// Whether a run can count from a time on (SI).
+    /// True if a run can be evaluated from this time on (SI units).
     pub fn counts_from(&self, from: f64) -> bool {
         (0.0..self.until).contains(&from)
     }
 
-    /// How many values there are; at most one more than [`Self::MOST`].
+    /// Number of values, at most one more than [`Self::MOST`].
     pub fn count(&self) -> usize {
-        // The greatest value is one of them although quotients are rounded.
+        // The maximum value is included in spite of rounding.
         let steps = ((self.high - self.low) / self.step + 1e-9).floor();
         if steps >= 0.0 { (steps.min(Self::MOST as f64) as usize) + 1 } else { 0 }
     }
 
-    /// The values, ascending, SI.
+    /// The values in ascending order, SI units.
     pub fn values(&self) -> impl Iterator<Item = f64> + use<> {
         let (low, step) = (self.low, self.step);
         (0..self.count()).map(move |number| low + number as f64 * step)
@@ -189,31 +189,31 @@ impl Sweep {
 }
 
 impl Plot {
-    /// What a curve is drawn against.
+    /// Horizontal quantity of a curve.
     pub fn x_of(&self, curve: usize) -> &Curve {
         self.others.iter().find(|(place, _)| *place == curve).map_or(&self.x, |(_, x)| x)
     }
 
-    /// All that is drawn along the horizontal axis.
+    /// All horizontal quantities.
     pub fn abscissas(&self) -> impl Iterator<Item = &Curve> {
         std::iter::once(&self.x).chain(self.others.iter().map(|(_, x)| x))
     }
 
-    /// Everything that is evaluated.
+    /// All expressions to be evaluated.
     pub fn expressions(&self) -> impl Iterator<Item = &Curve> {
         self.curves.iter().chain(self.abscissas())
     }
 }
 
-/// One expression of a plot.
+/// An expression of a plot.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
-    /// As written: `y'`.
+    /// Source text, such as `y'`.
     pub expression: String,
-    /// The label that the plot gives it; without one the author's label of the name, where the expression is one.
+    /// Label given by the plot; otherwise, if the expression is a name, the label of that name.
     pub label: Option<String>,
-    /// Whether the plot gives the label: then it stands in the legend.
+    /// True if the plot gives the label, which is then shown in the legend.
     pub named: bool,
-    /// Its value; always a number.
+    /// The compiled value, always a number.
     pub value: Compiled,
 }

@@ -6,20 +6,20 @@ use serde::{Deserialize, Serialize};
 /// A named set of parameter values.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Preset {
-    /// The name of its group, such as `Liquid`.
+    /// Name of the group, such as `Liquid`.
     pub group: Option<String>,
-    /// Its name.
+    /// Name of the preset.
     pub name: String,
-    /// What it sets.
+    /// Parameters and their values.
     pub values: Vec<Assignment>,
 }
 
-/// A parameter and the value it gets.
+/// A parameter and its new value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Assignment {
-    /// Which of [`crate::Model::parameters`].
+    /// Index in [`crate::Model::parameters`].
     pub parameter: usize,
-    /// The value, SI, in terms of parameters only. Assignments are made in their order: each value is computed from the
-    /// parameters as those before it have left them.
+    /// New value, SI units; depends on parameters only. Assignments are applied in order: each value is computed from the
+    /// parameters left by the previous ones.
     pub value: Compiled,
 }

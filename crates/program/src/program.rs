@@ -1,4 +1,4 @@
-//! A program: a checked model and everything that is shown of it.
+//! A program: a checked model and everything that is shown with it.
 
 use crate::{Check, Method, Model, Plot, Preset, Question, QuestionText, Scene, Section, Speed};
 use serde::{Deserialize, Serialize};
@@ -7,70 +7,70 @@ use std::collections::BTreeMap;
 /// A simulation, ready to be run and shown.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Program {
-    /// The title in the document's own language.
+    /// Title in the language of the document.
     pub title: String,
-    /// The document's own language, such as `en`.
+    /// Language of the document, such as `en`.
     pub language: String,
-    /// The texts in each language; the first one is the document's own.
+    /// Texts in each language; the first edition is that of the document.
     pub editions: Vec<Edition>,
-    /// The checked model, to whose graph the expressions of scene, plots, presets and questions have been added.
+    /// The checked model; its graph also has the expressions of scene, plots, presets and questions.
     pub model: Model,
-    /// The method asked for.
+    /// Method stated by the document.
     pub method: Option<Method>,
-    /// The step of the independent variable, SI.
+    /// Step of the independent variable stated by the document, SI units.
     pub step: Option<f64>,
-    /// Where a run without an end of its own stops, SI.
+    /// End of a run stated by the document, SI units.
     pub until: Option<f64>,
-    /// How fast it is watched, where the document says so: see [`Self::pace`].
+    /// Display speed stated by the document; see [`Self::pace`].
     pub speed: Option<Speed>,
-    /// The relative tolerance of adaptive methods.
+    /// Relative tolerance of adaptive methods stated by the document.
     pub tolerance: Option<f64>,
-    /// The parameters that a fit varies unless another choice is made, by their places in [`Model::parameters`].
+    /// Parameters that a fit varies by default, as indices in [`Model::parameters`].
     pub vary: Vec<usize>,
-    /// In the order of the text.
+    /// The plots, in the order of the text.
     pub plots: Vec<Plot>,
-    /// In the order of the text; those of one group stand together.
+    /// The presets, in the order of the text; those of one group are adjacent.
     pub presets: Vec<Preset>,
-    /// In the order of the text.
+    /// The questions, in the order of the text.
     pub questions: Vec<Question>,
-    /// In the order of the text.
+    /// The checks, in the order of the text.
     pub checks: Vec<Check>,
 }
 
 impl Program {
-    /// Where a run ends if the document does not say: at so many of whatever the independent variable is measured in.
+    /// Default end of a run, in the unit of the independent variable.
     pub const UNTIL: f64 = 100.0;
 
-    /// Where a run of its own ends, SI.
+    /// End of a run, SI units.
     pub fn end(&self) -> f64 {
         self.until.unwrap_or_else(|| self.model.independent.unit.to_si(Self::UNTIL))
     }
 
-    /// The languages in which the document exists, its own first.
+    /// Languages of the document, its own first.
     pub fn languages(&self) -> impl Iterator<Item = &str> {
         self.editions.iter().map(|edition| edition.language.as_str())
     }
 
-    /// How fast it is watched.
+    /// Display speed.
     pub fn pace(&self) -> Speed {
         let independent = &self.model.independent;
-        // Of what counts one in a second would be slow.
+        // One count per second would be slow.
         let until = self.until.or_else(|| independent.counts.then(|| self.end()));
         self.speed.clone().unwrap_or_else(|| Speed::chosen(until, &independent.unit))
     }
 
-    /// The edition in `language`; the document's own where there is none.
+    /// The edition in `language`, or that of the document if there is none.
     pub fn edition(&self, language: &str) -> &Edition {
         self.editions.iter().find(|edition| edition.language == language).unwrap_or(&self.editions[0])
     }
 
-    /// What a text of the document (a label, a title of a plot or a button, the name of a preset or of a group, a claim's name, a text value) is in
-    /// `language`; itself where it has no translation.
+    /// Translation of a text of the document into `language`; the original if there is none. Texts are labels, titles of
+    /// plots and buttons, names of presets, groups and claims, and text values.
     pub fn text<'a>(&'a self, language: &str, original: &'a str) -> &'a str {
         self.edition(language).texts.get(original).map_or(original, String::as_str)
     }
 
-    /// The texts that [`Self::text`] may be asked for.
+    /// All texts that [`Self::text`] can translate.
     pub fn translatable(&self) -> Vec<&str> {
         let model = &self.model;
         let labels = (model.parameters.iter().flat_map(|parameter| [&parameter.group, &parameter.label]))
@@ -87,7 +87,7 @@ impl Program {
         optional.chain(named).chain(claims).chain(&model.texts).map(String::as_str).collect()
     }
 
-    /// The scene with its texts in `language`.
+    /// The scene with its texts in `language`, if there is a scene.
     pub fn scene(&self, language: &str) -> Option<&Scene> {
         self.edition(language).scene.as_ref()
     }
@@ -97,28 +97,28 @@ impl Program {
         &self.edition(language).sections
     }
 
-    /// The words of question `index` in `language`.
+    /// The text of question `index` in `language`.
     pub fn question_text(&self, language: &str, index: usize) -> &QuestionText {
         let edition = self.edition(language);
         edition.questions.get(index).unwrap_or(&self.editions[0].questions[index])
     }
 }
 
-/// Everything of a document that differs between languages.
+/// The parts of a document that differ between languages.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Edition {
-    /// `en`, `es`, `pt-BR` ...
+    /// Language tag: `en`, `es`, `pt-BR` ...
     pub language: String,
-    /// The title.
+    /// Title in this language.
     pub title: String,
-    /// The prose.
+    /// Prose in this language.
     pub sections: Vec<Section>,
-    /// The equations of the model, each a `<math>` element, in the order of the text.
+    /// Equations of the model, each as a `<math>` element, in the order of the text.
     pub equations: Vec<String>,
-    /// The words of the questions; those that a translation lacks are in the document's own language.
+    /// Texts of the questions; those without translation are in the language of the document.
     pub questions: Vec<QuestionText>,
     /// The scene with its texts translated.
     pub scene: Option<Scene>,
-    /// Original to translation, of labels, titles, names and text values. Empty in the document's own edition.
+    /// Translations of labels, titles, names and text values, by the original. Empty in the edition of the document itself.
     pub texts: BTreeMap<String, String>,
 }

@@ -1,4 +1,4 @@
-//! Questions and how their answers are judged.
+//! Questions and the evaluation of answers.
 
 use crate::{Assignment, Compiled};
 use serde::{Deserialize, Serialize};
@@ -7,32 +7,32 @@ use units::Unit;
 /// A question whose answer the document computes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Question {
-    /// Parameter values that the question supposes. Its answer is computed with these in place of the present ones,
-    /// and the laboratory offers to set them.
+    /// Parameter values that the question assumes. Its answer is computed with them instead of the current ones, and the
+    /// laboratory offers to set them.
     pub setup: Vec<Assignment>,
-    /// Which of [`crate::Model::quantities`] would give the answer away: their values are hidden until it is given.
+    /// Quantities that would reveal the answer, as indices in [`crate::Model::quantities`]: hidden until it is given.
     pub hides: Vec<usize>,
-    /// The earlier questions that must be answered before this one appears.
+    /// Indices of the earlier questions that must be answered before this one appears.
     pub after: Vec<usize>,
-    /// The answer, in terms of parameters only; always a number.
+    /// Correct answer; depends on parameters only and is always a number.
     pub answer: Compiled,
-    /// The unit in which the answer is asked for.
+    /// Unit in which the answer is asked for.
     pub unit: Unit,
-    /// How far off an answer may be.
+    /// Allowed error of an answer.
     pub tolerance: Tolerance,
 }
 
-/// How far off an answer may be.
+/// Allowed difference between two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Tolerance {
-    /// A fraction of the right answer: 0.02 for `within 2 %`.
+    /// Fraction of the correct number: 0.02 for `within 2 %`.
     Relative(f64),
-    /// An SI number: `within 0.1 [s]`.
+    /// Amount in SI units: `within 0.1 [s]`.
     Absolute(f64),
 }
 
 impl Tolerance {
-    /// Whether `given` is near enough to `right` (both SI).
+    /// True if `given` is close enough to `right`, both in SI units.
     pub fn accepts(self, given: f64, right: f64) -> bool {
         let allowed = match self {
             Self::Relative(fraction) => fraction * right.abs(),
@@ -42,13 +42,13 @@ impl Tolerance {
     }
 }
 
-/// The words of a question, as HTML.
+/// Texts of a question, as HTML.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct QuestionText {
-    /// What is asked.
+    /// The question.
     pub prompt: String,
-    /// Help towards it.
+    /// Help for finding the answer, if any.
     pub hint: Option<String>,
-    /// Why the answer is what it is; for after answering.
+    /// Explanation shown after answering, if any.
     pub explanation: Option<String>,
 }

@@ -1,31 +1,30 @@
-//! How fast a run is watched.
+//! Display speed of a run.
 
 use serde::{Deserialize, Serialize};
 use units::number::{Style, plain, with_unit};
 use units::{Dimension, Unit};
 
-/// How far the independent variable goes in one second of watching, at the speed that the page begins with.
+/// Display speed: advance of the independent variable per second of real time, initially.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Speed {
-    /// SI units of the independent variable per second.
+    /// SI units of the independent variable per second of real time.
     pub per_second: f64,
-    /// The unit in which it is shown.
+    /// Unit for display.
     pub unit: Unit,
 }
 
-/// Runs of this many seconds are watched as they happen; others are so fast or so slow that nobody would wait for them.
+/// Lengths of runs, in seconds, that are shown in real time; others would be too fast or too slow.
 const REAL_TIME: std::ops::RangeInclusive<f64> = 1.0..=300.0;
 
-/// The longest time in seconds that a run is watched which is not watched as it happens. With factors of 1, 2 and 5 it takes
-/// at least 8 s.
+/// Upper bound of the display time of other runs, s. With factors of 1, 2 and 5 it is at least 8 s.
 const LONGEST: f64 = 20.0;
 
-/// Significant digits of a speed.
+/// Significant digits of a displayed speed.
 const DIGITS: usize = 4;
 
 impl Speed {
-    /// For a document that says nothing, whose run ends at `until` (SI) and whose independent variable has this unit: real
-    /// time for a run of seconds, and 8 to 20 s of watching for any other. Without an end, one unit each second.
+    /// Default speed for a run that ends at `until` (SI units) with an independent variable of this unit: real time for a
+    /// run of seconds, otherwise 8 to 20 s for the whole run. Without an end, one unit per second.
     pub fn chosen(until: Option<f64>, unit: &Unit) -> Self {
         match until {
             None => Self { per_second: unit.to_si(1.0), unit: unit.clone() },
@@ -34,14 +33,14 @@ impl Speed {
             }
             Some(until) => {
                 let per_second = unit.to_si(nice(unit.from_si(until) / LONGEST));
-                // At the ends of what a number can hold.
+                // Not usable at the limits of floating-point numbers.
                 let usable = per_second > 0.0 && per_second.is_finite();
                 Self { per_second: if usable { per_second } else { until }, unit: unit.clone() }
             }
         }
     }
 
-    /// `1 d/s`, `50 ms/s`, `10 ×` where seconds pass as seconds; `times` as fast as the document begins.
+    /// The speed multiplied by `times` as text: `1 d/s`, `50 ms/s`, or `10 ×` for seconds per second.
     pub fn text(&self, times: f64, style: Style) -> String {
         let per_second = self.per_second * times;
         if self.unit.text == "s" && self.per_second >= 1.0 {
@@ -62,7 +61,7 @@ impl Speed {
     }
 }
 
-/// The least of 1, 2, 5, 10 ... that is not less than `value`.
+/// Smallest of 1, 2, 5 times a power of ten that is at least `value`.
 fn nice(value: f64) -> f64 {
     if !value.is_normal() {
         return value;

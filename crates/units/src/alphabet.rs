@@ -1,12 +1,12 @@
-//! Characters that stand for something in ASCII: Greek letters, primes, lowered digits.
+//! Characters with an ASCII equivalent: Greek letters, primes, subscripts.
 
-/// Greek letters in the order of Unicode, small ones from α; ς is not used in formulas.
+/// Names of the small Greek letters from α on, in the order of Unicode; ς is empty because it is not used in formulas.
 const SMALL: [&str; 25] = [
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi",
     "omicron", "pi", "rho", "", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
 ];
 
-/// Capital Greek letters from Α; the empty one is not assigned.
+/// Names of the capital Greek letters from Α on; the empty one is not assigned in Unicode.
 const CAPITAL: [&str; 25] = [
     "Alpha", "Beta", "Gamma", "Delta", "Epsilon", "Zeta", "Eta", "Theta", "Iota", "Kappa", "Lambda", "Mu", "Nu", "Xi",
     "Omicron", "Pi", "Rho", "", "Sigma", "Tau", "Upsilon", "Phi", "Chi", "Psi", "Omega",
@@ -23,7 +23,7 @@ pub fn greek_name(letter: char) -> Option<&'static str> {
         'ϱ' => "rho",
         'ϖ' => "pi",
         'ϰ' => "kappa",
-        // The micro sign, the increment and the ohm sign look like letters.
+        // Micro sign, increment and ohm sign look like Greek letters.
         '\u{B5}' => "mu",
         '\u{2206}' => "Delta",
         '\u{2126}' => "Omega",
@@ -32,9 +32,9 @@ pub fn greek_name(letter: char) -> Option<&'static str> {
     (!name.is_empty()).then_some(name)
 }
 
-/// The Greek letter that an ASCII name spells; capitals that look Latin (`Alpha`) are Greek too.
+/// The Greek letter with this ASCII name; includes capitals that look Latin (`Alpha`).
 pub fn greek_letter(name: &str) -> Option<char> {
-    // Most names are a letter, and none of a Greek one is so short.
+    // Most names are a single letter; the shortest Greek name has two.
     if name.len() < 2 {
         return None;
     }
@@ -42,12 +42,12 @@ pub fn greek_letter(name: &str) -> Option<char> {
         let offset = letters.iter().position(|candidate| *candidate == name)?;
         char::from_u32(first as u32 + offset as u32)
     };
-    // In formulas φ is written as ϕ by some and ε as ϵ; the plain letters are in every font.
+    // Variants such as ϕ and ϵ are not used: the plain letters φ and ε are in every font.
     at(&SMALL, 'α').or_else(|| at(&CAPITAL, 'Α'))
 }
 
-/// The capital of a small letter of Latin-1, as in English and Spanish, or of Greek; every other character as it is. The tables
-/// of Unicode, behind [`char::to_uppercase`], would be a fortieth of each exported page.
+/// Capital of a small letter of English, Spanish (Latin-1) or Greek; every other character unchanged.
+/// [`char::to_uppercase`] would add the tables of Unicode, 1/40 of the size of an exported page.
 pub fn capital(letter: char) -> char {
     match letter {
         'a'..='z' | 'à'..='ö' | 'ø'..='þ' | 'α'..='ρ' | 'σ'..='ω' => {
@@ -57,7 +57,7 @@ pub fn capital(letter: char) -> char {
     }
 }
 
-/// A letter without the accent that it has in Spanish; every other character as it is.
+/// Removes a Spanish accent from a letter; every other character unchanged.
 pub fn without_accent(letter: char) -> char {
     match letter {
         'á' => 'a',
@@ -76,7 +76,7 @@ pub fn without_accent(letter: char) -> char {
     }
 }
 
-/// How many primes a character stands for.
+/// Number of primes that a character means, `None` if it is no prime.
 pub fn primes(character: char) -> Option<u32> {
     match character {
         '\'' | '’' | '‘' | '′' | '´' | 'ʹ' | 'ʼ' => Some(1),
@@ -87,7 +87,7 @@ pub fn primes(character: char) -> Option<u32> {
     }
 }
 
-/// The character that a lowered one stands for: `0` for ₀.
+/// The character of a subscript: `0` for ₀; `None` if it is no subscript.
 pub fn lowered(character: char) -> Option<char> {
     Some(match character {
         '₀' => '0',
@@ -121,8 +121,8 @@ pub fn lowered(character: char) -> Option<char> {
     })
 }
 
-/// The pieces of a text in which `h_l` stands for h with the index l, each with whether it is an index. An index is made of letters and
-/// digits, behind a letter, a digit or a prime.
+/// Splits a text at its indices: `h_l` means h with the index l. Each piece comes with true if it is an index. An index
+/// consists of letters and digits and follows a letter, a digit or a prime.
 pub fn with_indices(text: &str) -> impl Iterator<Item = (&str, bool)> {
     let mut rest = text;
     let mut index = 0;
@@ -139,7 +139,7 @@ pub fn with_indices(text: &str) -> impl Iterator<Item = (&str, bool)> {
     })
 }
 
-/// How long a text is up to the mark of its first index, or to its end.
+/// Length in bytes of a text up to the underscore of its first index, or to its end.
 fn before_index(text: &str) -> usize {
     let is_mark = |(at, _): &(usize, &str)| {
         let before = text[..*at].chars().next_back();

@@ -1,20 +1,20 @@
-//! Dimensions: products of powers of the seven SI base quantities, and of pixels.
+//! Dimensions: products of powers of the seven SI base quantities and of the pixel.
 //!
-//! A pixel is a quantity of its own and not a pure number: how long it is differs from film to film, and a position in pixels must
-//! neither fit an angle nor, before the film has a scale, a length.
+//! The pixel is a base quantity, not a pure number: its length differs from video to video. A position in pixels must match
+//! neither an angle nor, before the video has a scale, a length.
 
 use crate::Exponent;
 use std::fmt;
 
-/// The symbols of the base units, in the order in which dimensions are printed.
+/// Symbols of the base units, in the order in which dimensions are printed.
 const BASE: [&str; 8] = ["kg", "m", "s", "A", "K", "mol", "cd", "px"];
 
-/// Exponents of kg, m, s, A, K, mol, cd, px.
+/// A dimension: exponents of kg, m, s, A, K, mol, cd, px.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Dimension([Exponent; 8]);
 
 impl Dimension {
-    /// A pure number.
+    /// Dimension of a pure number.
     pub const NONE: Self = Self([Exponent::ZERO; 8]);
     /// kg
     pub const MASS: Self = Self::base_quantity(0);
@@ -31,14 +31,15 @@ impl Dimension {
         Self(exponents)
     }
 
-    /// From whole exponents of kg, m, s, A, K, mol, cd.
+    /// The dimension with these integer exponents of kg, m, s, A, K, mol, cd.
     pub fn from_whole(exponents: [i8; 7]) -> Self {
         let mut dimension = Self::NONE;
         dimension.0.iter_mut().zip(exponents).for_each(|(to, exponent)| *to = Exponent::from(exponent));
         dimension
     }
 
-    /// Whether it becomes `other` once a pixel has a length: that of a film without a scale, beside that of a model.
+    /// True if the dimension equals `other` after pixels are replaced by lengths, so that only the scale of a video is
+    /// missing.
     pub fn lacks_scale_for(self, other: Self) -> bool {
         let [_, lengths, .., pixels] = self.0;
         let mut scaled = self;
@@ -48,12 +49,12 @@ impl Dimension {
         !pixels.is_zero() && sum.is_some() && scaled == other
     }
 
-    /// Whether it is a pure number.
+    /// True for a pure number.
     pub fn is_none(&self) -> bool {
         *self == Self::NONE
     }
 
-    /// The dimension of a product; `None` when an exponent leaves [`Exponent`]'s bound.
+    /// Dimension of a product; `None` if an exponent exceeds the bound of [`Exponent`].
     pub fn times(self, other: Self) -> Option<Self> {
         let mut product = self;
         for (exponent, more) in product.0.iter_mut().zip(other.0) {
@@ -62,17 +63,17 @@ impl Dimension {
         Some(product)
     }
 
-    /// The dimension of a quotient; `None` when an exponent leaves [`Exponent`]'s bound.
+    /// Dimension of a quotient; `None` if an exponent exceeds the bound of [`Exponent`].
     pub fn per(self, other: Self) -> Option<Self> {
         self.times(other.inverse())
     }
 
-    /// The dimension of the reciprocal.
+    /// Dimension of the reciprocal.
     pub fn inverse(self) -> Self {
         Self(self.0.map(Exponent::negated))
     }
 
-    /// The dimension of a power; `None` when an exponent leaves [`Exponent`]'s bound.
+    /// Dimension of a power; `None` if an exponent exceeds the bound of [`Exponent`].
     pub fn power(self, power: Exponent) -> Option<Self> {
         let mut result = self;
         for exponent in &mut result.0 {
@@ -81,18 +82,18 @@ impl Dimension {
         Some(result)
     }
 
-    /// The dimension of an n-th root; `None` for `degree` 0 and beyond [`Exponent`]'s bound.
+    /// Dimension of a root of this degree; `None` for `degree` 0 or if an exponent exceeds the bound of [`Exponent`].
     pub fn root(self, degree: u32) -> Option<Self> {
         self.power(Exponent::new(1, i64::from(degree))?)
     }
 
-    /// The base units it is made of, each with its exponent, which is not 0: `kg`, `m`, `s`, `A`, `K`, `mol`, `cd`, `px`.
+    /// Base units with an exponent other than 0, and these exponents: `kg`, `m`, `s`, `A`, `K`, `mol`, `cd`, `px`.
     pub fn base(&self) -> impl Iterator<Item = (&'static str, Exponent)> + '_ {
         BASE.into_iter().zip(self.0).filter(|(_, exponent)| !exponent.is_zero())
     }
 }
 
-/// Base units, `kg m^-1 s^-2`; `1` for a pure number.
+/// Product of base units, `kg m^-1 s^-2`; `1` for a pure number.
 impl fmt::Display for Dimension {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_none() {

@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-/// The greatest absolute value of a numerator or denominator. No physical dimension comes near it.
+/// Upper bound of numerator and denominator; physical dimensions stay far below.
 const BOUND: i16 = 1000;
 
-/// A rational exponent in lowest terms. What would leave a small bound is `None`.
+/// A rational exponent in lowest terms. Operations return `None` if numerator or denominator would exceed 1000.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Exponent {
     numerator: i16,
@@ -22,12 +22,12 @@ impl Exponent {
         Self { numerator: value, denominator: 1 }
     }
 
-    /// A whole number; `None` beyond the bound.
+    /// An integer exponent; `None` beyond the bound.
     fn bounded(value: i32) -> Option<Self> {
         i16::try_from(value).ok().filter(|value| (-BOUND..=BOUND).contains(value)).map(Self::whole)
     }
 
-    /// `numerator / denominator`; `None` for a denominator of 0 and beyond the bound.
+    /// `numerator / denominator` in lowest terms; `None` for a denominator of 0 or beyond the bound.
     pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
         if denominator == 0 {
             return None;
@@ -43,8 +43,8 @@ impl Exponent {
         Some(Self { numerator: numerator as i16, denominator: denominator as i16 })
     }
 
-    /// The exponent that `value` is: an integer, or a fraction with a denominator up to 12 (0.5, 1.5, 1/3 to the
-    /// last digit). `None` for anything else.
+    /// The exponent equal to `value`: an integer, or a fraction with a denominator up to 12 (0.5, 1.5, 1/3 to the last
+    /// digit). `None` for any other number.
     pub fn from_number(value: f64) -> Option<Self> {
         (1..=12).find_map(|denominator: i64| {
             let numerator = (value * denominator as f64).round();
@@ -53,32 +53,32 @@ impl Exponent {
         })
     }
 
-    /// The numerator, which carries the sign.
+    /// Numerator, with the sign.
     pub fn numerator(self) -> i32 {
         i32::from(self.numerator)
     }
 
-    /// The denominator, at least 1.
+    /// Denominator, at least 1.
     pub fn denominator(self) -> i32 {
         i32::from(self.denominator)
     }
 
-    /// Whether it is 0.
+    /// True for 0.
     pub fn is_zero(self) -> bool {
         self.numerator == 0
     }
 
-    /// Whether it is an integer.
+    /// True for an integer.
     pub fn is_whole(self) -> bool {
         self.denominator == 1
     }
 
-    /// The nearest number.
+    /// Nearest `f64`.
     pub fn to_number(self) -> f64 {
         f64::from(self.numerator) / f64::from(self.denominator)
     }
 
-    /// The power of a symbol, as it is written: `m^2`, `s^(1/2)`.
+    /// Power of a symbol as text: `m^2`, `s^(1/2)`.
     pub(crate) fn power_of(self, symbol: &str) -> String {
         if self == Self::ONE {
             symbol.to_owned()
@@ -89,9 +89,9 @@ impl Exponent {
         }
     }
 
-    /// The sum.
+    /// Sum; `None` beyond the bound.
     pub fn plus(self, other: Self) -> Option<Self> {
-        // Nearly all exponents are whole, and these take no division.
+        // Nearly all exponents are integers, which need no division.
         if self.is_whole() && other.is_whole() {
             return Self::bounded(self.numerator() + other.numerator());
         }
@@ -100,7 +100,7 @@ impl Exponent {
         Self::new(a * d + c * b, b * d)
     }
 
-    /// The product.
+    /// Product; `None` beyond the bound.
     pub fn times(self, other: Self) -> Option<Self> {
         if self.is_whole() && other.is_whole() {
             return Self::bounded(self.numerator() * other.numerator());
@@ -110,7 +110,7 @@ impl Exponent {
         Self::new(a * c, b * d)
     }
 
-    /// The opposite.
+    /// Negative.
     pub fn negated(self) -> Self {
         Self { numerator: -self.numerator, ..self }
     }
@@ -122,7 +122,7 @@ impl From<i8> for Exponent {
     }
 }
 
-/// `2`, `-1`, `1/2`
+/// Text of the exponent: `2`, `-1`, `1/2`.
 impl fmt::Display for Exponent {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.denominator == 1 {

@@ -1,4 +1,4 @@
-//! The languages that Meniscus speaks, and texts that exist in all of them.
+//! Languages of the interface, and texts in all of them.
 
 use crate::number::Style;
 use std::borrow::Cow;
@@ -6,7 +6,7 @@ use std::borrow::Cow;
 /// A language of the interface, the messages and the reports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Language {
-    /// English, also in place of every language that is not here.
+    /// English; also the default for unknown languages.
     #[default]
     English,
     /// Spanish.
@@ -14,31 +14,31 @@ pub enum Language {
 }
 
 impl Language {
-    /// All languages, in the order in which a switch offers them.
+    /// All languages, in the order of the language switch.
     pub const ALL: [Self; 2] = [Self::English, Self::Spanish];
 
-    /// The language of a tag such as `es-MX` or a locale such as `es_ES.UTF-8`; English where the language is not here.
+    /// The language of a tag such as `es-MX` or a locale such as `es_ES.UTF-8`; English if it is not supported.
     pub fn of(tag: &str) -> Self {
         let primary = tag.split(['-', '_', '.', '@']).next().unwrap_or_default();
         if primary.eq_ignore_ascii_case("es") { Self::Spanish } else { Self::English }
     }
 
-    /// The tag, for `lang` attributes.
+    /// Language tag for `lang` attributes.
     pub fn tag(self) -> &'static str {
         self.pick("en", "es")
     }
 
-    /// The language's own name.
+    /// Name of the language in the language itself.
     pub fn name(self) -> &'static str {
         self.pick("English", "Español")
     }
 
-    /// How it writes its numbers.
+    /// Style of numbers.
     pub fn style(self) -> Style {
         Style::of(self.tag())
     }
 
-    /// An enumeration: `a, b and c`.
+    /// Enumeration as text: `a, b and c`.
     pub fn join(self, parts: &[String]) -> String {
         match parts.split_last() {
             Some((end, [])) => end.clone(),
@@ -47,7 +47,7 @@ impl Language {
         }
     }
 
-    /// The one that is in this language.
+    /// The argument for this language.
     pub fn pick<T>(self, english: T, spanish: T) -> T {
         match self {
             Self::English => english,
@@ -56,7 +56,7 @@ impl Language {
     }
 }
 
-/// A text in every language: of a message that is made before the language of its reader is known.
+/// A text in all languages, for messages made before the language of the reader is known.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Words {
     /// The English text.
@@ -65,19 +65,19 @@ pub struct Words {
     pub spanish: Cow<'static, str>,
 }
 
-/// A fixed text in both languages. The macro of the same name makes one with values in it.
+/// A constant text in both languages. The macro of the same name allows values in it.
 pub const fn words(english: &'static str, spanish: &'static str) -> Words {
     Words { english: Cow::Borrowed(english), spanish: Cow::Borrowed(spanish) }
 }
 
 impl Words {
-    /// A text that is the same in both languages, such as a name or a number.
+    /// A text that is identical in both languages, such as a name or a number.
     pub fn same(text: impl Into<Cow<'static, str>>) -> Self {
         let english = text.into();
         Self { spanish: english.clone(), english }
     }
 
-    /// A text that is made for each language in the same way.
+    /// A text made by the same function for each language.
     pub fn each(text: impl Fn(Language) -> String) -> Self {
         Self { english: text(Language::English).into(), spanish: text(Language::Spanish).into() }
     }
@@ -87,14 +87,14 @@ impl Words {
         language.pick(&self.english, &self.spanish)
     }
 
-    /// Whether there is nothing to read.
+    /// True if the text is empty.
     pub fn is_empty(&self) -> bool {
         self.english.is_empty()
     }
 }
 
-/// A [`Words`] with values in it: an English and a Spanish format string, with variables and arguments as in `format!`.
-/// An argument with a name is a [`Words`] itself, of which each text takes its own language.
+/// A [`Words`] with values in it: an English and a Spanish format string, with variables and arguments as in `format!`. A
+/// named argument must be a [`Words`]; each text uses its own language of it.
 ///
 /// ```
 /// use units::words;
@@ -125,11 +125,11 @@ macro_rules! words {
     };
 }
 
-/// With a capital at its beginning and a stop at its end.
+/// The text as a sentence: with a capital at the beginning and a full stop at the end.
 pub fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(crate::alphabet::capital);
-    // What begins with the name of a column keeps it.
+    // A text that begins with a name of one letter keeps it unchanged.
     match first.filter(|_| letters.as_str().starts_with(char::is_alphabetic)) {
         Some(first) => format!("{first}{}.", letters.as_str()),
         None => format!("{text}."),

@@ -1,5 +1,5 @@
-//! Physical dimensions and units: parse, convert, print. And what every crate needs to speak: the [languages](Language), and the
-//! one writer of [numbers](number) for people. Numbers that look random are there, too ([`split_mix`]).
+//! Physical dimensions and units: parsing, conversion, printing. The crate also has the [languages](Language) of the
+//! interface, the formatting of [numbers](number) for readers, and pseudorandom numbers ([`split_mix`]).
 
 pub mod alphabet;
 mod dimension;

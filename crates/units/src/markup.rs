@@ -1,9 +1,8 @@
-//! Texts inside HTML, SVG, MathML and other XML.
+//! Escaping of texts for HTML, SVG, MathML and other XML.
 
 use std::fmt::{self, Display, Formatter};
 
-/// A text as the content of an element or as an attribute. Markup is made harmless, and characters that
-/// XML forbids become U+FFFD.
+/// A text as the content of an element or attribute: markup is escaped, and characters forbidden in XML become U+FFFD.
 #[derive(Clone, Copy, Debug)]
 pub struct Escaped<'a>(pub &'a str);
 
@@ -13,7 +12,7 @@ impl Display for Escaped<'_> {
     }
 }
 
-/// [`Escaped`] as a text of its own.
+/// [`Escaped`] as a string.
 pub fn escaped(text: &str) -> String {
     let mut written = String::with_capacity(text.len());
     let _ = pieces(text, &mut |piece| {
@@ -23,7 +22,7 @@ pub fn escaped(text: &str) -> String {
     written
 }
 
-/// Hands the escaped text over piece by piece; what needs no change is one.
+/// Passes the escaped text to `write` in pieces; a stretch without changes is one piece.
 fn pieces(text: &str, write: &mut dyn FnMut(&str) -> fmt::Result) -> fmt::Result {
     let mut written = 0;
     for (place, character) in text.char_indices() {

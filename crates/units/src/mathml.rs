@@ -1,11 +1,11 @@
-//! Names, numbers, units and texts as MathML.
+//! MathML of names, numbers, units and texts.
 
 use crate::Unit;
 use crate::alphabet::greek_letter;
 use crate::markup::escaped;
 use crate::number::symbol_text;
 
-/// What a name is made of: ω with the subscript d for `omega_d`, h with 1 for `h1`, r with x for the component `r.x`.
+/// Parts of a name: ω with the subscript d for `omega_d`, h with 1 for `h1`, r with x for the component `r.x`.
 struct NameParts {
     base: String,
     subscript: Vec<String>,
@@ -36,9 +36,9 @@ fn name_parts(name: &str) -> NameParts {
     NameParts { base: identifier(base), subscript }
 }
 
-/// The vector and the component of `r.x`; what an event remembers is a word before the point, and stays as it is.
+/// Splits `r.x` into vector and component. A value remembered by an event has a word before the point and is not split.
 fn component(name: &str) -> (&str, Option<&str>) {
-    // Few names have a point, and each name of a formula is looked at several times.
+    // Fast path: few names have a point, and each name in a formula is examined several times.
     if !name.as_bytes().contains(&b'.') {
         return (name, None);
     }
@@ -50,7 +50,7 @@ fn component(name: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// One word: a Greek letter by its name, a number, a letter, or the word itself, which `mi` sets upright.
+/// MathML of one part of a name: a Greek letter for its name, a number, a letter, or a word, which `mi` sets upright.
 fn identifier(word: &str) -> String {
     if word == "pi" {
         return "<mi mathvariant=\"normal\">π</mi>".to_owned();
@@ -58,7 +58,7 @@ fn identifier(word: &str) -> String {
     if let Some(letter) = greek_letter(word) {
         return format!("<mi>{letter}</mi>");
     }
-    // A difference or a small change: Δx is written `Deltax`.
+    // A difference or small change: `Deltax` for Δx.
     for prefix in ["Delta", "delta"] {
         if let Some(rest) = word.strip_prefix(prefix)
             && (rest.chars().count() == 1 || greek_letter(rest).is_some())
@@ -77,7 +77,7 @@ fn identifier(word: &str) -> String {
     ["<mi>", &escaped(word), "</mi>"].concat()
 }
 
-/// The sign of a derivative: primes up to the fourth, then the order in parentheses.
+/// Superscript of a derivative: primes up to order four, then the order in parentheses; `None` for order 0.
 fn order_sign(order: u32) -> Option<String> {
     match order {
         0 => None,
@@ -89,17 +89,17 @@ fn order_sign(order: u32) -> Option<String> {
     }
 }
 
-/// A name with its primes and an exponent, each in its place: y′² has one superscript, not one upon the other.
+/// MathML of a name with `order` primes and an exponent: y′² has a single superscript, not a nested one.
 pub fn name(name: &str, order: u32, exponent: Option<String>) -> String {
     indexed(name, &[], order, exponent)
 }
 
-/// A name with further subscripts, which are MathML: the indices of a member of a family.
+/// [`name`] with further subscripts given as MathML: the indices of a member of a family.
 pub fn indexed(name: &str, indices: &[String], order: u32, exponent: Option<String>) -> String {
     arranged(name_parts(name), indices, order, exponent)
 }
 
-/// The same for a vector, with an arrow above.
+/// [`indexed`] for a vector, with an arrow above.
 pub fn vector(name: &str, indices: &[String], order: u32, exponent: Option<String>) -> String {
     let NameParts { base, subscript } = name_parts(name);
     let base = format!("<mover>{base}<mo stretchy=\"false\">→</mo></mover>");
@@ -127,19 +127,19 @@ fn arranged(parts: NameParts, indices: &[String], order: u32, exponent: Option<S
     }
 }
 
-/// Whether a name is set as a word and not as a letter, so that its neighbours need a space.
+/// True if a name is set as a word, not as a letter, so that its neighbours need a space.
 pub fn is_word(name: &str) -> bool {
     let (name, _) = component(name);
     let base = name.split('_').next().unwrap_or(name).trim_end_matches(|c: char| c.is_ascii_digit());
     base.chars().count() > 1 && greek_letter(base).is_none() && !base.starts_with("Delta")
 }
 
-/// Whether [`number`] writes `value` with a power of ten, which is a product.
+/// True if [`number`] writes `value` with a power of ten, which is a product.
 pub fn has_power_of_ten(value: f64) -> bool {
     value != 0.0 && !(1e-4..1e6).contains(&value.abs())
 }
 
-/// A number as it was written, the very large and small ones with a power of ten.
+/// MathML of a number in shortest form; very large and small numbers with a power of ten.
 pub fn number(value: f64) -> String {
     let (sign, size) = if value < 0.0 { ("<mo>−</mo>", -value) } else { ("", value) };
     if !has_power_of_ten(size) {
@@ -162,7 +162,7 @@ pub fn number(value: f64) -> String {
     format!("<mrow>{sign}<mn>{digits}</mn><mo>×</mo>{power}</mrow>")
 }
 
-/// A unit after its number, upright. An angle's degree sign stands close to the number.
+/// Unit after a number, in upright type. The degree sign of an angle follows without space.
 pub fn unit_after_number(unit: &Unit) -> String {
     match unit.text.as_str() {
         "" => String::new(),
@@ -171,7 +171,7 @@ pub fn unit_after_number(unit: &Unit) -> String {
     }
 }
 
-/// `kg m/s^2` as upright symbols with spaces, slashes and exponents.
+/// MathML of a unit such as `kg m/s^2`: upright symbols with spaces, slashes and exponents.
 fn unit_row(text: &str) -> String {
     let mut row = String::from("<mrow>");
     let mut rest = text;
@@ -198,7 +198,7 @@ fn unit_row(text: &str) -> String {
     row + "</mrow>"
 }
 
-/// The exponent at the beginning of `text`, without its parentheses, and what follows it.
+/// The exponent at the beginning of `text`, without parentheses, and the rest; `None` if there is none.
 fn exponent(text: &str) -> Option<(&str, &str)> {
     let text = text.strip_prefix('^')?;
     if let Some(inside) = text.strip_prefix('(') {
@@ -207,7 +207,7 @@ fn exponent(text: &str) -> Option<(&str, &str)> {
     Some(text.split_at(text.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(text.len())))
 }
 
-/// `-1/2`
+/// MathML of an exponent such as `-1/2`.
 fn exponent_row(text: &str) -> String {
     let unsigned = text.strip_prefix('-');
     let numbers: Vec<String> = unsigned.unwrap_or(text).split('/').map(|number| format!("<mn>{number}</mn>")).collect();
@@ -215,7 +215,7 @@ fn exponent_row(text: &str) -> String {
     format!("<mrow>{sign}{}</mrow>", numbers.join("<mo lspace=\"0\" rspace=\"0\">/</mo>"))
 }
 
-/// A name, with the primes that follow it (`omega_0`, `y'`), as a `<math>` element for a line of text.
+/// A name with its primes (`omega_0`, `y'`) as an inline `<math>` element.
 pub fn typeset_name(text: &str) -> String {
     let plain = text.trim_end_matches('\'');
     let order = u32::try_from(text.len() - plain.len()).unwrap_or(u32::MAX);

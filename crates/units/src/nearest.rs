@@ -1,6 +1,6 @@
-//! Names that were probably meant: for hints such as "did you mean `gamma`?".
+//! Similar names, for hints such as "did you mean `gamma`?".
 
-/// The candidate that differs least from `name`, if that is little; the first of several.
+/// The candidate with the smallest edit distance from `name`, the first of several; `None` if none is similar enough.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = name.chars().count();
     if length > LONGEST_COMPARED {
@@ -16,15 +16,16 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
-/// Longer names are not compared, which takes time with the square of the length.
+/// Maximum length of a name, in characters: the time grows with the square of the length.
 const LONGEST_COMPARED: usize = 64;
 
-/// Whether two names are the same but for capitals: of names of one letter only these are near to each other.
+/// True if two names differ only in case; the only similarity that counts for names of one letter.
 fn similar(a: &str, b: &str) -> bool {
     a.eq_ignore_ascii_case(b)
 }
 
-/// How many characters must be inserted, removed, replaced or exchanged with their neighbour.
+/// Edit distance: number of insertions, deletions, replacements and exchanges of neighbours (Damerau-Levenshtein, optimal
+/// string alignment).
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut before: Vec<usize> = Vec::new();

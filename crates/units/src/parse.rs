@@ -1,4 +1,4 @@
-//! Reads units:
+//! Parser of units:
 //!
 //! ```text
 //! unit     = product [ "/" factor ] | ""
@@ -7,18 +7,17 @@
 //! exponent = [ "-" ] digits | "(" [ "-" ] digits [ "/" digits ] ")"
 //! ```
 //!
-//! After `/` stands one factor: `J/kg K` could be read in two ways, so it needs parentheses.
+//! Only one factor may follow `/`: `J/kg K` is ambiguous and needs parentheses.
 
 use crate::scale::Scale;
 use crate::unit_error::{error, hinting, too_high, unknown};
 use crate::{Dimension, Exponent, UnitError, table, words};
 use std::ops::Range;
 
-/// Parentheses in parentheses; no unit needs more.
+/// Maximum depth of parentheses.
 const DEPTH: usize = 16;
 
-/// The dimension of the unit that `text` names, its SI value as a quotient of exact numbers, and the text with signs and
-/// blanks made one way.
+/// Parses a unit: its dimension, its SI value as a quotient of exact numbers, and its text in normal form.
 pub(crate) fn parse(text: &str) -> Result<(Dimension, (f64, f64), String), UnitError> {
     let mut reader = Reader { text, at: 0 };
     reader.blanks();
@@ -45,7 +44,7 @@ pub(crate) fn parse(text: &str) -> Result<(Dimension, (f64, f64), String), UnitE
     Ok((part.dimension, (multiplier, divisor), text))
 }
 
-/// A part of a unit and how it is written.
+/// A part of a unit with its text in normal form.
 struct Part {
     dimension: Dimension,
     scale: Scale,
@@ -58,7 +57,7 @@ struct Reader<'a> {
     at: usize,
 }
 
-/// The text, in parentheses if one of the signs stands in it outside all parentheses.
+/// The text, in parentheses if it contains one of the signs outside of parentheses.
 fn grouped(text: String, signs: &[char]) -> String {
     let mut depth = 0_usize;
     let apart = text.chars().any(|c| {
@@ -93,7 +92,7 @@ impl<'a> Reader<'a> {
         self.at = self.text.len() - self.rest().trim_start().len();
     }
 
-    /// What to say when the reader stands before something that cannot be part of a unit.
+    /// Error for a character that cannot be part of a unit at this place.
     fn unexpected(&self) -> UnitError {
         let Some(found) = self.peek() else {
             let end = self.text.trim_end().len();
@@ -197,7 +196,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads a multiplication sign and the blanks after it, if one comes next.
+    /// Reads a multiplication sign and the blanks after it. True if there is one.
     fn multiplication(&mut self) -> bool {
         let found = ['*', '·', '⋅', '×'].into_iter().any(|sign| self.take(sign));
         if found {
@@ -259,7 +258,7 @@ impl<'a> Reader<'a> {
         self.at += length;
         let range = start..self.at;
         let written = &self.text[range.clone()];
-        // The Greek mu, the ohm and angstrom signs and the raised o of Spanish keyboards are what they look like.
+        // Look-alikes: the Greek mu, the ohm and angstrom signs, and the raised o of Spanish keyboards.
         let alike = |letter: char| match letter {
             'μ' => 'µ',
             '\u{2126}' => 'Ω',
@@ -333,7 +332,7 @@ fn is_symbol(c: char) -> bool {
     c.is_alphabetic() || matches!(c, '%' | '°' | '℃' | '℉' | '_')
 }
 
-/// The digit or sign that a raised character stands for: `2` for ².
+/// The digit or sign of a superscript character: `2` for ²; `None` if it is none.
 pub fn raised(character: char) -> Option<char> {
     Some(match character {
         '⁰' => '0',

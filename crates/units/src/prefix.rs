@@ -1,20 +1,20 @@
-//! Prefixes that make numbers readable: `mm` where a metre is too much.
+//! Prefixes of units chosen for readable numbers: `mm` for small lengths.
 
 use crate::Unit;
 
-/// The prefixes that people use with most units, from the smallest on.
+/// Prefixes in common use with most units, ascending.
 const USUAL: [(&str, i32); 7] = [("p", -12), ("n", -9), ("µ", -6), ("m", -3), ("k", 3), ("M", 6), ("G", 9)];
 
-/// A number of this size and above, and below [`LARGE`], is readable in its own unit.
+/// Numbers from this one up to [`LARGE`] are readable without another prefix.
 const SMALL: f64 = 1e-3;
 const LARGE: f64 = 1e6;
 
-/// Residuals and errors, whose unit was not chosen, are readable from this size on.
+/// Lower bound for residuals and errors, whose unit was not chosen by the author.
 const SMALL_RESIDUAL: f64 = 1e-2;
 
 impl Unit {
-    /// Ten to the `power` of this unit, by a prefix: `mm` for a metre and -3, `mm^2` for a square metre and -6. `None` where
-    /// the unit takes no prefix, or none that is usual (`ks`, `Mm`).
+    /// This unit times 10^`power`, by a prefix: `mm` for a metre and -3, `mm^2` for a square metre and -6. `None` if the
+    /// unit takes no prefix or only an unusual one (`ks`, `Mm`).
     pub fn with_power(&self, power: i32) -> Option<Self> {
         if self.text.is_empty() {
             return None;
@@ -33,13 +33,13 @@ impl Unit {
         })
     }
 
-    /// The unit in which numbers up to `size` (in this unit) are best read: this one from 0.001 to 10⁶, else with a prefix
-    /// if that helps.
+    /// The best unit for numbers up to `size` (in this unit): this one from 0.001 to 10⁶, otherwise one with a prefix if
+    /// that helps.
     pub fn for_size(&self, size: f64) -> Self {
         self.with_prefix(size, SMALL)
     }
 
-    /// The same for residuals and errors: a finer unit below 0.01.
+    /// [`Unit::for_size`] for residuals and errors: a finer unit below 0.01.
     pub fn for_residuals(&self, size: f64) -> Self {
         self.with_prefix(size, SMALL_RESIDUAL)
     }

@@ -1,13 +1,13 @@
-//! Names of physical quantities, for messages: what could have this dimension?
+//! Names of physical quantities by dimension, for messages.
 
 use crate::{Dimension, Words};
 
-/// What a physical quantity is called.
+/// Name of a physical quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct QuantityName {
     /// The English noun.
     pub english: &'static str,
-    /// The Spanish noun with its article, which tells the gender.
+    /// The Spanish noun with its article, which shows the gender.
     spanish: &'static str,
 }
 
@@ -16,23 +16,23 @@ const fn named(english: &'static str, spanish: &'static str) -> QuantityName {
 }
 
 impl QuantityName {
-    /// What has no dimension.
+    /// Name of a quantity without dimension.
     pub const PURE_NUMBER: Self = named("pure number", "un número puro");
 
-    /// `length`, `longitud`
+    /// The noun alone: `length`, `longitud`.
     pub fn noun(self) -> Words {
         let spanish = self.spanish.split_once(' ').map_or(self.spanish, |(_, noun)| noun);
         Words { english: self.english.into(), spanish: spanish.into() }
     }
 
-    /// `a length`, `an energy`; `una longitud`, `una energía`
+    /// The noun with its article: `a length`, `an energy`; `una longitud`, `una energía`.
     pub fn with_article(self) -> Words {
         let article = if self.english.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
         Words { english: format!("{article} {}", self.english).into(), spanish: self.spanish.into() }
     }
 }
 
-/// Exponents of kg, m, s, A, K, mol, cd and what is usually meant, most usual first.
+/// Exponents of kg, m, s, A, K, mol, cd, and the quantities of this dimension, the most usual first.
 const QUANTITIES: &[([i8; 7], &[QuantityName])] = &[
     (
         [0, 0, 0, 0, 0, 0, 0],
@@ -136,7 +136,7 @@ const QUANTITIES: &[([i8; 7], &[QuantityName])] = &[
 ];
 
 impl Dimension {
-    /// The names of quantities that have this dimension, the most usual first; empty where none is common.
+    /// Names of quantities of this dimension, the most usual first; empty if none is common.
     pub fn quantity_names(&self) -> &'static [QuantityName] {
         QUANTITIES
             .iter()

@@ -1,33 +1,33 @@
-//! How many of the SI unit one unit is, kept as a quotient of exact numbers as long as possible: a centimetre divides by
-//! 100, and does not multiply by the inexact 0.01.
+//! SI value of a unit as an exact quotient as long as possible: a centimetre divides by 100 instead of multiplying by the
+//! inexact 0.01.
 
 use crate::Exponent;
 
-/// `numerator / denominator * 10^tens * rest`
+/// The number `numerator / denominator * 10^tens * rest`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
     numerator: u128,
     denominator: u128,
     tens: i32,
-    /// What is no rational number, or too large for one: the pi of a degree, the root of a centimetre.
+    /// Factor that is irrational or too large for a quotient of integers: the pi of a degree, the root of a centimetre.
     rest: f64,
 }
 
 impl Scale {
     pub(crate) const ONE: Self = Self::decimal(1, 0);
 
-    /// `digits * 10^tens`
+    /// The number `digits * 10^tens`.
     pub(crate) const fn decimal(digits: u64, tens: i32) -> Self {
         Self { numerator: digits as u128, denominator: 1, tens, rest: 1.0 }
     }
 
-    /// `rest * numerator / denominator`
+    /// The number `rest * numerator / denominator`.
     pub(crate) const fn irrational(rest: f64, numerator: u64, denominator: u64) -> Self {
         Self { numerator: numerator as u128, denominator: denominator as u128, tens: 0, rest }
     }
 
     pub(crate) fn times(self, other: Self) -> Self {
-        // Most units are the SI's own, and division of such long numbers takes time.
+        // Fast path: most units are coherent SI units, and division of 128-bit integers is slow.
         if other == Self::ONE {
             return self;
         }
@@ -61,7 +61,7 @@ impl Scale {
         (0..exponent.numerator().unsigned_abs()).fold(Self::ONE, |product, _| product.times(base))
     }
 
-    /// What to multiply by and what to divide by, both exact where they can be.
+    /// Multiplier and divisor, both exact if possible.
     pub(crate) fn quotient(self) -> (f64, f64) {
         let exact = || {
             let power = 10_u128.checked_pow(self.tens.unsigned_abs())?;
@@ -75,7 +75,7 @@ impl Scale {
     }
 
     fn value(self) -> f64 {
-        // Reading the power of ten rounds it once; a power function would not promise that.
+        // Parsing the power of ten rounds it correctly; a power function may not.
         let power = format!("1e{}", self.tens).parse().unwrap_or(f64::NAN);
         self.numerator as f64 / self.denominator as f64 * self.rest * power
     }

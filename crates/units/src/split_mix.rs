@@ -1,10 +1,10 @@
-//! Numbers that look random and are the same on every machine: SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, *Fast splittable
+//! Pseudorandom numbers, identical on all machines: SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, *Fast splittable
 //! pseudorandom number generators*, OOPSLA 2014, 453).
 
-/// 2^64 divided by the golden ratio: the step of the generator.
+/// 2^64 divided by the golden ratio: the increment of the generator.
 pub const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// The finalizer: each bit of the result depends on all bits of the argument; zero stays zero.
+/// Finalizer (a bit mixer): each bit of the result depends on all bits of the argument; 0 gives 0.
 #[inline]
 pub fn scramble(mut bits: u64) -> u64 {
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -12,12 +12,12 @@ pub fn scramble(mut bits: u64) -> u64 {
     bits ^ (bits >> 31)
 }
 
-/// The generator.
+/// The generator SplitMix64.
 #[derive(Clone, Debug)]
 pub struct SplitMix64(u64);
 
 impl SplitMix64 {
-    /// The one of this seed.
+    /// A generator with this seed.
     #[inline]
     pub fn new(seed: u64) -> Self {
         Self(seed)
@@ -37,7 +37,7 @@ mod tests {
 
     #[test]
     fn the_generator_is_the_published_one() {
-        // The first outputs for seed 1234567, as its authors' implementation gives them.
+        // First outputs for the seed 1234567 of the implementation by its authors.
         let mut generator = SplitMix64::new(1_234_567);
         let first: Vec<u64> = (0..5).map(|_| generator.bits()).collect();
         assert_eq!(

@@ -4,12 +4,12 @@ use crate::Dimension;
 use crate::scale::Scale;
 use std::f64::consts::PI;
 
-/// One unit symbol.
+/// A unit symbol.
 pub(crate) struct Symbol {
     pub(crate) text: &'static str,
     dimension: Base,
     pub(crate) scale: Scale,
-    /// Whether it takes prefixes: `cm`, but not `cmin`.
+    /// True if it takes prefixes: `cm`, but not `cmin`.
     prefixes: bool,
 }
 
@@ -22,11 +22,11 @@ impl Symbol {
     }
 }
 
-/// What a unit measures.
+/// Dimension of a unit.
 enum Base {
     /// Exponents of kg, m, s, A, K, mol, cd.
     Si([i8; 7]),
-    /// A place in a picture.
+    /// A distance in a picture, px.
     Pixel,
 }
 
@@ -34,9 +34,9 @@ const fn symbol(text: &'static str, exponents: [i8; 7], scale: Scale, prefixes: 
     Symbol { text, dimension: Base::Si(exponents), scale, prefixes }
 }
 
-/// Values of units outside the SI after the SI brochure, 9th edition (2019), table 8, and ISO 80000; the
-/// thermochemical calorie, the conventional millimetre of mercury, the Julian year of 365.25 days. A revolution per minute is an
-/// angular velocity, 2 pi rad in 60 s.
+/// Values of units outside the SI: SI brochure, 9th edition (2019), table 8, and ISO 80000; thermochemical calorie,
+/// conventional millimetre of mercury, Julian year of 365.25 days. A revolution per minute is an angular velocity, 2 pi rad
+/// in 60 s.
 #[rustfmt::skip]
 const SYMBOLS: &[Symbol] = &[
     symbol("m",   [0, 1, 0, 0, 0, 0, 0], Scale::ONE, true),
@@ -95,7 +95,7 @@ const SYMBOLS: &[Symbol] = &[
     Symbol { text: "px", dimension: Base::Pixel, scale: Scale::ONE, prefixes: false },
 ];
 
-/// Prefixes and their powers of ten; `da` before `d`, so that the longer one is tried first.
+/// Prefixes and their powers of ten; `da` precedes `d` so that the longer one is tried first.
 const PREFIXES: &[(&str, i32)] = &[
     ("da", 1),
     ("Y", 24),
@@ -120,7 +120,7 @@ const PREFIXES: &[(&str, i32)] = &[
     ("y", -24),
 ];
 
-/// What people write for a unit, and the symbol it has here.
+/// Common names of units, and the symbol of each.
 const OTHER_NAMES: &[(&str, &str)] = &[
     ("meter", "m"),
     ("metre", "m"),
@@ -214,8 +214,8 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("gauss", "G"),
 ];
 
-/// The symbol `text` names and the power of ten before it. A symbol of its own comes before one with a prefix: `min`
-/// is a minute, `cd` a candela, `Pa` a pascal.
+/// The symbol of `text` and the power of ten of its prefix. A symbol without prefix takes precedence: `min` is a minute,
+/// `cd` a candela, `Pa` a pascal.
 pub(crate) fn find(text: &str) -> Option<(&'static Symbol, i32)> {
     if let Some(symbol) = SYMBOLS.iter().find(|symbol| symbol.text == text) {
         return Some((symbol, 0));
@@ -227,7 +227,7 @@ pub(crate) fn find(text: &str) -> Option<(&'static Symbol, i32)> {
     })
 }
 
-/// The unit that was probably meant by an unknown `text`.
+/// The unit probably meant by an unknown `text`, if any.
 pub(crate) fn near(text: &str) -> Option<String> {
     let lower = text.to_ascii_lowercase();
     let singular = lower.strip_suffix('s').unwrap_or(&lower);
@@ -235,7 +235,7 @@ pub(crate) fn near(text: &str) -> Option<String> {
     if let Some((_, symbol)) = named {
         return Some((*symbol).to_owned());
     }
-    // `Kg`, `HZ`: the right letters, the wrong case.
+    // Wrong case only: `Kg`, `HZ`.
     let alike = |prefixes: &[&str]| {
         let prefixed = |prefix: &&str| {
             let symbols = SYMBOLS.iter().filter(|symbol| symbol.prefixes || prefix.is_empty());
@@ -247,7 +247,7 @@ pub(crate) fn near(text: &str) -> Option<String> {
     alike(&["", "k", "c", "m", "h"]).or_else(|| together(text)).or_else(|| alike(&["µ", "M", "n", "G"]))
 }
 
-/// `Nm` for N m, `Pas` for Pa s, `kWh` for kW h
+/// Splits joined symbols: `N m` for `Nm`, `Pa s` for `Pas`, `kW h` for `kWh`.
 fn together(text: &str) -> Option<String> {
     let usual = |part: &str| find(part).is_some_and(|(_, tens)| matches!(tens, 0 | 3));
     text.char_indices().skip(1).find_map(|(at, _)| {
@@ -256,8 +256,7 @@ fn together(text: &str) -> Option<String> {
     })
 }
 
-/// How a dimension's SI unit is written where none is stated: with a unit of its own name, if that is what people
-/// say.
+/// Names of SI units by dimension, used where no unit is stated.
 pub(crate) const PREFERRED: &[&str] = &[
     "N", "Pa", "J", "W", "C", "V", "ohm", "F", "Wb", "T", "H", "Pa s", "N/m", "V/m", "J/K", "W/m^2", "J/(kg K)",
     "W/(m K)",

@@ -1,4 +1,4 @@
-//! Units: a dimension, a factor to SI and the text that names it.
+//! Units: a dimension, a factor to SI and a text.
 
 use crate::{Dimension, UnitError, parse, table};
 use serde::{Deserialize, Serialize};
@@ -9,35 +9,34 @@ use std::sync::LazyLock;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Unit {
-    /// What it measures.
+    /// Dimension.
     pub dimension: Dimension,
-    /// SI value of one of it.
+    /// SI value of one unit.
     pub factor: f64,
-    /// As the author wrote it, with signs and blanks made one way: `kg/m^3`, `Pa s`; empty for a pure number.
+    /// Text as written by the author, in normal form: `kg/m^3`, `Pa s`; empty for a pure number.
     pub text: String,
-    /// `factor` is the quotient of these, which are exact where it is not: 1 and 100 for a centimetre.
+    /// `factor` is `multiplier / divisor`, which are exact even if it is not: 1 and 100 for a centimetre.
     multiplier: f64,
     divisor: f64,
 }
 
 impl Unit {
-    /// The unit that `text` names, such as `kg/m^3`, `Pa s`, `1/s`, `m s^-1`, `µm`, `J/(kg K)`. The empty text and `1`
-    /// are the pure number.
+    /// Parses a unit such as `kg/m^3`, `Pa s`, `1/s`, `m s^-1`, `µm`, `J/(kg K)`. An empty text or `1` gives the pure
+    /// number.
     ///
     /// # Errors
-    /// When a symbol is unknown, the division is ambiguous, the scale has its own zero (`degC`), or the text is no
-    /// unit at all.
+    /// A symbol is unknown, the division is ambiguous, the scale has its own zero (`degC`), or the text is malformed.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
         parse::parse(text).map(|(dimension, scale, text)| Self::new(dimension, scale, text))
     }
 
-    /// The coherent SI unit of a dimension, `kg/m^3`, by its own name where it has one: `N`, `J`, `Pa s`.
+    /// The coherent SI unit of a dimension; by name if it has one (`N`, `J`, `Pa s`), otherwise from base units (`kg/m^3`).
     pub fn si(dimension: Dimension) -> Self {
-        // Read once: documents ask for hundreds.
+        // Parsed once: a document needs hundreds of units.
         static PREFERRED: LazyLock<Vec<Unit>> =
             LazyLock::new(|| table::PREFERRED.iter().filter_map(|text| Unit::parse(text).ok()).collect());
         let named = || PREFERRED.iter().find(|unit| unit.dimension == dimension).cloned();
-        // Every preferred unit combines base units: a length, a time or a pure number need not be looked for.
+        // Fast path: every named unit combines several base units.
         let combines = dimension.base().count() > 1;
         combines.then(named).flatten().unwrap_or_else(|| Self::new(dimension, (1.0, 1.0), base_text(dimension)))
     }
@@ -56,13 +55,13 @@ impl Unit {
         self.multiplier == self.divisor
     }
 
-    /// The SI value of `value` in this unit. 40 in `cm` is 0.4 to the last bit.
+    /// SI value of `value` in this unit. Multiplier and divisor are exact, so that 40 in `cm` is 0.4 to the last bit.
     pub fn to_si(&self, value: f64) -> f64 {
         value * self.multiplier / self.divisor
     }
 
-    /// The value in this unit of an SI value. For numbers of up to 14 digits it is what [`Self::to_si`] was given:
-    /// 0.29 m is 29 cm, not 28.999999999999996.
+    /// Value in this unit of an SI value. Inverse of [`Self::to_si`] for numbers of up to 14 digits: 0.29 m is 29 cm, not
+    /// 28.999999999999996.
     pub fn from_si(&self, si: f64) -> f64 {
         if self.multiplier == self.divisor {
             return si;
@@ -75,7 +74,7 @@ impl Unit {
     }
 }
 
-/// As in [`Unit::text`].
+/// Reads the text of a unit, see [`Unit::text`].
 impl TryFrom<String> for Unit {
     type Error = UnitError;
 
@@ -96,7 +95,7 @@ impl fmt::Display for Unit {
     }
 }
 
-/// Base units over base units: `kg/(m s^2)`.
+/// A unit of base units: `kg/(m s^2)`.
 fn base_text(dimension: Dimension) -> String {
     let product = |negative: bool| {
         let factors: Vec<String> = dimension
@@ -115,20 +114,19 @@ fn base_text(dimension: Dimension) -> String {
     }
 }
 
-/// The powers of ten that are exact in an `f64`.
+/// Powers of ten that are exact in an `f64`.
 const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
 ];
 
-/// The number of 14 decimal digits next to `value`; `None` where the powers of ten needed are not exact (below 1e-8,
-/// above 1e22).
+/// `value` rounded to 14 decimal digits; `None` if the power of ten needed is not exact (below 1e-8, above 1e22).
 fn round_to_14_digits(value: f64) -> Option<f64> {
     let size = value.abs();
     if size < 1e-8 {
         return None;
     }
-    // Digits before the point; negative for zeros after it.
+    // Number of digits before the point; negative for zeros after it.
     let digits = if size >= 1.0 {
         POWERS.iter().position(|power| size < *power)? as i32
     } else {

@@ -1,25 +1,25 @@
-//! Why a text is no unit, in words.
+//! Errors of units, with their messages.
 
 use crate::{Words, table, words};
 use std::fmt;
 use std::ops::Range;
 
-/// Why a text is no unit.
+/// Reason why a text is not a unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnitError {
-    /// A stable name: `unknown-unit`, `temperature-scale`, `ambiguous-unit`, `malformed-unit`.
+    /// Stable identifier: `unknown-unit`, `temperature-scale`, `ambiguous-unit` or `malformed-unit`.
     pub code: &'static str,
-    /// Where in the text.
+    /// Byte range in the text.
     pub range: Range<usize>,
-    /// What is wrong.
+    /// Description of the error.
     pub message: Words,
-    /// What to do.
+    /// Advice on how to correct it, if any.
     pub hint: Option<Box<Words>>,
-    /// The text that was probably meant by that at `range`.
+    /// Suggested replacement of the text at `range`, if any.
     pub meant: Option<String>,
 }
 
-/// In English.
+/// The English message.
 impl fmt::Display for UnitError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(&self.message.english)
@@ -28,18 +28,18 @@ impl fmt::Display for UnitError {
 
 impl std::error::Error for UnitError {}
 
-/// An error at `range` of the text.
+/// An error at a byte range of the text, without advice.
 pub(crate) fn error(code: &'static str, range: Range<usize>, message: Words) -> UnitError {
     UnitError { code, range, message, hint: None, meant: None }
 }
 
-/// The error with what to do about it.
+/// Adds advice to an error.
 pub(crate) fn hinting(mut error: UnitError, hint: Words) -> UnitError {
     error.hint = Some(Box::new(hint));
     error
 }
 
-/// An exponent leaves its bound.
+/// Error of an exponent beyond its bound.
 pub(crate) fn too_high(range: Range<usize>) -> UnitError {
     error(
         "malformed-unit",
@@ -48,7 +48,7 @@ pub(crate) fn too_high(range: Range<usize>) -> UnitError {
     )
 }
 
-/// No unit has this symbol.
+/// Error of an unknown symbol, with a suggestion if one is similar.
 pub(crate) fn unknown(text: &str, range: Range<usize>) -> UnitError {
     if matches!(text, "degC" | "°C" | "℃" | "degF" | "°F" | "℉") || text.eq_ignore_ascii_case("celsius") {
         return hinting(

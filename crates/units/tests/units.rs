@@ -1,4 +1,4 @@
-//! Units as people write them: what they mean, how they convert, how they are printed, what is refused.
+//! Units as typed: meaning, conversion, printing, and errors.
 
 use proptest::prelude::*;
 use units::{Dimension, Exponent, Unit};

@@ -1,17 +1,17 @@
-//! One claim, followed along a run.
+//! Evaluation of one claim along a run.
 
 use super::outcome::{Measured, Outcome, Verdict, Worst};
 use crate::RunError;
 use program::{Claim, Moment, NodeId, Relation, Test, Tolerance};
 
-/// When a claim is judged, SI.
+/// The time at which a claim is judged, SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum When {
     Always,
     At(f64),
 }
 
-/// What is made of the values of a claim.
+/// The comparison that a claim makes.
 #[derive(Clone, Copy, Debug)]
 enum Measure {
     Near(Tolerance),
@@ -19,30 +19,30 @@ enum Measure {
     Condition,
 }
 
-/// A claim and what speaks most against it so far.
+/// A claim and its worst violation so far.
 #[derive(Clone, Debug)]
 pub(super) struct Judge {
     pub when: When,
-    /// Whether that is where the run ends.
+    /// True if the claim is about the end of the run.
     at_end: bool,
-    /// Whether its number is compared with that of a run with a finer step.
+    /// True if the value is compared with that of a run with a finer step.
     pub halves: bool,
     measure: Measure,
-    /// The first of its values among those that are read along the run, and how many there are.
+    /// Index of the first value of the claim among the roots, and number of its values.
     first: usize,
     count: usize,
     worst: Option<(f64, f64, f64)>,
-    /// How bad the worst is.
+    /// Distance at the worst moment; greater is worse.
     distance: f64,
-    /// The greatest magnitude of what is expected.
+    /// Greatest magnitude of the expected values, SI units.
     scale: f64,
     failed: bool,
-    /// Whether it has met any moment of the run.
+    /// True if the claim was judged at least once.
     pub met: bool,
 }
 
 impl Judge {
-    /// The claim judged `when`; adds what it reads to `roots`.
+    /// The claim judged `when`; appends the nodes it needs to `roots`.
     pub fn new(claim: &Claim, when: When, roots: &mut Vec<NodeId>) -> Self {
         let first = roots.len();
         let (measure, halves) = match &claim.test {
@@ -80,14 +80,14 @@ impl Judge {
         }
     }
 
-    /// The run has ended here, before it was expected to.
+    /// Notes that an event ended the run at `time`, SI units, before its planned end.
     pub fn end_at(&mut self, time: f64) {
         if self.at_end {
             self.when = When::At(time);
         }
     }
 
-    /// When the last moment is that it waits for, in a run until `end`.
+    /// The last moment that the claim needs, in a run until `end`; SI units.
     pub fn until(&self, end: f64) -> f64 {
         match self.when {
             When::Always => end,
@@ -95,12 +95,12 @@ impl Judge {
         }
     }
 
-    /// Whether a row at this time counts, in a run until `end`.
+    /// True if the claim is judged at a row of this time, in a run until `end`.
     pub fn counts(&self, time: f64, end: f64) -> bool {
         self.when == When::Always && time <= end + rounding(end)
     }
 
-    /// Whether its one moment has come and has not been judged.
+    /// The moment of the claim if it is reached and not yet judged.
     pub fn is_due(&self, time: f64) -> Option<f64> {
         match self.when {
             When::At(moment) if !self.met && time + rounding(moment) >= moment => Some(moment),
@@ -108,7 +108,7 @@ impl Judge {
         }
     }
 
-    /// Takes what is read along the run at a time.
+    /// Judges the claim at `time` with the values of the roots.
     pub fn take(&mut self, time: f64, read: &[f64]) {
         match (self.measure, read.get(self.first..self.first + self.count)) {
             (Measure::Near(_), Some(&[value, expected])) => self.note(time, value, expected, (value - expected).abs()),
@@ -132,7 +132,7 @@ impl Judge {
         }
     }
 
-    /// Takes what its number is at a time, with what is read along both runs.
+    /// Judges the claim at `time` with the values of the roots in both runs.
     pub fn take_both(&mut self, time: f64, read: &[f64], finer: &[f64]) {
         if let (Some(&value), Some(&expected)) = (read.get(self.first), finer.get(self.first)) {
             self.note(time, value, expected, (value - expected).abs());
@@ -142,13 +142,13 @@ impl Judge {
     fn note(&mut self, time: f64, value: f64, expected: f64, distance: f64) {
         self.met = true;
         self.scale = self.scale.max(expected.abs());
-        // What is not a number is worse than anything, and the first of its kind stays.
+        // NaN is worse than any number; the first NaN is kept.
         if self.worst.is_none() || distance > self.distance || (distance.is_nan() && !self.distance.is_nan()) {
             (self.worst, self.distance) = (Some((time, value, expected)), distance);
         }
     }
 
-    /// What came of it. `stopped` is why the run could not go on, if it could not.
+    /// Result of the claim. `stopped` is the error that stopped the run, if any.
     pub fn outcome(&self, stopped: Option<&RunError>, out_of_work: bool) -> Outcome {
         let worst = self.worst.map(|(time, value, expected)| {
             let measured = match self.measure {
@@ -167,7 +167,7 @@ impl Judge {
         let near =
             |measured: Measured| measured.allowed.is_none_or(|allowed| within(measured.off, allowed, self.halves));
         let fails = self.failed || !worst.and_then(|worst| worst.measured).is_none_or(near);
-        // A claim for one moment is decided when that is over; one for all of them also by the first failure.
+        // A claim about one moment is decided once that is judged; one about all moments also by the first failure.
         let whole = self.when != When::Always && self.met;
         let verdict = match stopped {
             _ if whole && !fails => Verdict::Held,
@@ -181,17 +181,18 @@ impl Judge {
     }
 }
 
-/// Whether something is near enough; false for what is not a number.
+/// True if the difference is within the tolerance; false for NaN.
 fn within(off: f64, allowed: f64, strictly: bool) -> bool {
     if strictly { off < allowed } else { off <= allowed }
 }
 
-/// How far a time can be off by rounding.
+/// Upper bound of the rounding error of a time, in the unit of `time`.
 pub(super) fn rounding(time: f64) -> f64 {
     crate::ROUNDING * time.abs()
 }
 
-/// When a claim is judged: `end` is where the run ends, and `at` the value of a moment of its own.
+/// The time at which a claim is judged: `end` is the end of the run, and `at` evaluates the moment of a claim about one
+/// moment.
 pub(super) fn when(moment: &Moment, end: f64, at: impl FnOnce(NodeId) -> f64) -> When {
     match moment {
         Moment::Always => When::Always,

@@ -1,4 +1,4 @@
-//! Runs a program for what its author claims about it ([`program::Check`]), and says which claims hold.
+//! Runs a program to test the claims of its author ([`program::Check`]).
 
 mod judge;
 mod outcome;
@@ -14,34 +14,34 @@ pub use words::{claim_outcome, moment};
 use program::Program;
 use trial::Trial;
 
-/// About how many floating-point operations all claims of a document may take together: some ten seconds.
+/// Work limit for all claims of a document together, in floating-point operations: about ten seconds.
 pub const MOST_WORK: u64 = 4_000_000_000;
 
-/// The claims of a program, being judged one run after the other. The same program gives the same outcomes to the last
-/// bit, however the work is divided.
+/// Test of all claims of a program, one run after the other. The outcomes are the same to the last bit however the work is
+/// divided.
 #[derive(Debug)]
 pub struct Checking {
-    /// The run that is being made, of [`Program::checks`] the one of this number.
+    /// The run in progress, for the check at index `next` of [`Program::checks`].
     trial: Option<Box<Trial>>,
     next: usize,
-    /// Of the runs that have been made, and behind them those of the claims that no run has decided.
+    /// Outcomes of the finished checks, one list per check.
     outcomes: Vec<Vec<Outcome>>,
-    /// How much work is left.
+    /// Remaining work, in floating-point operations.
     left: u64,
 }
 
 impl Checking {
-    /// Nothing has been judged yet.
+    /// A test with the work limit [`MOST_WORK`], nothing judged yet.
     pub fn new() -> Self {
         Self::within(MOST_WORK)
     }
 
-    /// The same with another limit than [`MOST_WORK`].
+    /// A test with the work limit `work`.
     pub fn within(work: u64) -> Self {
         Self { trial: None, next: 0, outcomes: Vec::new(), left: work }
     }
 
-    /// Goes on with about so many floating-point operations. Whether all claims are judged.
+    /// Continues with about `work` floating-point operations. Returns true if all claims are judged.
     pub fn advance(&mut self, program: &Program, work: u64) -> bool {
         let mut work = work.max(1);
         while self.next < program.checks.len() && work > 0 {
@@ -64,7 +64,7 @@ impl Checking {
         self.next >= program.checks.len()
     }
 
-    /// What came of the claims of each check, in the order of the program. Those that are not judged yet are missing.
+    /// Outcomes of the claims, one list per check in the order of the program; checks that are not finished are missing.
     pub fn outcomes(&self) -> &[Vec<Outcome>] {
         &self.outcomes
     }
@@ -76,7 +76,7 @@ impl Default for Checking {
     }
 }
 
-/// Judges all claims of a program.
+/// Judges all claims of a program in one call: one list of outcomes per check.
 pub fn judge_all(program: &Program) -> Vec<Vec<Outcome>> {
     let mut checking = Checking::new();
     while !checking.advance(program, u64::MAX) {}

@@ -1,57 +1,58 @@
-//! What came of a claim.
+//! The result of a claim.
 
 use crate::RunError;
 
-/// What came of a claim.
+/// The result of a claim.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Whether it held.
+    /// The verdict.
     pub verdict: Verdict,
-    /// The moment that speaks most against it; none if it was not reached, or if a condition was always true.
+    /// The moment of the greatest violation; `None` if no moment was reached or a condition was always true.
     pub worst: Option<Worst>,
 }
 
-/// Whether a claim held.
+/// Verdict on a claim.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// It did.
+    /// The claim holds.
     Held,
-    /// It did not.
+    /// The claim does not hold.
     Failed,
     /// The run stopped before the claim was decided.
     Stopped(RunError),
     /// The run ends before the moment of the claim.
     NotReached,
-    /// The runs of the document's claims take more than [`super::MOST_WORK`].
+    /// The work limit of all checks, [`super::MOST_WORK`], is used up.
     TooLong,
 }
 
 impl Outcome {
-    /// Whether the claim held.
+    /// True if the claim holds.
     pub fn held(&self) -> bool {
         self.verdict == Verdict::Held
     }
 }
 
-/// A moment of a run, and what a claim meets there.
+/// A moment of a run and the values of a claim there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worst {
-    /// The independent variable, SI.
+    /// The independent variable, SI units.
     pub time: f64,
-    /// What was measured there; none if the claim is a condition other than one comparison of numbers.
+    /// The values there; `None` if the claim is a condition other than one comparison of numbers.
     pub measured: Option<Measured>,
 }
 
-/// What was measured for a claim.
+/// Values measured for a claim.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// The claimed number or the left side of a comparison; of [`program::Test::HalvedStep`] that with the document's step. SI.
+    /// The claimed number or the left side of a comparison, SI units; for [`program::Test::HalvedStep`] the value with the
+    /// step of the document.
     pub value: f64,
-    /// What it should be, the right side of a comparison, or what it is with the finer step. SI.
+    /// The expected value, the right side of a comparison, or the value with the finer step; SI units.
     pub expected: f64,
-    /// How far off it is: a fraction where the tolerance is one, else SI. Of a comparison with `<` or `>`, how far the value
-    /// is on the wrong side; negative on the right one.
+    /// Difference: a fraction if the tolerance is relative, else in SI units. For `<` and `>`, the distance on the wrong
+    /// side, negative on the right side.
     pub off: f64,
-    /// How far off it may be, a fraction or SI as `off`. None of a comparison.
+    /// Allowed difference, in the same unit as `off`; `None` for a comparison.
     pub allowed: Option<f64>,
 }

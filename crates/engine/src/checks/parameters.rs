@@ -1,9 +1,10 @@
-//! The parameters that a check supposes, and what follows from them before the run.
+//! Parameters of a check, and values known before its run.
 
 use crate::{Readings, Setup};
 use program::{Assignment, Model, NodeId, Program};
 
-/// The document's own parameters with those set that a check supposes; each is computed from those before it.
+/// The parameters of the document with the assignments of a check applied in order, one value per parameter, SI units. Each
+/// assignment sees those before it.
 pub fn supposed(program: &Program, setup: &[Assignment]) -> Vec<f64> {
     let mut parameters = Setup::of(program).parameters;
     for assignment in setup {
@@ -15,7 +16,7 @@ pub fn supposed(program: &Program, setup: &[Assignment]) -> Vec<f64> {
     parameters
 }
 
-/// What does not change during a run with these parameters.
+/// Value of a node that is constant during a run with these parameters, SI units.
 pub(super) fn at_start(model: &Model, parameters: &[f64], node: NodeId) -> f64 {
     let nodes: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
     let zeros = vec![0.0; nodes.len()];

@@ -1,20 +1,20 @@
-//! A run together with what is read along it.
+//! A run with expressions evaluated at its rows.
 
 use crate::{Advance, Readings, Routine, Run, RunError, Setup};
 use program::{Model, NodeId};
 
-/// Rows beyond so many bytes are dropped when they have been read, so that no run is too long.
+/// History size in bytes above which rows already evaluated are dropped, so that long runs fit in memory.
 const HISTORY: usize = 1 << 20;
 
-/// A run and the values that are read along it.
+/// A run with expressions evaluated at its rows.
 #[derive(Debug)]
 pub(super) struct Side {
     run: Run,
     readings: Readings,
-    /// About how many floating-point operations a reading takes.
+    /// Approximate number of floating-point operations per evaluation.
     cost: u64,
     state: Vec<f64>,
-    /// The first row that has not been read.
+    /// Index of the first row that is not evaluated.
     row: usize,
 }
 
@@ -26,13 +26,13 @@ impl Side {
         Ok(Self { run, readings, cost, state: vec![0.0; model.states.len()], row: 0 })
     }
 
-    /// The time of the last row.
+    /// The time of the last row, SI units.
     pub fn time(&self) -> f64 {
         let history = self.run.history();
         history.time(history.len() - 1)
     }
 
-    /// Goes on to the next row, taking what this costs off `work`. Whether it got there.
+    /// Advances to the next row and subtracts the cost from `work`. Returns true if the row is reached.
     pub fn advance(&mut self, work: &mut u64) -> Result<bool, RunError> {
         if self.run.history().bytes() > HISTORY && self.row == self.run.history().len() {
             self.run.forget();
@@ -53,7 +53,7 @@ impl Side {
         }
     }
 
-    /// The next row that has not been read: its time and what is read there.
+    /// The next row that is not evaluated: its time and the values of the roots, SI units.
     pub fn next_row(&mut self) -> Option<(f64, &[f64])> {
         let history = self.run.history();
         let row = self.row;
@@ -64,13 +64,14 @@ impl Side {
         Some((history.time(row), self.readings.at_row(history, row)))
     }
 
-    /// Lets what happens at a time up to the last row happen. An event that ends the run is met again by [`Self::advance`].
+    /// Processes the events up to `time`, at most that of the last row. An event that ends the run is reported again by
+    /// [`Self::advance`].
     pub fn finish(&mut self, time: f64) {
         let _ = self.run.finish(time);
     }
 
-    /// What is read at a time up to the last row, behind the events of that moment; between two rows from the interpolated
-    /// state.
+    /// Values of the roots at `time`, at most that of the last row, after the events of that moment; between two rows from
+    /// the interpolated state. SI units.
     pub fn at(&mut self, time: f64) -> &[f64] {
         self.finish(time);
         let last = self.time();

@@ -1,4 +1,4 @@
-//! One run, or two with different steps side by side, and the claims about it.
+//! One run, or two runs with different steps, and the claims about them.
 
 use super::judge::{Judge, rounding, when};
 use super::outcome::Outcome;
@@ -7,19 +7,19 @@ use super::side::Side;
 use crate::{RunError, Setup};
 use program::{Check, NodeId, Program};
 
-/// A run for the claims of one check.
+/// The run that tests the claims of one check.
 #[derive(Debug)]
 pub(super) struct Trial {
     judges: Vec<Judge>,
-    /// The run, or why there is none.
+    /// The run, or the error that stopped it.
     side: Result<Side, RunError>,
-    /// The same with half the step or a tenth of the tolerance, where a claim asks for it.
+    /// The run with half the step or a tenth of the tolerance, if a claim needs it.
     finer: Option<Result<Side, RunError>>,
-    /// Where the run ends.
+    /// End of the run, SI units.
     end: f64,
-    /// The last moment that a claim waits for.
+    /// The last moment that a claim needs, SI units.
     last: f64,
-    /// Whether an event has ended the finer run.
+    /// True if an event has ended the finer run.
     finer_ended: bool,
     over: bool,
 }
@@ -44,7 +44,7 @@ impl Trial {
         trial
     }
 
-    /// Goes on, taking what this costs off `work`. Whether all claims are decided.
+    /// Continues and subtracts the cost from `work`. Returns true if all claims are decided.
     pub fn advance(&mut self, work: &mut u64) -> bool {
         while !self.over && *work > 0 {
             let Ok(side) = &mut self.side else {
@@ -52,7 +52,7 @@ impl Trial {
                 break;
             };
             let time = side.time();
-            // The finer run follows the other one row by row.
+            // The finer run follows the other row by row.
             if let Some(Ok(finer)) = &mut self.finer
                 && !self.finer_ended
                 && finer.time() + rounding(time) < time
@@ -93,7 +93,7 @@ impl Trial {
         self.over
     }
 
-    /// Judges what the run alone decides at its new rows.
+    /// Judges the claims about the run alone at its new rows.
     fn read(&mut self) {
         let Ok(side) = &mut self.side else { return };
         while let Some((time, read)) = side.next_row() {
@@ -109,7 +109,7 @@ impl Trial {
         }
     }
 
-    /// Judges what both runs decide, which have come to the row of this time.
+    /// Judges the claims that compare both runs, once both have reached `time`.
     fn compare(&mut self, time: f64) {
         let (Ok(side), Some(Ok(finer))) = (&mut self.side, &mut self.finer) else { return };
         for judge in self.judges.iter_mut().filter(|judge| judge.halves) {
@@ -120,7 +120,7 @@ impl Trial {
         }
     }
 
-    /// What came of the claims.
+    /// Outcomes of the claims, in their order.
     pub fn outcomes(&self) -> Vec<Outcome> {
         let stopped = self.side.as_ref().err();
         let outcome = |judge: &Judge| {

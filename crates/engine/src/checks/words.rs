@@ -1,15 +1,15 @@
-//! What came of a claim, for people.
+//! Outcomes of claims as text.
 
 use super::outcome::{Measured, Outcome, Verdict};
 use program::{Claim, Model, Moment, Program, Test, Tolerance};
 use units::number::{Style, plain};
 use units::{Language, Unit, Words, words};
 
-/// How many digits values are written with; differences get [`FEW`].
+/// Significant digits of values; differences have [`FEW`].
 const DIGITS: usize = 7;
 const FEW: usize = 2;
 
-/// What came of a claim in one line: its worst value, when that was, what it should be and how far off it is.
+/// The outcome of a claim in one line: the worst value, its time, the expected value and the difference.
 pub fn claim_outcome(program: &Program, claim: &Claim, outcome: &Outcome) -> Words {
     match (&outcome.verdict, &outcome.worst) {
         (Verdict::Stopped(error), _) => {
@@ -41,7 +41,7 @@ pub fn claim_outcome(program: &Program, claim: &Claim, outcome: &Outcome) -> Wor
     }
 }
 
-/// The value of the independent variable, `t = 3.2 s`.
+/// The independent variable as text, for example `t = 3.2 s`; `time` in SI units.
 pub fn moment(model: &Model, time: f64) -> Words {
     let (name, unit) = (&model.independent.name, &model.independent.unit);
     Words::each(|language| format!("{name} = {}", quantity(time, unit, DIGITS, language)))
@@ -107,13 +107,13 @@ fn said(program: &Program, claim: &Claim, measured: &Measured, at: &Words) -> Wo
     }
 }
 
-/// `612.5 J`
+/// A quantity as text in its display unit, for example `612.5 J`.
 fn quantity(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
     let number = plain(unit.from_si(si), digits, Style::of(language.tag()));
     if unit.text.is_empty() { number } else { format!("{number} {unit}") }
 }
 
-/// A difference: in percent where it is a fraction.
+/// A difference as text: in percent if it is relative, else in the display unit.
 fn difference(off: f64, unit: &Unit, relative: bool, language: Language) -> String {
     if relative {
         return format!("{} %", plain(100.0 * off, FEW, Style::of(language.tag())));

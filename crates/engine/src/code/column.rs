@@ -1,42 +1,42 @@
-//! One operation on a column of values: what repeats in a model with many equal parts, such as a chain of masses. Element by
-//! element it computes what the instruction of that operation computes, to the bit; but one dispatch serves the whole
-//! column, and the processor may treat several elements at once.
+//! Vectorized instructions: one operation on a column of values, for models with many equal parts such as a chain of
+//! masses. Each element has the bits of the corresponding single instruction, but one dispatch serves the whole column, and
+//! the compiler can use SIMD.
 
 use super::instruction::{Operation, Register, each};
 use program::Interpolation;
 use std::sync::Arc;
 
-/// So many elements are computed in one go.
+/// Number of elements computed per block.
 const LANES: usize = 16;
 
-/// One operation for `count` targets in a row. All operands stand before the first target.
+/// One operation for `count` consecutive target registers. All operands are in registers before the first target.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
-    /// What is computed.
+    /// The operation.
     pub operation: Operation,
-    /// The register of the first element.
+    /// Register of the first element.
     pub to: Register,
-    /// How many elements there are.
+    /// Number of elements.
     pub count: u32,
-    /// As many as the operation has; the others are not read.
+    /// The operands; those beyond the arity of the operation are not read.
     pub operands: [Operand; 3],
 }
 
-/// Where an operand stands, by element.
+/// Registers of one operand, by element.
 #[derive(Clone, Debug)]
 pub(crate) enum Operand {
     /// One register for all elements.
     Same(Register),
-    /// From this register on, one after the other.
+    /// Consecutive registers from this one on.
     Next(Register),
-    /// The first register and the distance, perhaps negative, from each to the next.
+    /// First register and stride, which can be negative.
     Every(Register, i32),
-    /// Anywhere.
+    /// Any registers, one per element.
     Listed(Box<[Register]>),
 }
 
 impl Operand {
-    /// The simplest form of these registers.
+    /// The most compact form of these registers.
     pub fn of(registers: &[Register]) -> Self {
         let (Some(&first), second) = (registers.first(), registers.get(1)) else { return Self::Same(0) };
         let distance = second.map_or(0, |&second| i64::from(second) - i64::from(first));
@@ -49,7 +49,7 @@ impl Operand {
         }
     }
 
-    /// The register of one element.
+    /// Register of one element.
     fn register(&self, element: usize) -> Register {
         match self {
             Self::Same(register) => *register,
@@ -61,7 +61,7 @@ impl Operand {
 }
 
 impl Column {
-    /// Computes all elements, for as many rows at a time as a register has values.
+    /// Computes all elements for `ROWS` rows at once.
     pub fn run<const ROWS: usize>(&self, registers: &mut [[f64; ROWS]], interpolations: &[Arc<Interpolation>]) {
         match self.operation {
             Operation::Add => self.arithmetic(registers, |[a, b]| a + b),
@@ -87,8 +87,8 @@ impl Column {
         }
     }
 
-    /// [`Column::all`] for an operation that takes less time than collecting its operands. Those of one row that stand one
-    /// after the other, and at most one that is the same for all elements, are read where they are.
+    /// [`Column::all`] for operations cheaper than copying their operands. For a single row, consecutive operands and at
+    /// most one operand common to all elements are read in place.
     #[inline(always)]
     fn arithmetic<const ROWS: usize, const OPERANDS: usize>(
         &self,
@@ -133,8 +133,7 @@ impl Column {
         }
     }
 
-    /// Element after element of one row, in blocks. Operands that stand one after the other are read where they are, the
-    /// others are collected first.
+    /// Computes one row in blocks of [`LANES`] elements. Consecutive operands are read in place, others are copied first.
     #[inline(always)]
     fn blocks<const OPERANDS: usize>(&self, registers: &mut [f64], operation: impl Fn([f64; OPERANDS]) -> f64) {
         let (known, targets) = registers.split_at_mut(self.to as usize);
@@ -155,7 +154,7 @@ impl Column {
         }
     }
 
-    /// Collects the operands that are the same for all elements.
+    /// Copies the operands that are common to all elements.
     fn collect_constant(&self, known: &[f64], collected: &mut [[f64; LANES]; 3]) {
         for (values, operand) in collected.iter_mut().zip(&self.operands) {
             if let Operand::Same(register) = operand {
@@ -164,8 +163,8 @@ impl Column {
         }
     }
 
-    /// Collects the operands of `count` elements from `first` on, except those that are read where they are: one after the
-    /// other, with at least [`LANES`] of them before the targets.
+    /// Copies the operands of `count` elements from `first` on. Operands read in place are skipped: consecutive registers
+    /// with at least [`LANES`] of them before the targets.
     fn collect(&self, known: &[f64], first: usize, count: usize, collected: &mut [[f64; LANES]; 3]) {
         for (values, operand) in collected.iter_mut().zip(&self.operands) {
             let values = &mut values[..count];
@@ -192,8 +191,8 @@ impl Column {
     }
 }
 
-/// Computes `targets` from operands that begin where these slices do and go on from element to element, all but the one of number
-/// `SAME`. Known to the compiler, it does not keep the processor from treating several elements at once.
+/// Computes `targets` from operand slices, element by element; operand number `SAME` has one value for all elements. As a
+/// constant, `SAME` does not prevent vectorization.
 #[inline(always)]
 fn one_by_one<const OPERANDS: usize, const SAME: usize>(
     targets: &mut [f64],

@@ -1,35 +1,35 @@
-//! Finds what repeats among operations that do not need each other.
+//! Finds columns among independent operations.
 
 use super::column::{Column, Operand};
 use super::instruction::{Operation, Register};
 
-/// Shorter columns cost more than instructions of their own.
+/// Minimum length of a column: shorter ones cost more than single instructions.
 const LEAST: usize = 8;
 
-/// An operation that has no register yet.
+/// An operation without a target register.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Entry {
     pub operation: Operation,
-    /// Those that it does not have are 0.
+    /// Operand registers; unused ones are 0.
     pub operands: [Register; 3],
-    /// The node that it computes.
+    /// Index of the node that it computes.
     pub node: usize,
 }
 
-/// Operations as columns, and what is left of them.
+/// Operations grouped into columns, and the rest.
 #[derive(Debug, Default)]
 pub(crate) struct Columns {
-    /// All operations in the order of their targets.
+    /// All operations in the order of their target registers.
     pub order: Vec<Entry>,
     pub columns: Vec<Column>,
-    /// The places in `order` of those that are in no column.
+    /// Indices in `order` of the operations outside all columns.
     pub alone: Vec<usize>,
 }
 
-/// Makes columns of `entries`, whose targets are the registers from `first` on.
+/// Groups `entries` into columns; their targets are the registers from `first` on.
 ///
-/// Equal operations are sorted by their operands and cut into the longest runs in which every operand goes on by a constant
-/// number of registers. If enough remain, they are one more column, whose operands may stand anywhere.
+/// Equal operations are sorted by their operands and cut into the longest runs in which every operand has a constant
+/// stride. If enough remain, they form one more column with operands in any registers.
 pub(crate) fn columns(mut entries: Vec<Entry>, first: Register) -> Columns {
     for entry in &mut entries {
         if matches!(entry.operation, Operation::Add | Operation::Multiply) && entry.operands[0] > entry.operands[1] {
@@ -65,14 +65,15 @@ impl Columns {
         let begin = self.order.len();
         let listed = alone.len() >= LEAST;
         if listed {
-            // What is in no run stands behind the runs.
+            // Operations in no run follow the runs.
             for &(at, length) in &runs {
                 self.column(&group[at..at + length], first);
             }
             let rest: Vec<Entry> = alone.iter().map(|&at| group[at]).collect();
             self.column(&rest, first);
         } else {
-            // What is in no run keeps its place between them: what is computed from the whole group may be one run again.
+            // Operations in no run keep their place between the runs: results of the whole group are then one run of
+            // registers.
             self.order.extend(group);
             for (at, length) in runs {
                 self.columns.push(column(&group[at..at + length], first + (begin + at) as Register));
@@ -87,7 +88,7 @@ impl Columns {
     }
 }
 
-/// How many entries from the first on have operands that go on by constant numbers of registers.
+/// Number of entries from the first on whose operands have constant strides.
 fn run(entries: &[Entry]) -> usize {
     let distances = |pair: &[Entry]| {
         let distance = |which: usize| i64::from(pair[1].operands[which]) - i64::from(pair[0].operands[which]);

@@ -1,4 +1,4 @@
-//! From expressions to register code.
+//! Compiler from expressions to register code.
 
 use super::columns::{Entry, columns};
 use super::instruction::{Elimination, Instruction, Operation, Register};
@@ -6,15 +6,15 @@ use crate::code::Code;
 use crate::methods::sparse::Sparse;
 use program::{Binary, Graph, Node, NodeId, Unary};
 
-/// Fewer operations are not worth the search for columns.
+/// Minimum number of operations for a search for columns.
 const LEAST_OPERATIONS: usize = 64;
 
-/// The code that computes `roots`; `places` has the place of each state among those that are given.
+/// Compiles code that computes `roots`; `places` has the position of each state in the state vector given at evaluation.
 pub(crate) fn compile(graph: &Graph, places: Vec<u32>, roots: &[NodeId]) -> Code {
     compile_with(LEAST_OPERATIONS, graph, places, roots)
 }
 
-/// [`compile`] with a search for columns from this number of operations on.
+/// [`compile`] with a search for columns from `least` operations on.
 fn compile_with(least: usize, graph: &Graph, places: Vec<u32>, roots: &[NodeId]) -> Code {
     let mut compiler = Compiler::new(graph, places, roots);
     compiler.compile(least);
@@ -22,7 +22,7 @@ fn compile_with(least: usize, graph: &Graph, places: Vec<u32>, roots: &[NodeId])
     compiler.code
 }
 
-/// When a node can be computed.
+/// The part of the code that computes a node.
 #[derive(Clone, Copy, PartialEq)]
 enum Stage {
     Unused,
@@ -32,16 +32,16 @@ enum Stage {
 
 struct Compiler<'a> {
     graph: &'a Graph,
-    /// By state.
+    /// Position in the given state vector, one value per state.
     places: Vec<u32>,
-    /// By node.
+    /// One value per node.
     stage: Vec<Stage>,
-    /// How often each node is read, as an operand or a root.
+    /// Number of uses as an operand or a root, one value per node.
     uses: Vec<u32>,
-    /// Products computed as part of the sum that reads them.
+    /// True for a product that is computed by the instruction of its sum, one value per node.
     absorbed: Vec<bool>,
     register: Vec<Register>,
-    /// By system of the graph: its number in the code.
+    /// Index of each linear system of the graph in the code, `None` until it is emitted.
     system: Vec<Option<u32>>,
     code: Code,
 }
@@ -65,12 +65,12 @@ impl<'a> Compiler<'a> {
         compiler
     }
 
-    /// Finds what is used, how often, and when it can be computed.
+    /// Counts the uses of each node and determines its stage.
     fn mark(&mut self, roots: &[NodeId]) {
         for root in roots {
             self.uses[root.0 as usize] += 1;
         }
-        // Operands have smaller numbers, so going down meets every reader before what it reads.
+        // Operands have smaller indices, so a descending loop meets every user before its operands.
         let mut read = vec![false; self.graph.systems().len()];
         for index in (0..self.graph.len()).rev() {
             let node = self.graph.node(NodeId(index as u32));
@@ -103,14 +103,14 @@ impl<'a> Compiler<'a> {
         self.code.roots = roots.iter().map(|root| root.0).collect();
     }
 
-    /// The latest stage of what a node reads.
+    /// The latest stage of the operands of a node.
     fn latest(&self, node: Node) -> Stage {
         let mut operands = operands(self.graph, node).into_iter();
         let in_body = operands.any(|operand| self.stage[operand.0 as usize] == Stage::Body);
         if in_body { Stage::Body } else { Stage::Prologue }
     }
 
-    /// The operand of a sum or difference that is a product without other readers, and the other operand.
+    /// For a sum or difference: the operand that is a product without other users, and the other operand.
     fn product(&self, node: Node, stage: Stage) -> Option<(NodeId, NodeId)> {
         let (Node::Binary(Binary::Add, a, b) | Node::Binary(Binary::Subtract, a, b)) = node else {
             return None;
@@ -148,7 +148,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// Compiles level by level: what stands in one level can be computed at the same time, and what repeats is one column.
+    /// Compiles level by level: the operations of one level are independent and can form columns.
     fn compile_levels(&mut self, nodes: &[usize]) {
         for (stage, levels) in [Stage::Prologue, Stage::Body].map(|stage| (stage, self.levels(nodes, stage))) {
             for level in levels {
@@ -167,7 +167,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// The operations of a stage by level, one more than the highest level of an operand in the same stage.
+    /// Operations of a stage by level. The level is one more than the highest level of the operands in the same stage.
     fn levels(&self, nodes: &[usize], stage: Stage) -> Vec<Vec<usize>> {
         let mut level = vec![0_usize; self.graph.len()];
         let mut system = vec![None; self.graph.systems().len()];
@@ -178,7 +178,7 @@ impl<'a> Compiler<'a> {
                 let operands = operands(self.graph, node).into_iter();
                 operands.map(|operand| of_absorbed(operand.0 as usize)).max().unwrap_or_default()
             };
-            // The operands of an absorbed product are those of the sum.
+            // The operands of an absorbed product are operands of the sum.
             let direct = |operand: usize| level[operand];
             let through = |operand: usize| match self.absorbed[operand] {
                 true => of(self.graph.node(NodeId(operand as u32)), &direct),
@@ -199,7 +199,7 @@ impl<'a> Compiler<'a> {
         levels
     }
 
-    /// Emits operations that do not need each other.
+    /// Emits independent operations.
     fn emit_level(&mut self, stage: Stage, entries: Vec<Entry>) {
         let first = self.code.registers.len() as Register;
         let found = columns(entries, first);
@@ -218,14 +218,14 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// Whether a node is computed from nothing; if so, finds its register.
+    /// True if a node has no operands; its register is then allocated.
     fn input(&mut self, index: usize) -> bool {
         let node = self.graph.node(NodeId(index as u32));
         self.register[index] = match node {
             Node::Independent => 0,
             Node::State(state) => self.places[state as usize] + 1,
             Node::Constant(bits) => self.allocate(f64::from_bits(bits)),
-            // In a finished model nothing is computed from it.
+            // A finished model does not evaluate this node.
             Node::Friction(..) => self.allocate(f64::NAN),
             Node::Parameter(_) | Node::Initial(_) => self.allocate(0.0),
             _ => return false,
@@ -238,7 +238,7 @@ impl<'a> Compiler<'a> {
         true
     }
 
-    /// Emits what is computed from other nodes.
+    /// Emits the code of a node that has operands.
     fn emit(&mut self, index: usize) {
         let node = self.graph.node(NodeId(index as u32));
         let stage = self.stage[index];
@@ -256,7 +256,7 @@ impl<'a> Compiler<'a> {
         self.push(stage, operation.instruction(to, operands));
     }
 
-    /// What computes a node from the registers of its operands.
+    /// Operation and operand registers of a node.
     fn operation(&self, node: Node, stage: Stage) -> (Operation, [Register; 3]) {
         if let Some((product, other)) = self.product(node, stage)
             && let Node::Binary(_, a, b) = self.graph.node(product)
@@ -291,7 +291,7 @@ impl<'a> Compiler<'a> {
             Node::Binomial(trials, probability, stream) => {
                 (Operation::Binomial, [trials, probability, stream].map(|operand| self.of(operand)))
             }
-            // Inputs and solutions are not computed by operations; `input` and `emit` have dealt with them.
+            // Unreachable: `input` and `emit` handle inputs and solutions.
             _ => (Operation::Negate, [0; 3]),
         }
     }
@@ -328,7 +328,7 @@ impl<'a> Compiler<'a> {
     }
 }
 
-/// Whether this is not a further unknown of a system that has been read already.
+/// False for a further unknown of a linear system already met.
 fn first_of_system(node: Node, read: &mut [bool]) -> bool {
     match node {
         Node::Solution { system, .. } => !std::mem::replace(&mut read[system as usize], true),
@@ -336,7 +336,7 @@ fn first_of_system(node: Node, read: &mut [bool]) -> bool {
     }
 }
 
-/// What a node reads.
+/// Operands of a node.
 fn operands(graph: &Graph, node: Node) -> Vec<NodeId> {
     match node {
         Node::Constant(_) | Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => Vec::new(),

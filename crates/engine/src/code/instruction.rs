@@ -3,11 +3,11 @@
 use crate::methods::sparse::Sparse;
 use program::{Binary, Unary};
 
-/// The number of a register.
+/// Index of a register.
 pub(crate) type Register = u32;
 
-/// One instruction; the first register is the target. A product and the sum it goes into are one instruction (with both
-/// roundings), because dispatch costs more than arithmetic; functions that cost more than dispatch share a variant.
+/// One instruction; the first register is the target. A product and the sum that uses it are one instruction (with both
+/// roundings) because dispatch costs more than arithmetic. Functions that cost more than dispatch share a variant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Instruction {
     Add(Register, Register, Register),
@@ -15,29 +15,29 @@ pub(crate) enum Instruction {
     Multiply(Register, Register, Register),
     Divide(Register, Register, Register),
     Negate(Register, Register),
-    /// a * b + c
+    /// a * b + c; registers: target, a, b, c.
     MultiplyAdd(Register, Register, Register, Register),
-    /// a * b - c
+    /// a * b - c; registers: target, a, b, c.
     MultiplySubtract(Register, Register, Register, Register),
-    /// c - a * b
+    /// c - a * b; registers: target, a, b, c.
     SubtractProduct(Register, Register, Register, Register),
-    /// a if the condition is not 0, else b.
+    /// a if the condition is not 0, else b; registers: target, condition, a, b.
     Select(Register, Register, Register, Register),
     Unary(Unary, Register, Register),
     Binary(Binary, Register, Register, Register),
-    /// The piece of the interpolation of this number.
+    /// Piece index of an interpolation (its index, target, argument).
     Piece(u32, Register, Register),
-    /// The value of the interpolation of this number: where, and of which piece.
+    /// Value of an interpolation (its index, target, argument, piece).
     Interpolated(u32, Register, Register, Register),
-    /// Draws of the binomial distribution: trials, probability, stream.
+    /// Sample of a binomial distribution: target, trials, probability, random stream.
     Binomial(Register, Register, Register, Register),
-    /// Solves the linear system of this number.
+    /// Solves the linear system of this index.
     Solve(u32),
-    /// Computes the column of this number.
+    /// Computes the column of this index.
     Column(u32),
 }
 
-/// What an instruction or a column computes from its operands, in the order of [`Instruction`].
+/// Operation of an instruction or a column; operands as in [`Instruction`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Operation {
     Add,
@@ -57,7 +57,7 @@ pub(crate) enum Operation {
 }
 
 impl Operation {
-    /// The instruction with this target and these operands, of which it reads as many as it has.
+    /// The instruction with this target and these operands; surplus operands are ignored.
     pub fn instruction(self, to: Register, [a, b, c]: [Register; 3]) -> Instruction {
         match self {
             Self::Add => Instruction::Add(to, a, b),
@@ -77,7 +77,7 @@ impl Operation {
         }
     }
 
-    /// A number of its own for each operation.
+    /// Unique key of the operation, for sorting.
     pub fn number(self) -> (u8, u32) {
         match self {
             Self::Add => (0, 0),
@@ -98,23 +98,23 @@ impl Operation {
     }
 }
 
-/// A linear system among the registers of a routine.
+/// A linear system whose entries are registers.
 #[derive(Clone, Debug)]
 pub(crate) struct Elimination {
-    /// The registers of the entries of the matrix.
+    /// Registers of the matrix entries.
     pub entries: Vec<Register>,
-    /// The registers of the right side.
+    /// Registers of the right-hand side.
     pub right: Vec<Register>,
-    /// The first of the registers that receive the unknowns.
+    /// First register of the unknowns.
     pub target: Register,
-    /// Room for the matrix and its factors, so that solving allocates nothing.
+    /// Working storage for the matrix and its factors; solving allocates nothing.
     pub matrix: Sparse,
-    /// Room for the solution.
+    /// Working storage for the solution.
     pub solution: Vec<f64>,
 }
 
 impl Elimination {
-    /// Reads the system of one row from `registers` and writes the unknowns there.
+    /// Solves the system of one row: reads its entries from `registers` and writes the unknowns there.
     pub fn solve<const ROWS: usize>(&mut self, registers: &mut [[f64; ROWS]], row: usize) {
         self.matrix.factorize(0.0, |values, places| {
             for (&place, &register) in places.iter().zip(&self.entries) {
@@ -130,7 +130,7 @@ impl Elimination {
     }
 }
 
-/// Puts the result of `operation` into register `to`, row by row.
+/// Writes the result of `operation` to register `to`, row by row.
 #[inline(always)]
 pub(crate) fn each<const ROWS: usize, const OPERANDS: usize>(
     registers: &mut [[f64; ROWS]],

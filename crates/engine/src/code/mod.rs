@@ -1,6 +1,6 @@
-//! The code of a routine, and the register machine that runs it: what an instruction does, to the bit. Nothing here depends
-//! on the platform: the four operations and the square root are exact by IEEE 754, the other functions are those of
-//! [`program::Unary::evaluate`] and [`program::Binary::evaluate`], and nothing is ever fused.
+//! Code of a routine, and the register machine that runs it. The results do not depend on the platform, to the bit: the
+//! four operations and the square root are exact by IEEE 754, other functions are [`program::Unary::evaluate`] and
+//! [`program::Binary::evaluate`], and no multiply-add is fused.
 
 pub(crate) mod routine;
 
@@ -17,33 +17,33 @@ use std::sync::Arc;
 /// Register code for a set of expressions, the roots.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Code {
-    /// What depends on parameters and initial values only.
+    /// Instructions that depend on parameters and initial values only.
     pub prologue: Vec<Instruction>,
-    /// The rest.
+    /// All other instructions.
     pub body: Vec<Instruction>,
-    /// The columns that instructions of both compute.
+    /// Columns of both instruction lists.
     pub columns: Vec<Column>,
-    /// The linear systems that instructions of both solve.
+    /// Linear systems of both instruction lists.
     pub systems: Vec<Elimination>,
-    /// What instructions of both look up.
+    /// Interpolations of both instruction lists.
     pub interpolations: Vec<Arc<Interpolation>>,
-    /// The independent variable, the states, then what is computed; constants have their values.
+    /// Register values: the independent variable, the states, then constants and results.
     pub registers: Vec<f64>,
-    /// Indices of parameters, and their registers.
+    /// Index of each parameter, with its register.
     pub parameters: Vec<(usize, Register)>,
-    /// Indices of states, and the registers of their initial values.
+    /// Index of each state, with the register of its initial value.
     pub initial: Vec<(usize, Register)>,
     /// The registers of the roots.
     pub roots: Vec<Register>,
-    /// Where most of them stand in rows: the first register of each row of roots, and their number.
+    /// Consecutive root registers as ranges: first register and length; empty if the roots are too scattered.
     pub rows: Vec<(Register, usize)>,
 }
 
-/// Rows of roots must be so long on average to be copied as rows.
+/// Minimum average length of the ranges in [`Code::rows`].
 const LEAST_ROW: usize = 8;
 
 impl Code {
-    /// How many operations the instructions of the body stand for.
+    /// Number of operations in the body; a column counts once per element.
     pub fn operations(&self) -> usize {
         let count = |instruction: &Instruction| match instruction {
             Instruction::Column(column) => self.columns[*column as usize].count as usize,
@@ -52,7 +52,7 @@ impl Code {
         self.body.iter().map(count).sum()
     }
 
-    /// Finds out which roots stand in a row.
+    /// Finds ranges of consecutive root registers.
     pub fn find_rows(&mut self) {
         for &register in &self.roots {
             match self.rows.last_mut() {
@@ -65,7 +65,7 @@ impl Code {
         }
     }
 
-    /// Writes the values of the roots.
+    /// Copies the values of the roots to `out`.
     #[inline]
     pub fn copy_roots(&self, out: &mut [f64]) {
         if self.rows.is_empty() {
@@ -84,8 +84,8 @@ impl Code {
     }
 }
 
-/// Runs `code` over `registers`, for as many rows at a time as a register has values: one dispatch serves them all, and the
-/// processor may treat several at once. The bits of a row do not depend on how many there are.
+/// Runs `code` over `registers` for `ROWS` rows at once: one dispatch serves all rows, and the compiler can use SIMD. The
+/// bits of a row do not depend on `ROWS`.
 pub(crate) fn run<const ROWS: usize>(
     code: &[Instruction],
     registers: &mut [[f64; ROWS]],

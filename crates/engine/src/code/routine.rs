@@ -4,18 +4,18 @@ use super::compile::compile;
 use crate::code::{Code, run};
 use program::{Graph, Model, NodeId};
 
-/// How many rows are computed at a time.
+/// Number of rows computed at once.
 const ROWS: usize = 16;
 
-/// Register code for a set of expressions, the roots. What depends on parameters and initial values only is computed once
-/// by [`Routine::prepare`], the rest by each [`Routine::evaluate`], which allocates nothing.
+/// Register code for a set of expressions, the roots. [`Routine::prepare`] computes the part that depends on parameters and
+/// initial values only; [`Routine::evaluate`] computes the rest and allocates nothing.
 #[derive(Clone, Debug)]
 pub struct Routine {
     code: Code,
-    /// The registers for many rows at a time, where these were asked for.
+    /// Registers of [`Routine::evaluate_rows`], empty before its first call.
     rows: Vec<[f64; ROWS]>,
     states: usize,
-    /// Floating-point operations of an evaluation.
+    /// Approximate floating-point operations per evaluation.
     work: u64,
 }
 
@@ -30,7 +30,7 @@ impl Routine {
         Self::of(compile(graph, (0..states as u32).collect(), roots), states)
     }
 
-    /// Compiles `roots` of a graph whose states are given in another order: `order` has their numbers.
+    /// Compiles `roots` of a graph for states in another order: `order` has the model's state index at each position.
     pub(crate) fn with_order(graph: &Graph, order: &[u32], roots: &[NodeId]) -> Self {
         let mut places = vec![0; order.len()];
         for (place, &state) in (0..).zip(order) {
@@ -45,7 +45,7 @@ impl Routine {
         Self { code, rows: Vec::new(), states, work }
     }
 
-    /// Sets parameters and initial values, all in SI, in the model's order.
+    /// Sets parameters and initial values: one value per parameter and per state, in the model's order, SI units.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         let code = &mut self.code;
         for &(index, register) in &code.parameters {
@@ -63,7 +63,7 @@ impl Routine {
         );
     }
 
-    /// Computes all roots at `time` and `state`; `out[i]` becomes the value of `roots[i]`.
+    /// Computes all roots at `time` and `state` (one value per state), SI units; `out[i]` becomes the value of `roots[i]`.
     #[inline]
     pub fn evaluate(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
         self.evaluate_at(time, out, |registers| {
@@ -71,8 +71,8 @@ impl Routine {
         });
     }
 
-    /// [`Routine::evaluate`] at the state that `set` writes: what a method needs between two stages goes straight into the
-    /// registers.
+    /// [`Routine::evaluate`] with a state that `set` writes directly into the registers; this avoids a copy between the
+    /// stages of a method.
     #[inline]
     pub(crate) fn evaluate_at(&mut self, time: f64, out: &mut [f64], set: impl FnOnce(&mut [f64])) {
         let Code { body, columns, interpolations, systems, registers, .. } = &mut self.code;
@@ -84,8 +84,8 @@ impl Routine {
         self.code.copy_roots(out);
     }
 
-    /// Computes all roots at many times and one state: those of root `i` stand in `out` from `i * times.len()` on. They have
-    /// the bits of [`Routine::evaluate`].
+    /// Computes all roots at many times and one state, SI units. The values of root `i` start at `out[i * times.len()]` and
+    /// have the bits of [`Routine::evaluate`].
     pub fn evaluate_rows(&mut self, times: &[f64], state: &[f64], out: &mut [f64]) {
         let Code { body, columns, interpolations, systems, registers, roots, .. } = &mut self.code;
         registers[1..=self.states].copy_from_slice(&state[..self.states]);
@@ -101,27 +101,27 @@ impl Routine {
         }
     }
 
-    /// How many roots there are.
+    /// Number of roots.
     pub fn len(&self) -> usize {
         self.code.roots.len()
     }
 
-    /// Whether there are no roots.
+    /// True if there are no roots.
     pub fn is_empty(&self) -> bool {
         self.code.roots.is_empty()
     }
 
-    /// How many operations an evaluation takes, of columns each element.
+    /// Number of operations per evaluation; a column counts once per element.
     pub fn instructions(&self) -> usize {
         self.code.operations()
     }
 
-    /// About how many floating-point operations an evaluation takes, copying included.
+    /// Approximate number of floating-point operations per evaluation, copying included.
     pub(crate) fn work(&self) -> u64 {
         self.work
     }
 
-    /// Whether the last evaluation met a linear system without a solution.
+    /// True if the last evaluation met a singular linear system.
     pub(crate) fn singular(&self) -> bool {
         self.code.systems.iter().any(|system| system.matrix.singular())
     }

@@ -1,18 +1,19 @@
-//! Where within a step something happens.
+//! Bisection for the moment of an event within a step.
 
-/// Where something happens within a step, counted from its start.
+/// Moment of an event as two neighbouring numbers; usually the time since the start of the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Crossing {
-    /// The last moment at which it has not happened.
+    /// Last number at which the event has not happened.
     pub low: f64,
-    /// The next number.
+    /// Next representable number.
     pub high: f64,
 }
 
 impl Crossing {
-    /// Between `low`, where it has not happened, and `high`, where it has; `happened` is asked in between.
+    /// Bisects between `low`, where the event has not happened, and `high`, where it has; both are non-negative.
     pub fn find(low: f64, high: f64, mut happened: impl FnMut(f64) -> bool) -> Self {
-        // Non-negative numbers are ordered like their bits, so this ends at neighbours after at most 63 halvings.
+        // Non-negative numbers are ordered like their bits; bisection of the bits ends at neighbours after at most 63
+        // halvings.
         let (mut low, mut high) = (low.to_bits(), high.to_bits());
         while high - low > 1 {
             let middle = low + (high - low) / 2;
@@ -21,7 +22,7 @@ impl Crossing {
         Self { low: f64::from_bits(low), high: f64::from_bits(high) }
     }
 
-    /// The same counted from `start`.
+    /// The same moment relative to `start`.
     pub fn since(self, start: f64) -> Self {
         Self { low: self.low - start, high: self.high - start }
     }

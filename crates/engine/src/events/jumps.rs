@@ -1,26 +1,26 @@
-//! How the sensitivities of a model change at its events, in models that have them among their states. The formulas are the
-//! model's ([`program::Jump`]); here they are evaluated for the events of one moment, one after the other.
+//! Jumps of sensitivities at events, for models that have sensitivities among their states. [`program::Jump`] has the
+//! formulas; they are evaluated here for the events of one moment, one after the other.
 
 use crate::Routine;
 use program::Model;
 
-/// The jumps of sensitivities.
+/// Jumps of the sensitivities at all events.
 #[derive(Clone, Debug)]
 pub(crate) struct Jumps {
-    /// For all events, the delays by each parameter.
+    /// Derivatives of the moment of each event with respect to each parameter, for all events.
     delays: Routine,
     delay_values: Vec<f64>,
-    /// For each event: the sensitivities after it.
+    /// Sensitivities after the event, one routine per event.
     sensitivities: Vec<Routine>,
-    /// What they read: the states that the events so far have left, the delays.
+    /// Inputs of these routines: the states after the previous events, then the delays.
     inputs: Vec<f64>,
-    /// The states, sensitivities among them.
+    /// Number of states, sensitivities included.
     all: usize,
     parameters: usize,
 }
 
 impl Jumps {
-    /// Those of a model whose events have any.
+    /// The jumps of a model; `None` if no event has any.
     pub fn new(model: &Model) -> Option<Self> {
         let jumps: Vec<_> = model.events.iter().filter_map(|event| event.jump.as_ref()).collect();
         let parameters = jumps.first()?.delays.len();
@@ -38,20 +38,20 @@ impl Jumps {
         })
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.delays.prepare(parameters, initial);
         self.sensitivities.iter_mut().for_each(|routine| routine.prepare(parameters, initial));
     }
 
-    /// Computes how the moments of all events depend on the parameters, from the state `before` them.
+    /// Computes the derivatives of the moments of all events with respect to the parameters, at the state `before` them.
     pub fn measure_delays(&mut self, time: f64, before: &[f64]) {
         self.delays.evaluate(time, before, &mut self.delay_values);
     }
 
-    /// Carries the sensitivities in `state` past one event, before that sets the other states there. The moment of an event
-    /// is its own if it was `crossed` by the motion; one that was made due by the jump of another fires with that one, and so
-    /// its moment is the one taken last.
+    /// Replaces the sensitivities in `state` by those after one event, before its actions set the other states. If the
+    /// motion `crossed` the condition, the event has its own moment; if the jump of another event made it due, it has the
+    /// moment of that event, used last.
     pub fn carry(&mut self, event: usize, crossed: bool, time: f64, state: &mut [f64]) {
         let (states, delays) = self.inputs.split_at_mut(self.all);
         if crossed && let Some(own) = self.delay_values.chunks(self.parameters.max(1)).nth(event) {

@@ -1,27 +1,28 @@
-//! Where within a step to look, so that nothing is skipped that is over before its end.
+//! Moments within a step at which conditions are evaluated, so that no change is missed that is undone before the end of
+//! the step.
 //!
-//! What conditions compare ([`program::Compared`]) is known at both ends of a step, with its rate of change: a cubic leads
-//! from one to the other. The cubic is checked at two moments in between, on the continuous solution, and where it is wrong the
-//! interval is divided. Between two neighbouring zeros of all cubics no condition changes, so one look there is enough.
-//! Where the divisions allowed are not enough something may be missed, and that is noted.
+//! Values compared in conditions ([`program::Compared`]) and their rates of change are known at both ends of a step, which
+//! gives a cubic interpolant. The interpolant is checked at two interior points against the continuous solution; if the
+//! error is too large, the interval is divided. No condition changes between two neighbouring zeros of all interpolants, so
+//! one evaluation there is enough. If the limit of divisions is reached, a change may be missed, and a doubt is recorded.
 
 use crate::Routine;
 use crate::methods::cubic::Cubic;
 use program::{Held, Model, NodeId};
 
-/// What is compared, and where to look.
+/// Values compared in conditions, and search for the moments at which to evaluate the conditions.
 #[derive(Clone, Debug)]
 pub(crate) struct Looks {
-    /// The numbers that are compared.
+    /// The compared values.
     values: Routine,
-    /// The same, and behind them their rates of change.
+    /// The compared values, then their rates of change.
     slopes: Routine,
-    /// The rates of the states, for the continuous solution of a method without one of its own.
+    /// Rates of the states, for the interpolant of a method without continuous solution.
     motion: Routine,
-    /// By number, the event that compares it.
+    /// Index of the event that compares each value; `None` for a switch of the equations.
     events: Vec<Option<usize>>,
     ends: [End; 2],
-    /// Their times.
+    /// Times of both ends, SI units.
     span: [f64; 2],
     probe: Vec<f64>,
     found: Vec<f64>,
@@ -32,19 +33,19 @@ pub(crate) struct Looks {
     doubt: Option<Doubt>,
 }
 
-/// The continuous solution at any time of a step, if the method has one.
+/// Continuous solution of the method at any time of a step (absolute, SI units); `None` if it has none.
 pub(crate) type Dense<'a> = Option<&'a dyn Fn(f64, &mut [f64])>;
 
-/// That something may have been missed.
+/// Record that a change may have been missed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Doubt {
-    /// From when on.
+    /// Time from which on this holds, SI units.
     pub time: f64,
-    /// Of which event; none where it is a switch of the equations.
+    /// Index of the event; `None` for a switch of the equations.
     pub event: Option<usize>,
 }
 
-/// One end of a step.
+/// State, rates and compared values at one end of a step.
 #[derive(Clone, Debug, Default)]
 struct End {
     point: Point,
@@ -52,7 +53,7 @@ struct End {
     motion: Vec<f64>,
 }
 
-/// What is compared at one moment, and behind it the rates of change.
+/// Compared values at one moment, then their rates of change.
 #[derive(Clone, Debug, Default)]
 struct Point {
     time: f64,
@@ -60,20 +61,21 @@ struct Point {
 }
 
 impl Looks {
-    /// A step is divided so often in halves of halves.
+    /// Maximum depth of bisection of a step.
     const DEEPEST: usize = 9;
-    /// And no oftener in all.
+    /// Maximum number of divisions of a step in total.
     const DIVISIONS: usize = 256;
-    /// Where the cubic is checked: at no simple fractions, lest what swings with the step be taken to be at rest.
+    /// Fractions of the interval at which the interpolant is checked. Irregular, so that an oscillation in phase with the
+    /// step is noticed.
     const CHECKS: [f64; 2] = [0.29, 0.62];
-    /// A cubic that is wrong by less than this part of its greatest value is right.
+    /// Accepted error of the interpolant, relative to its greatest magnitude.
     const EXACTNESS: f64 = 1e-3;
-    /// Within so many roundings of the time there is nothing but rounding to look at.
+    /// Intervals shorter than this multiple of the rounding error of the time are not divided.
     const ROUNDINGS: f64 = 8.0;
-    /// Beside the zero of one number others are taken to be so far away, in parts of the interval.
+    /// Distance from the zero of one value at which the others are evaluated, as a fraction of the interval.
     const BESIDE: f64 = 1e-6;
 
-    /// `None` where no condition depends on states.
+    /// Returns `None` if no condition depends on states.
     pub fn new(model: &Model, held: Option<&Held>) -> Option<Self> {
         let compared = model.compared(held)?;
         let slopes: Vec<NodeId> = compared.values.iter().chain(&compared.rates).copied().collect();
@@ -95,7 +97,7 @@ impl Looks {
         })
     }
 
-    /// Sets parameters, behind them the values at which the switches are held, and initial values.
+    /// Sets parameters, followed by the held values of the switches, and initial values.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         for routine in [&mut self.values, &mut self.slopes, &mut self.motion] {
             routine.prepare(parameters, initial);
@@ -103,23 +105,23 @@ impl Looks {
         self.ends = [End::default(), End::default()];
     }
 
-    /// About how many floating-point operations all of it took.
+    /// Approximate number of floating-point operations so far.
     pub fn work(&self) -> u64 {
         self.evaluations * self.slopes.work()
     }
 
-    /// The first moment from which on something may have been missed.
+    /// First moment from which on a change may have been missed.
     pub fn doubt(&self) -> Option<Doubt> {
         self.doubt
     }
 
-    /// Forgets what is not earlier than `time`.
+    /// Drops a doubt at `time` or later.
     pub fn go_back_to(&mut self, time: f64) {
         self.doubt = self.doubt.filter(|doubt| doubt.time < time);
     }
 
-    /// How many moments to look at there are between two states of a step; `dense` is the continuous solution, if the method
-    /// has one.
+    /// Finds the moments at which to evaluate conditions between two states of a step, and returns their number. `dense` is
+    /// the continuous solution of the method, if it has one.
     pub fn find(&mut self, dense: Dense, from: (f64, &[f64]), to: (f64, &[f64])) -> usize {
         let is_start = |end: &End| end.point.time == from.0 && end.state == from.1;
         if is_start(&self.ends[1]) {
@@ -142,12 +144,12 @@ impl Looks {
         self.moments.len()
     }
 
-    /// A moment found.
+    /// The moment of this index, SI units, ascending.
     pub fn moment(&self, number: usize) -> Option<f64> {
         self.moments.get(number).copied()
     }
 
-    /// Notes a state as an end of the step.
+    /// Stores a state as an end of the step; with `motion` also its rates.
     fn arrive(&mut self, number: usize, (time, state): (f64, &[f64]), motion: bool) {
         let end = &mut self.ends[number];
         end.state.clear();
@@ -162,7 +164,7 @@ impl Looks {
         self.evaluations += 2;
     }
 
-    /// The continuous solution at a moment, to `probe`.
+    /// Writes the continuous solution at `time` to `probe`.
     fn interpolate(&mut self, dense: Dense, time: f64) {
         self.evaluations += 1;
         if let Some(dense) = dense {
@@ -177,7 +179,7 @@ impl Looks {
         }
     }
 
-    /// What is compared at a moment between the ends.
+    /// Compared values and their rates at a moment between the ends.
     fn point(&mut self, dense: Dense, time: f64) -> Point {
         self.interpolate(dense, time);
         let mut values = vec![0.0; self.slopes.len()];
@@ -185,7 +187,7 @@ impl Looks {
         Point { time, values }
     }
 
-    /// Finds the zeros between two moments.
+    /// Finds the zeros of the compared values between two moments; divides the interval where the interpolant is wrong.
     fn search(&mut self, dense: Dense, low: &Point, high: &Point, depth: usize) {
         let size = high.time - low.time;
         let count = self.found.len();
@@ -193,7 +195,8 @@ impl Looks {
             let slopes = [low, high].map(|point| size * point.values[count + number]);
             Cubic::new([low.values[number], high.values[number]], slopes)
         };
-        // Where only one of two values is a number, it begins or ceases to be one between them. Comparing NaN would hide that.
+        // If only one of two values is finite, the value becomes undefined between them. A comparison with NaN would hide
+        // that.
         let ceases = |a: f64, b: f64| a.is_finite() != b.is_finite();
         let mut wrong: Vec<f64> = (low.values.iter().zip(&high.values).take(count))
             .map(|(&low, &high)| if ceases(low, high) { f64::INFINITY } else { 0.0 })
@@ -210,7 +213,7 @@ impl Looks {
         let is_right = |number: usize, wrong: f64| {
             let (least, greatest) = cubic(number).range();
             if !(least.is_finite() && greatest.is_finite()) {
-                // No number at either end, nor in between.
+                // Not finite at either end; right if it is not finite in between either.
                 return wrong.is_finite();
             }
             let nearest = if least > 0.0 { least } else { -greatest };
@@ -222,7 +225,8 @@ impl Looks {
         if let Some(doubtful) = doubtful {
             if depth < Self::DEEPEST && self.divisions < Self::DIVISIONS {
                 self.divisions += 1;
-                // One number may jump where another is zero, as a remainder does: then its sides are looked at.
+                // A value may jump at the zero of another one, as a remainder does: the interval is then divided on both
+                // sides of that zero.
                 let others = (0..count).filter(|&number| is_right(number, wrong[number]));
                 let zero = others.filter_map(|number| beside(cubic(number))).next();
                 let [left, right] = zero.map_or([0.5, 0.5], |zero| [zero - Self::BESIDE, zero + Self::BESIDE]);
@@ -239,7 +243,7 @@ impl Looks {
                 }
                 return;
             }
-            // Where a value ceases to be a number, the place is known well enough, unless the divisions are used up.
+            // The place where a value becomes undefined is known well enough, unless the divisions are used up.
             if self.doubt.is_none() && (wrong[doubtful].is_finite() || self.divisions >= Self::DIVISIONS) {
                 self.doubt = Some(Doubt { time: low.time, event: self.events.get(doubtful).copied().flatten() });
             }
@@ -253,7 +257,7 @@ impl Looks {
     }
 }
 
-/// A zero inside the interval, or at one of its ends.
+/// A zero inside the interval or at one of its ends, as a fraction of the interval.
 fn beside(cubic: Cubic) -> Option<f64> {
     let (least, greatest) = cubic.range();
     let nothing = 0.1 * Looks::BESIDE * greatest.max(-least);

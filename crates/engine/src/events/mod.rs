@@ -1,14 +1,14 @@
-//! Sudden changes of the state.
+//! Events: sudden changes of the state.
 //!
-//! An event fires when its condition goes from false to true within a step. The moment is found by bisection on the state
-//! that the method itself gives for a shorter step from the same start, down to neighbouring numbers, and the state taken
-//! is the one at the last moment at which the condition is still false: a ball is never below the floor, not even by
-//! rounding, and so its next flight, however short, is again one from false to true.
+//! An event fires when its condition goes from false to true within a step. The moment is found by bisection down to
+//! neighbouring numbers; the state at each trial comes from a shorter step of the method from the same start. The event
+//! acts on the state at the last moment at which the condition is false. A bouncing ball is therefore never below the
+//! floor, not even by rounding, and the condition can become true again in its next flight, however short.
 //!
-//! What remains to be decided is whether an event that has fired may fire again or whether the crossing that caused it
-//! still lies ahead (`when t > 5 [s]` is false at 5 s and becomes true right after, action or no action). The motion that
-//! would follow without the action is followed in a straight line to where its condition is true; if the motion with the
-//! action makes it true there as well, the action has not prevented the crossing and the event has been used up.
+//! After an event has acted, it must be decided whether it can fire again, or whether its crossing still lies ahead: `when
+//! t > 5 [s]` is false at 5 s and becomes true right after, with or without the action. The state before the action is
+//! extrapolated linearly to where the condition is true. If the state after the action, extrapolated as far, also fulfils
+//! it, the action has not prevented the crossing, and the event is used up.
 
 pub(crate) mod crossing;
 pub(crate) mod jumps;
@@ -27,34 +27,34 @@ use program::{Event, Model, NodeId};
 #[derive(Clone, Debug)]
 pub(crate) struct Events {
     conditions: Routine,
-    /// For each event, the values of its actions.
+    /// Values of the actions, one routine per event.
     actions: Vec<Routine>,
-    /// For each event, which states these are for.
+    /// Indices of the states that the actions set, per event.
     targets: Vec<Vec<usize>>,
-    /// By event: whether it ends the run.
+    /// True if the event ends the run, per event.
     stops: Vec<bool>,
-    /// The first event of the last moment that does.
+    /// First event of the last moment that ends the run.
     ended: Option<usize>,
-    /// By event: whether its condition was false when last looked at, so that it can fire.
+    /// True if the condition was false at the last evaluation, so that the event can fire; per event.
     armed: Vec<bool>,
-    /// By event: whether it fires now.
+    /// True if the event fires now, per event.
     due: Vec<bool>,
     truths: Vec<f64>,
     values: Vec<f64>,
-    /// By event: whether it was due when the moment was found, and whether it is used up is still open.
+    /// True if the event was due at the moment found and is not yet known to be used up; per event.
     crossing: Vec<bool>,
-    /// The state at that moment, before all jumps.
+    /// State at that moment, before all jumps.
     approach: Vec<f64>,
-    /// The state before the last jump.
+    /// State before the last jump.
     before: Vec<f64>,
-    /// The state after the jump.
+    /// State after the last jump.
     after: Vec<f64>,
     rates_before: Vec<f64>,
     rates_after: Vec<f64>,
     probe: Vec<f64>,
-    /// How sensitivities change, where they are among the states.
+    /// Jumps of sensitivities, if these are among the states.
     jumps: Option<Jumps>,
-    /// How often the conditions were evaluated to see what is due.
+    /// Number of evaluations of the conditions by [`Events::due`].
     looks: u64,
 }
 
@@ -89,12 +89,12 @@ impl Events {
         }
     }
 
-    /// Whether the model has any.
+    /// True if the model has no events.
     pub fn is_empty(&self) -> bool {
         self.targets.is_empty()
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.conditions.prepare(parameters, initial);
         self.actions.iter_mut().for_each(|actions| actions.prepare(parameters, initial));
@@ -103,28 +103,28 @@ impl Events {
         }
     }
 
-    /// Arms the events whose conditions are false at the state from which a run starts.
+    /// Arms the events whose conditions are false at the initial state.
     pub fn arm(&mut self, time: f64, state: &[f64]) {
         self.due(time, state);
         self.pass();
     }
 
-    /// By event, whether it can fire: its condition was false when last looked at, and its crossing is not used up.
+    /// True for each event that can fire: its condition was false at the last evaluation, and its crossing is not used up.
     pub fn armed(&self) -> &[bool] {
         &self.armed
     }
 
-    /// Arms exactly these events, as they were armed at an earlier moment.
+    /// Restores which events are armed.
     pub fn set_armed(&mut self, armed: &[bool]) {
         self.armed.copy_from_slice(armed);
     }
 
-    /// About how many floating-point operations all looks at the conditions took.
+    /// Approximate number of floating-point operations of all evaluations of the conditions.
     pub fn work(&self) -> u64 {
         self.looks * self.conditions.work()
     }
 
-    /// Whether an event fires between the last look and `time`.
+    /// Evaluates the conditions at `time`. True if an armed event fires.
     pub fn due(&mut self, time: f64, state: &[f64]) -> bool {
         self.looks += 1;
         self.conditions.evaluate(time, state, &mut self.truths);
@@ -136,19 +136,19 @@ impl Events {
         any
     }
 
-    /// Goes on to the last look, at which no event was due.
+    /// Accepts the last evaluation, at which no event was due.
     pub fn pass(&mut self) {
         for (armed, &truth) in self.armed.iter_mut().zip(&self.truths) {
             *armed = truth == 0.0;
         }
     }
 
-    /// Remembers what is due.
+    /// Stores which events are due.
     pub fn note_due(&mut self) {
         self.crossing.copy_from_slice(&self.due);
     }
 
-    /// Takes for due what was due when that was remembered; whether there is anything.
+    /// Restores the events stored as due. True if there is any.
     pub fn recall_due(&mut self) -> bool {
         self.due.copy_from_slice(&self.crossing);
         self.first_due().is_some()
@@ -159,7 +159,7 @@ impl Events {
         &self.after
     }
 
-    /// Lets the events act that are due, the first on the state `before`; how many there are.
+    /// Runs the actions of the events that are due, the first on the state `before`. Returns their number.
     pub fn fire(&mut self, equations: &mut Equations, time: f64, before: &[f64]) -> usize {
         self.before.copy_from_slice(before);
         self.approach.copy_from_slice(before);
@@ -171,21 +171,21 @@ impl Events {
         self.act(time)
     }
 
-    /// Lets one event act on the state `before`, which nothing but a person has made due.
+    /// Runs the actions of one event on the state `before`, after a press of its button.
     pub fn fire_one(&mut self, event: usize, equations: &mut Equations, time: f64, before: &[f64]) -> usize {
         self.due.iter_mut().enumerate().for_each(|(number, due)| *due = number == event);
         let fired = self.fire(equations, time, before);
-        // Nothing was crossed that could lie ahead still.
+        // No condition was crossed, so no crossing can lie ahead.
         self.crossing.fill(false);
         fired
     }
 
-    /// Lets the events act that the last jump has made due, on the state after it; how many there were.
+    /// Runs the actions of the events made due by the last jump, on the state after it. Returns their number.
     pub fn cascade(&mut self, time: f64) -> usize {
         self.conditions.evaluate(time, &self.after, &mut self.truths);
         let fired = self.due.iter_mut().zip(&mut self.armed);
         for ((due, armed), &truth) in fired.zip(&self.truths) {
-            // What has just fired can fire again only after its condition has been false.
+            // An event that just fired can fire again only after its condition was false.
             let can_fire = *armed && !*due;
             *due = can_fire && truth != 0.0;
             *armed = can_fire || truth == 0.0;
@@ -197,8 +197,8 @@ impl Events {
         self.act(time)
     }
 
-    /// Decides, after all jumps of a moment, which of the events that were due at first have been used up. `resolution`
-    /// is the least time in which the state changes, `reach` the greatest over which its motion is taken to be straight.
+    /// Decides after all jumps of a moment which of the events due at first are used up. `resolution` is the shortest time
+    /// in which the state changes, `reach` the longest time of linear extrapolation; both in SI units.
     pub fn settle(&mut self, equations: &mut Equations, time: f64, resolution: f64, reach: f64) {
         equations.rates(time, &self.after, &mut self.rates_after);
         let mut crossed = vec![false; self.crossing.len()];
@@ -223,7 +223,7 @@ impl Events {
         }
     }
 
-    /// One event after the other, each on what those before have left.
+    /// Runs the actions of the events that are due, each on the state left by the previous one. Returns their number.
     fn act(&mut self, time: f64) -> usize {
         self.after.copy_from_slice(&self.before);
         let mut count = 0;
@@ -243,18 +243,18 @@ impl Events {
         count
     }
 
-    /// The event that has ended the run since this was asked last.
+    /// Returns the event that ended the run since the last call.
     pub fn take_end(&mut self) -> Option<usize> {
         self.ended.take()
     }
 
-    /// An event that is due.
+    /// The first event that is due.
     pub fn first_due(&self) -> Option<usize> {
         self.due.iter().position(|due| *due)
     }
 }
 
-/// probe = state + ahead * rates
+/// Linear extrapolation: probe = state + ahead * rates
 fn follow(probe: &mut [f64], state: &[f64], rates: &[f64], ahead: f64) {
     for ((probe, state), rate) in probe.iter_mut().zip(state).zip(rates) {
         *probe = state + ahead * rate;

@@ -1,18 +1,18 @@
-//! Presses of buttons: what a person does in a run, part of what the run is started with.
+//! Presses of buttons; they are part of the setup of a run.
 
 use program::Model;
 
 /// A press of a button.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Press {
-    /// The independent variable at that moment, SI.
+    /// Independent variable at the press, SI units.
     pub time: f64,
-    /// Which of [`program::Model::buttons`].
+    /// Index in [`program::Model::buttons`].
     pub button: usize,
 }
 
-/// The presses that a run of the model can follow, in the order of time; of those of one moment each keeps its place. Where
-/// the independent variable counts, a press belongs to the count before.
+/// The valid presses for a model, sorted by time; presses at the same time keep their order. If the independent variable
+/// counts, a press is moved to the count before.
 pub(crate) fn fitting(mut presses: Vec<Press>, model: &Model) -> Vec<Press> {
     presses.retain(|press| press.button < model.buttons.len() && press.time >= 0.0 && press.time.is_finite());
     if model.independent.counts {

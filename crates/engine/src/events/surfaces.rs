@@ -1,4 +1,4 @@
-//! What can end a step before its time: an event, or a switch of the equations.
+//! Events and switches of the equations: everything that can end a step early.
 
 use super::crossing::Crossing;
 use super::looks::{Dense, Looks};
@@ -9,17 +9,17 @@ use crate::methods::equations::Equations;
 use crate::{Notice, NoticeKind};
 use program::{Held, Model};
 
-/// What can end a step before its time.
+/// Events and switches of the equations of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct Surfaces {
     pub events: Events,
     pub switches: Switches,
     pub timetable: Timetable,
-    /// Where within a step to look.
+    /// Search for moments within a step at which conditions are evaluated; `None` if no condition depends on states.
     pub looks: Option<Looks>,
-    /// The state before a crossing.
+    /// State before the last crossing.
     before: Vec<f64>,
-    /// The state after a crossing, without what events do.
+    /// State after the last crossing, without the actions of events.
     beyond: Vec<f64>,
 }
 
@@ -32,32 +32,32 @@ impl Surfaces {
         Self { events: Events::new(model), switches, timetable, looks, before: zeros.clone(), beyond: zeros }
     }
 
-    /// Whether there are none.
+    /// True if the model has neither events nor switches.
     pub fn is_empty(&self) -> bool {
         self.events.is_empty() && self.switches.is_empty()
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.events.prepare(parameters, initial);
         self.switches.prepare(parameters, initial);
         self.timetable.prepare(parameters, initial);
     }
 
-    /// Sets them for the looks within a step, with the values at which the switches are held.
+    /// Sets parameters and initial values of the search within a step, with the held values of the switches.
     pub fn prepare_looks(&mut self, parameters: &[f64], initial: &[f64]) {
         if let Some(looks) = &mut self.looks {
             looks.prepare(&[parameters, self.switches.held()].concat(), initial);
         }
     }
 
-    /// About how many floating-point operations all looks took.
+    /// Approximate number of floating-point operations of all evaluations of conditions.
     pub fn work(&self) -> u64 {
         let looks = self.looks.as_ref().map_or(0, Looks::work);
         self.events.work() + self.switches.work() + self.timetable.work() + looks
     }
 
-    /// What may have been missed.
+    /// Notices of changes that may have been missed.
     pub fn notices(&self) -> Vec<Notice> {
         let skipped = self
             .looks
@@ -68,7 +68,7 @@ impl Surfaces {
         skipped.into_iter().chain(too_fast).collect()
     }
 
-    /// Forgets what was noticed at `time` and later.
+    /// Drops doubts recorded at `time` or later.
     pub fn go_back_to(&mut self, time: f64) {
         self.timetable.go_back_to(time);
         if let Some(looks) = &mut self.looks {
@@ -76,15 +76,15 @@ impl Surfaces {
         }
     }
 
-    /// Whether an event fires or a switch changes between the last look and `time`.
+    /// True if an event fires or a switch changes between the last evaluation and `time`.
     pub fn crossed(&mut self, time: f64, state: &[f64]) -> bool {
         let due = self.events.due(time, state);
         self.switches.differ(time, state) || due
     }
 
-    /// Looks between the ends of a step that started at `start`, or of a part of it, for what happens there: the last moment
-    /// at which nothing has happened, and the next look, at which something has. These count from `start`, and `state_at`
-    /// gives the state so long after it; `dense` is the continuous solution, if the method has one.
+    /// Searches the step that started at `start`, between the times of `from` and `to`, for a change. Returns the last
+    /// moment without a change and the first one found with a change, both relative to `start`. `state_at` gives the state
+    /// at a time relative to `start`; `dense` is the continuous solution of the method, if it has one.
     pub fn look_between(
         &mut self,
         start: f64,
@@ -115,11 +115,11 @@ impl Surfaces {
         (low, happened)
     }
 
-    /// Finds the first moment at which anything that was found at `high` happens, for a step that started at `start`, and
-    /// remembers the states there. `state_at` gives the state so long after the start.
+    /// Finds the first moment of a change in the interval (`low`, `high`), relative to `start`, and stores the states
+    /// there. `state_at` gives the state at a time relative to `start`.
     ///
-    /// Where nothing but time decides, `expected` says at what time between `low` and `high` it will be, and there it is,
-    /// unless something else happens before.
+    /// `expected` is the time of a change that depends on the independent variable alone. The result is that time, unless
+    /// something else changes before.
     pub fn locate(
         &mut self,
         start: f64,
@@ -128,7 +128,7 @@ impl Surfaces {
         mut state_at: impl FnMut(f64, &mut [f64]),
     ) -> Crossing {
         if let Some(expected) = expected {
-            // Numbers are denser near the start of the step than at its time, so neighbours there are none here.
+            // Relative times near the start are denser than absolute ones: neighbouring absolute times are no neighbours here.
             let moment = expected.since(start);
             let moment = Crossing::find(moment.low, moment.high, |since| start + since >= expected.high);
             self.events.note_due();
@@ -165,17 +165,17 @@ impl Surfaces {
         crossing
     }
 
-    /// Sees how a switch at the moment found last will change sensitivities.
+    /// Evaluates the terms for the jump of the sensitivities at the state before the crossing found last.
     pub fn approach(&mut self, equations: &mut Equations, time: f64) {
         self.switches.approach(equations, time, &self.before);
     }
 
-    /// The state at the moment found last, before the crossing.
+    /// State at the moment found last, before the crossing.
     pub fn before(&self) -> &[f64] {
         &self.before
     }
 
-    /// The state at the next moment, as it is without events.
+    /// State right after the crossing, without the actions of events.
     pub fn beyond(&self) -> &[f64] {
         &self.beyond
     }

@@ -1,16 +1,16 @@
-//! Jumps and bends of the equations ([`program::Held`]): the values at which they are held during a step, and whether they
-//! still have them.
+//! Switches: jumps and bends of the equations ([`program::Held`]). Each is held at a constant value during a step and
+//! compared with its true value at the end.
 
 use crate::Routine;
 use crate::methods::equations::Equations;
 use program::{Held, NodeId, Switch};
 
-/// The switches of a model, each with the value at which it is held.
+/// The switches of a model with their held values.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Switches {
-    /// Their true values.
+    /// True values of the switches.
     truths: Option<Routine>,
-    /// By switch, whether the rates jump with it.
+    /// True if the rates jump with the switch, per switch.
     jumps: Vec<bool>,
     held: Vec<f64>,
     found: Vec<f64>,
@@ -18,21 +18,21 @@ pub(crate) struct Switches {
     sensitive: Option<Delays>,
 }
 
-/// How the moments of switches change with parameters, for the sensitivities of a model.
+/// Derivatives of the moments of switches with respect to parameters, for the sensitivities of a model.
 #[derive(Clone, Debug)]
 struct Delays {
-    /// By switch and parameter.
+    /// One root per switch and parameter, in the order of the switches.
     routine: Routine,
     values: Vec<f64>,
-    /// The model's own states.
+    /// Number of states without sensitivities.
     states: usize,
     parameters: usize,
-    /// The rates before a switch.
+    /// Rates before the switch.
     rates: Vec<f64>,
 }
 
 impl Switches {
-    /// Those of a held model.
+    /// The switches of a model.
     pub fn new(held: &Held) -> Self {
         let nodes: Vec<NodeId> = held.switches.iter().map(|switch| switch.node).collect();
         let zeros = vec![0.0; nodes.len()];
@@ -46,12 +46,12 @@ impl Switches {
         }
     }
 
-    /// Whether there are none.
+    /// True if there are no switches.
     pub fn is_empty(&self) -> bool {
         self.held.is_empty()
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         if let Some(truths) = &mut self.truths {
             truths.prepare(parameters, initial);
@@ -61,27 +61,27 @@ impl Switches {
         }
     }
 
-    /// About how many floating-point operations all looks took.
+    /// Approximate number of floating-point operations of all evaluations.
     pub fn work(&self) -> u64 {
         self.looks * self.truths.as_ref().map_or(0, Routine::work)
     }
 
-    /// The values at which they are held.
+    /// Held values, one per switch.
     pub fn held(&self) -> &[f64] {
         &self.held
     }
 
-    /// Whether any has another value than that at which it is held.
+    /// True if the value of a switch differs from its held value.
     pub fn differ(&mut self, time: f64, state: &[f64]) -> bool {
         let Some(truths) = &mut self.truths else { return false };
         self.looks += 1;
         truths.evaluate(time, state, &mut self.found);
-        // A value that is not a number stays what it is; the state shows it soon enough.
+        // NaN that stays NaN is no change; it shows in the state.
         let differs = |(held, found): (&f64, &f64)| held != found && !(held.is_nan() && found.is_nan());
         self.held.iter().zip(&self.found).any(differs)
     }
 
-    /// Holds them at the values found last; the first that changes and with which the rates jump, if there is one.
+    /// Holds the switches at the values found last. Returns the first that changes and makes the rates jump, if any.
     pub fn hold(&mut self) -> Option<usize> {
         let mut changes = self.held.iter().zip(&self.found).zip(&self.jumps);
         let jumped = changes.position(|((held, found), jumps)| held != found && *jumps);
@@ -89,7 +89,7 @@ impl Switches {
         jumped
     }
 
-    /// Sees how sensitivities will jump at a switch: the state `before` it, and the rates there.
+    /// Computes the delays and rates at the state `before` a switch; [`Switches::carry`] needs them.
     pub fn approach(&mut self, equations: &mut Equations, time: f64, before: &[f64]) {
         if let Some(Delays { routine, values, rates, .. }) = &mut self.sensitive {
             routine.evaluate(time, before, values);
@@ -97,8 +97,9 @@ impl Switches {
         }
     }
 
-    /// Carries the sensitivities in `state` past the switch that changes first among those that do, to its moment tau:
-    /// s+ = s + (f - f+) tau', with f and f+ the rates before and behind it.
+    /// Applies the jump of the sensitivities in `state` at the switch `changed`, the first that changes. With the
+    /// derivative tau' of its moment by the parameter: s+ = s + (f - f+) tau', where f and f+ are the rates before and
+    /// after it.
     pub fn carry(&mut self, equations: &mut Equations, time: f64, changed: usize, state: &mut [f64]) {
         let Some(Delays { values, states, parameters, rates, .. }) = &mut self.sensitive else { return };
         let mut behind = vec![0.0; rates.len()];
@@ -117,7 +118,7 @@ impl Delays {
     fn new(held: &Held) -> Option<Self> {
         let sensitive = held.model.sensitive.as_ref()?;
         let of = |switch: &Switch| sensitive.delays.iter().find(|(node, _)| *node == switch.node);
-        // Every switch that is held in a model with sensitivities is one of those at which it jumps.
+        // Every switch held in a model with sensitivities must have its delays.
         let roots: Vec<NodeId> = held.switches.iter().filter_map(of).flat_map(|(_, delays)| delays).copied().collect();
         let expected = held.switches.len() * sensitive.parameters;
         (roots.len() == expected).then(|| Self {

@@ -1,31 +1,31 @@
-//! What happens at moments that depend on time alone: these are known before a step is made, so that none is skipped, however
-//! soon it is over.
+//! Changes that depend on the independent variable alone: they are found before a step is made, so that none is skipped,
+//! however short it is.
 
 use super::crossing::Crossing;
 use crate::Routine;
 use crate::methods::cubic::Cubic;
 use program::{Model, NodeId};
 
-/// The switches of a model that depend on time alone ([`Model::timed_switches`]).
+/// The switches of a model that depend on the independent variable alone ([`Model::timed_switches`]).
 #[derive(Clone, Debug)]
 pub(crate) struct Timetable {
     routine: Routine,
-    /// So many moments of each step are looked at.
+    /// Number of subintervals of a step at whose ends the switches are evaluated.
     moments: usize,
     times: Vec<f64>,
     values: Vec<f64>,
     looks: u64,
-    /// What the uneven ones compare, and behind it how fast that changes.
+    /// Arguments that are not linear in the independent variable, then their slopes.
     shapes: Routine,
-    /// From when on something may have been missed.
+    /// Time from which on a change may have been missed, SI units.
     doubt: Option<f64>,
 }
 
 impl Timetable {
-    /// What does not change evenly is looked at so often in a step.
+    /// Number of subintervals per step if some argument is not linear in the independent variable.
     const MOMENTS: usize = 32;
-    /// A cubic from one moment to the next that is wrong by more than this part of its greatest value shows that this is too
-    /// seldom: a sine has then less than two moments in a period.
+    /// Accepted error of the cubic between two neighbouring moments, relative to its greatest magnitude. A larger error
+    /// shows that the moments are too sparse: a sine then has less than two of them per period.
     const EXACTNESS: f64 = 0.2;
 
     pub fn new(model: &Model) -> Self {
@@ -35,7 +35,7 @@ impl Timetable {
         let shapes: Vec<NodeId> =
             uneven().map(|timed| timed.argument).chain(uneven().map(|timed| timed.slope)).collect();
         let compile = |roots: &[NodeId]| Routine::from_graph(&graph, model.states.len(), roots);
-        // Of what changes evenly the first change is seen at the end.
+        // The first change of linear arguments is visible at the end of the step.
         let moments = if timed.iter().all(|timed| timed.even) { 1 } else { Self::MOMENTS };
         Self {
             routine: compile(&nodes),
@@ -48,29 +48,28 @@ impl Timetable {
         }
     }
 
-    /// The first moment from which on a change may have been missed.
+    /// First moment from which on a change may have been missed.
     pub fn doubt(&self) -> Option<f64> {
         self.doubt
     }
 
-    /// Forgets what is not earlier than `time`.
+    /// Drops a doubt at `time` or later.
     pub fn go_back_to(&mut self, time: f64) {
         self.doubt = self.doubt.filter(|doubt| *doubt < time);
     }
 
-    /// Sets parameters and initial values.
+    /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.routine.prepare(parameters, initial);
         self.shapes.prepare(parameters, initial);
     }
 
-    /// About how many floating-point operations all looks took.
+    /// Approximate number of floating-point operations of all evaluations.
     pub fn work(&self) -> u64 {
         self.looks * self.routine.work()
     }
 
-    /// The first change after `from` and not after `to`, in a state whose values do not matter but those that events alone
-    /// change.
+    /// The first change in (`from`, `to`], SI units. Of `state` only the values matter that events alone change.
     pub fn next(&mut self, from: f64, to: f64, state: &[f64]) -> Option<Crossing> {
         if self.routine.is_empty() {
             return None;
@@ -92,7 +91,7 @@ impl Timetable {
         Some(self.narrow(low, high, state))
     }
 
-    /// Down to neighbouring numbers.
+    /// Bisects down to neighbouring numbers.
     fn narrow(&mut self, low: f64, high: f64, state: &[f64]) -> Crossing {
         let roots = self.routine.len();
         let before: Vec<f64> = self.values.chunks(self.times.len()).map(|values| values[0]).collect();
@@ -104,8 +103,8 @@ impl Timetable {
         })
     }
 
-    /// Whether something changes so fast that looks at these times can miss it, by what it does between the first two, where
-    /// nothing jumps.
+    /// True if an argument changes too fast to be followed at these times, judged by the first subinterval, in which no
+    /// switch changes.
     fn is_too_fast(&mut self, state: &[f64]) -> bool {
         let [low, high] = [self.times[0], self.times[1]];
         let (size, count) = (high - low, self.shapes.len() / 2);

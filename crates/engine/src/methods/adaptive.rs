@@ -1,4 +1,4 @@
-//! Step size control for the methods with an error estimate.
+//! Step size control of the methods with an error estimate.
 
 use super::dormand_prince::{DormandPrince, dense_value};
 use super::equations::Equations;
@@ -8,76 +8,77 @@ use crate::events::crossing::Crossing;
 use crate::events::surfaces::Surfaces;
 use program::Model;
 
-/// Two methods in one, whose difference is the error.
+/// An embedded pair of methods; the difference of both results estimates the error.
 #[derive(Clone, Debug)]
 pub(crate) enum Pair {
     DormandPrince(DormandPrince),
     Rosenbrock(Rosenbrock),
 }
 
-/// Why no step was possible.
+/// Reason why no step was possible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Stalled {
-    /// The state after even the smallest step is not finite.
+    /// The state is not finite even after the smallest step.
     NotFinite,
     /// The error is too large even for the smallest step.
     TooSmall,
 }
 
-/// An adaptive method, with the last step it made and the continuous solution over it.
+/// An adaptive method, its last step and the continuous solution over that.
 #[derive(Clone, Debug)]
 pub(crate) struct Adaptive {
     pair: Pair,
     tolerance: f64,
-    /// Errors below tolerance times this do not count, for each state.
+    /// Lower bound of the magnitude to which the tolerance is relative, one value per state, SI units.
     floors: Vec<f64>,
-    /// A state is near zero below this part of its peak: the error allowed falls no further.
+    /// Lower bound of the same magnitude as a fraction of the peak of each state.
     below_peak: f64,
-    /// No step is longer, lest a short push be leapt over while all is at rest.
+    /// Upper bound of the step, in SI units: a short pulse must not be skipped while the system rests.
     longest: f64,
     last: LastStep,
     attempt: Vec<f64>,
     error: Vec<f64>,
 }
 
-/// The last accepted step, and all else that decides the next one.
+/// The last accepted step and everything else that determines the next one.
 #[derive(Clone, Debug)]
 pub(crate) struct LastStep {
     start: f64,
     size: f64,
-    /// `start + size`, but exactly the row it was to reach.
+    /// End of the step: `start + size`, or exactly the time of the row to be reached.
     end: f64,
     from: Vec<f64>,
     to: Vec<f64>,
-    /// The coefficients of the continuous solution.
+    /// Coefficients of the continuous solution, see [`dense_value`].
     dense: [Vec<f64>; 5],
-    /// The size proposed for the next step.
+    /// Size proposed for the next step.
     proposed: f64,
-    /// The error, for the controller.
+    /// Error of the step in units of the allowed error, for the controller.
     error: f64,
-    /// The greatest magnitude each state has had.
+    /// Greatest magnitude of each state so far.
     peaks: Vec<f64>,
 }
 
 impl LastStep {
-    /// The memory it takes.
+    /// Memory, in bytes.
     pub fn bytes(&self) -> usize {
         size_of::<f64>() * 8 * self.to.len() + size_of::<Self>()
     }
 }
 
 impl Adaptive {
-    /// A step spans at most so many rows.
+    /// Maximum number of rows per step.
     const ROWS: f64 = 10.0;
-    /// [`Adaptive::below_peak`] of a run that is looked at.
+    /// Default of [`Adaptive::below_peak`].
     const BELOW_PEAK: f64 = 1e-3;
-    /// A state is zero but for rounding below this part of its display unit, which is the author's idea of its size.
+    /// Magnitude, as a fraction of the display unit of a state, below which it counts as zero but for rounding. The author
+    /// chose the unit, which indicates the size.
     const BELOW_UNIT: f64 = 1e-9;
-    /// The first step in rows: the controller finds the right size within a few attempts.
+    /// First step in rows; the controller finds the right size within a few attempts.
     const FIRST_STEP: f64 = 0.01;
-    /// The error that the step before the first is taken to have had.
+    /// Error assumed for the step before the first one.
     const FIRST_ERROR: f64 = 1e-4;
-    /// Nothing moves in a shorter time, and its reciprocal is still a number.
+    /// Steps shorter than this leave the state unchanged; the reciprocal of the step is still finite.
     const AT_ONCE: f64 = 1e-300;
 
     pub fn new(pair: Pair, model: &Model, setup: &Setup) -> Self {
@@ -104,20 +105,20 @@ impl Adaptive {
         }
     }
 
-    /// Forgets all runs made before; rows are `step` apart.
+    /// Resets the controller for a new run with rows `step` apart.
     pub fn renew(&mut self, step: f64) {
         self.last.proposed = Self::FIRST_STEP * step;
         self.last.error = Self::FIRST_ERROR;
         self.last.peaks.fill(0.0);
     }
 
-    /// Allows this error in each step, relative to the peak of each state.
+    /// Sets the tolerance per step, relative to the peak of each state.
     pub fn allow_of_peak(&mut self, tolerance: f64) {
         self.tolerance = tolerance;
         self.below_peak = 1.0;
     }
 
-    /// Begins again at `time` with `state`, after a jump of the state or the parameters.
+    /// Restarts at `time` with `state`, after a jump of the state or the parameters.
     pub fn restart(&mut self, time: f64, state: &[f64]) {
         self.last.start = time;
         self.last.size = 0.0;
@@ -128,20 +129,20 @@ impl Adaptive {
         self.forget();
     }
 
-    /// The last step: what has to be known to go on with the same bits.
+    /// The last step: everything needed to continue with the same bits.
     pub fn last_step(&self) -> &LastStep {
         &self.last
     }
 
-    /// Goes on after a step that was the last one before.
+    /// Continues after a step that was the last one before.
     pub fn go_on_after(&mut self, step: &LastStep) {
         self.last.clone_from(step);
-        // The rates at its end are computed again, from the same numbers.
+        // The rates at its end are recomputed from the same numbers.
         self.forget();
     }
 
-    /// About how many operations the linear systems of the stiff method took, after so many evaluations of the equations:
-    /// a factorisation for each step and a solution for each stage.
+    /// Approximate number of operations for the linear systems of the stiff method after `evaluations` of the equations:
+    /// one factorization per step and one solution per stage.
     pub fn work_of_systems(&self, evaluations: u64) -> u64 {
         match &self.pair {
             Pair::DormandPrince(_) => 0,
@@ -149,27 +150,27 @@ impl Adaptive {
         }
     }
 
-    /// Where the last step started.
+    /// Start of the last step, SI units.
     pub fn start(&self) -> f64 {
         self.last.start
     }
 
-    /// Where the last step ended.
+    /// End of the last step, SI units.
     pub fn end(&self) -> f64 {
         self.last.end
     }
 
-    /// The state at the end of the last step.
+    /// State at the end of the last step.
     pub fn end_state(&self) -> &[f64] {
         &self.last.to
     }
 
-    /// Makes the next step. The controller is proportional-integral (Hairer & Wanner, Solving Ordinary Differential
-    /// Equations II, section IV.2) with the constants of their code DOPRI5: safety 0.9, at most five times smaller or ten
-    /// times larger, and not larger right after a rejection.
+    /// Makes the next step. Proportional-integral controller (Hairer & Wanner, Solving Ordinary Differential Equations II,
+    /// section IV.2) with the constants of their code DOPRI5: safety factor 0.9, at most five times smaller or ten times
+    /// larger, and not larger right after a rejection.
     ///
-    /// The stiff method does not step over `row`: where a stiff part forces the solution, as in the problem of Prothero
-    /// and Robinson, its dense output is less exact by orders than its steps.
+    /// The stiff method does not step over `row`: if a stiff component follows a forcing, as in the problem of Prothero and
+    /// Robinson, its dense output is less accurate than its steps by orders of magnitude.
     pub fn extend(&mut self, equations: &mut Equations, row: f64) -> Result<(), Stalled> {
         let time = self.last.end;
         let order = match self.pair {
@@ -192,7 +193,7 @@ impl Adaptive {
                 self.last.error = error.max(1e-4);
                 let on_row = lands && !rejected;
                 self.accept(time, size, if on_row { row } else { time + size });
-                // A step cut short by a row says nothing against the size that was wanted.
+                // A step cut short to reach a row is no reason to reduce the proposed size.
                 self.last.proposed = if on_row { wanted.max(size * growth) } else { size * growth };
                 return Ok(());
             }
@@ -201,25 +202,26 @@ impl Adaptive {
                 return Err(if finite { Stalled::TooSmall } else { Stalled::NotFinite });
             }
             let shrinkage = 0.9 / libm::pow(error, proportional);
-            // Also where the error is not a number.
+            // The comparison also covers NaN.
             size *= if shrinkage > 0.2 { shrinkage } else { 0.2 };
             size = size.max(smallest);
             rejected = true;
         }
     }
 
-    /// The state on the continuous solution over the last step, at `part` of the time since its start.
+    /// Continuous solution over the last step, `since_start` after its start (SI units): one value per state.
     pub fn dense(&self, since_start: f64, out: &mut [f64]) {
         dense_value(&self.last.dense, since_start / self.last.size, out);
     }
 
-    /// The state so long after the start of the last step, by a shorter step from the same start. Another step begins there.
+    /// State `since` after the start of the last step (SI units), computed by a shorter step from the same start. The next
+    /// step must begin there.
     pub fn shorter(&mut self, equations: &mut Equations, since: f64, out: &mut [f64]) {
         self.forget();
         self.repeat(equations, since, out);
     }
 
-    /// The same, if what the method knows of another start is already forgotten.
+    /// [`Adaptive::shorter`] without resetting the method, for repeated calls from the same start.
     fn repeat(&mut self, equations: &mut Equations, since: f64, out: &mut [f64]) {
         if since < Self::AT_ONCE {
             out.copy_from_slice(&self.last.from);
@@ -228,9 +230,9 @@ impl Adaptive {
         }
     }
 
-    /// Where that lies which was found to happen between `low` and `high` after the start of the last step. A shorter step
-    /// from the same start gives the state there; where the dense output and such a step disagree on whether it happens at
-    /// all, which is a matter of errors within the tolerance, the dense output decides.
+    /// Locates a change found between `low` and `high`, relative to the start of the last step. States come from shorter
+    /// steps from the same start. If the dense output and these steps disagree on whether the change happens, which errors
+    /// within the tolerance can cause, the dense output decides.
     pub fn locate(
         &mut self,
         equations: &mut Equations,
@@ -252,12 +254,12 @@ impl Adaptive {
         surfaces.locate(start, (low, high), expected, |since, out| self.dense(since, out))
     }
 
-    /// The state that the last attempt led to.
+    /// Result of the last attempted step.
     pub fn attempt(&self) -> &[f64] {
         &self.attempt
     }
 
-    /// Forgets what is known of the state from which a step starts.
+    /// Discards the rates or derivatives stored for the start of the step.
     fn forget(&mut self) {
         match &mut self.pair {
             Pair::DormandPrince(pair) => pair.reset(),
@@ -293,14 +295,14 @@ impl Adaptive {
         }
     }
 
-    /// The error in units of what is allowed, the root of the mean square over the states.
+    /// Error in units of the allowed error: root mean square over the states.
     fn error_norm(&self) -> f64 {
         let mut sum = 0.0;
         for (k, error) in self.error.iter().enumerate() {
             let size = self.last.to[k].abs().max(self.attempt[k].abs());
             let scale = self.tolerance * size.max(self.below_peak * self.last.peaks[k]).max(self.floors[k]);
             let ratio = error / scale;
-            // A value that is not finite must not hide behind `max`, which passes over NaN.
+            // A value that is not finite must not be hidden by `max`, which ignores NaN.
             sum += if self.attempt[k].is_finite() { ratio * ratio } else { f64::NAN };
         }
         (sum / self.error.len().max(1) as f64).sqrt()

@@ -1,6 +1,6 @@
-//! Linear systems whose matrix has entries near its diagonal only: Gaussian elimination with partial pivoting in a fixed order
-//! of operations (Golub & Van Loan, Matrix Computations, algorithm 4.3.2 with the row exchanges of LAPACK's dgbtf2). The work
-//! grows with the number of rows, not with its cube. A singular system has no solution: every unknown is then NaN.
+//! Banded linear systems: Gaussian elimination with partial pivoting in a fixed order of operations (Golub & Van Loan,
+//! Matrix Computations, algorithm 4.3.2, with the row exchanges of LAPACK's dgbtf2). The work is proportional to the number
+//! of rows. Every unknown of a singular system is NaN.
 
 use program::band_width;
 
@@ -10,32 +10,33 @@ pub(crate) struct Banded {
     size: usize,
     lower: usize,
     upper: usize,
-    /// Row by row, of each row the columns from `row - lower` to `row + upper + lower`: exchanges fill the last `lower` ones.
+    /// Row by row, for each row the columns from `row - lower` to `row + upper + lower`; row exchanges fill the last
+    /// `lower` ones.
     values: Vec<f64>,
     /// Row `k` was exchanged with row `exchanged[k]`.
     exchanged: Vec<usize>,
-    /// Whether no pivot was found.
+    /// True if no pivot was found.
     pub singular: bool,
 }
 
 impl Banded {
-    /// Room for a matrix, all zero.
+    /// A zero matrix.
     pub fn new(size: usize, lower: usize, upper: usize) -> Self {
         let width = band_width(lower, upper);
         Self { size, lower, upper, values: vec![0.0; size * width], exchanged: vec![0; size], singular: false }
     }
 
-    /// Where an entry within the diagonals stands among [`Banded::values_mut`].
+    /// Index in [`Banded::values_mut`] of an entry within the band.
     pub fn place(&self, row: usize, column: usize) -> usize {
         row * band_width(self.lower, self.upper) + column + self.lower - row
     }
 
-    /// The matrix before [`Banded::factorize`].
+    /// Entries of the matrix, to be set before [`Banded::factorize`].
     pub fn values_mut(&mut self) -> &mut [f64] {
         &mut self.values
     }
 
-    /// About how many floating-point operations one factorization and so many solutions take.
+    /// Approximate number of floating-point operations of one factorization and `solutions` solutions.
     pub fn work(&self, solutions: usize) -> usize {
         2 * self.size * (self.lower * (self.lower + self.upper + 1) + solutions * band_width(self.lower, self.upper))
     }
@@ -45,7 +46,7 @@ impl Banded {
         self.singular = false;
         for column in 0..self.size {
             let last = self.size.min(column + self.lower + 1);
-            // Exchanges have filled the rows up to here.
+            // Row exchanges have filled the rows up to this column.
             let end = self.size.min(column + self.upper + self.lower + 1);
             let mut pivot = column;
             for row in column + 1..last {
@@ -72,7 +73,7 @@ impl Banded {
                 let (upper, own) = (&above[upper_place..][..end - column], &mut below[..end - column]);
                 let factor = own[0] / diagonal;
                 own[0] = factor;
-                // Most rows of a sparse matrix have nothing there.
+                // Most factors are zero in a sparse matrix.
                 if factor != 0.0 {
                     own.iter_mut().zip(upper).skip(1).for_each(|(value, upper)| *value -= factor * upper);
                 }
@@ -80,7 +81,7 @@ impl Banded {
         }
     }
 
-    /// Replaces the right side by the solution; by NaN if the matrix was singular.
+    /// Replaces the right-hand side by the solution, or by NaN if the matrix is singular.
     pub fn solve(&self, right: &mut [f64]) {
         if self.singular {
             right.fill(f64::NAN);
@@ -108,7 +109,7 @@ mod tests {
     use super::*;
     use crate::methods::linear::Factors;
 
-    /// Entries between -1 and 1, of which the ones on the diagonal are small, so that rows are exchanged.
+    /// Entries between -1 and 1, small on the diagonal so that rows are exchanged.
     fn entry(row: usize, column: usize) -> f64 {
         let value = libm::sin((1 + 17 * row + 5 * column + row * column) as f64);
         if row == column { 0.01 * value } else { value }

@@ -1,6 +1,6 @@
-//! The cubic through two values with two slopes (Hermite), on the interval from 0 to 1: where it turns and where it is zero.
+//! Cubic Hermite polynomial on the interval from 0 to 1: values, range and zeros.
 
-/// A cubic on the interval from 0 to 1.
+/// A cubic polynomial on the interval from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Cubic {
     start: f64,
@@ -10,23 +10,24 @@ pub(crate) struct Cubic {
 }
 
 impl Cubic {
-    /// With these values and slopes at 0 and 1. Slopes that are no numbers are those of the straight line.
+    /// The cubic with these values and slopes at 0 and 1. A slope that is not finite is replaced by that of the straight
+    /// line.
     pub fn new(values: [f64; 2], slopes: [f64; 2]) -> Self {
         let change = values[1] - values[0];
         let [leaving, arriving] = slopes.map(|slope| if slope.is_finite() { slope } else { change });
         Self { start: values[0], change, leaving, arriving }
     }
 
-    /// Its value.
+    /// Value at `part`, 0 to 1.
     pub fn at(&self, part: f64) -> f64 {
         let rest = 1.0 - part;
         let bend = rest * (self.leaving - self.change) - part * (self.arriving - self.change);
         self.start + part * (self.change + rest * bend)
     }
 
-    /// The ends, and between them where it turns; ascending.
+    /// The ends and the extrema between them, ascending, with their number.
     fn knots(&self) -> ([f64; 4], usize) {
-        // c' = slope + 2 second p + 3 third p^2
+        // Derivative: slope + 2 second p + 3 third p^2
         let slope = self.leaving;
         let second = 3.0 * self.change - 2.0 * self.leaving - self.arriving;
         let third = 3.0 * (self.leaving + self.arriving - 2.0 * self.change);
@@ -46,14 +47,14 @@ impl Cubic {
         (knots, count + 1)
     }
 
-    /// Its least and greatest value.
+    /// Minimum and maximum on the interval.
     pub fn range(&self) -> (f64, f64) {
         let (knots, count) = self.knots();
         let values = knots.iter().take(count).map(|&knot| self.at(knot));
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
     }
 
-    /// Where its sign changes, ascending; zero counts as positive.
+    /// Calls `found` with each change of sign, ascending; zero counts as positive.
     pub fn zeros(&self, mut found: impl FnMut(f64)) {
         let (knots, count) = self.knots();
         for pair in knots[..count].windows(2) {
@@ -70,7 +71,7 @@ impl Cubic {
         }
     }
 
-    /// To a billionth of the interval.
+    /// Number of bisections: accuracy 1e-9 of the interval.
     const HALVINGS: usize = 30;
 }
 

@@ -1,15 +1,15 @@
-//! The method of Dormand and Prince, order 5 with an embedded one of order 4 for the error and a continuous extension of
-//! order 4 (Dormand & Prince, J. Comp. Appl. Math. 6 (1980) 19; Hairer, Norsett & Wanner, Solving Ordinary Differential
-//! Equations I, table II.5.2 and section II.6; the dense output's last coefficients as in their code DOPRI5).
+//! Method of Dormand and Prince of order 5, with an embedded method of order 4 for the error estimate and a continuous
+//! extension of order 4 (Dormand & Prince, J. Comp. Appl. Math. 6 (1980) 19; Hairer, Norsett & Wanner, Solving Ordinary
+//! Differential Equations I, table II.5.2 and section II.6; last coefficients of the dense output as in their code DOPRI5).
 
 use super::equations::Equations;
 
-/// The number of stages; the last one is the first of the next step.
+/// Number of stages; the last stage is the first one of the next step.
 const STAGES: usize = 7;
 
 const NODES: [f64; STAGES] = [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];
 
-/// Row i: what stage i takes of the earlier stages. The last row is also the result.
+/// Row i: weights of the earlier stages in stage i. The last row also gives the result.
 const STAGE_WEIGHTS: [&[f64]; STAGES] = [
     &[],
     &[1.0 / 5.0],
@@ -20,11 +20,11 @@ const STAGE_WEIGHTS: [&[f64]; STAGES] = [
     &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
 ];
 
-/// The weights of order 5 minus those of order 4.
+/// Weights of order 5 minus those of order 4.
 const ERROR_WEIGHTS: [f64; STAGES] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// The weights of the dense output's term of degree 4.
+/// Weights of the term of degree 4 in the dense output.
 const DENSE_WEIGHTS: [f64; STAGES] = [
     -12_715_105_075.0 / 11_282_082_432.0,
     0.0,
@@ -35,12 +35,12 @@ const DENSE_WEIGHTS: [f64; STAGES] = [
     69_997_945.0 / 29_380_423.0,
 ];
 
-/// Working storage.
+/// Working storage of the method.
 #[derive(Clone, Debug)]
 pub(crate) struct DormandPrince {
     rates: [Vec<f64>; STAGES],
     stage: Vec<f64>,
-    /// Whether the first stage is known from the step before.
+    /// True if the first stage is known from the previous step.
     first_known: bool,
 }
 
@@ -49,12 +49,13 @@ impl DormandPrince {
         Self { rates: std::array::from_fn(|_| vec![0.0; states]), stage: vec![0.0; states], first_known: false }
     }
 
-    /// Forgets the step before, after a jump of the state or the parameters.
+    /// Discards the first stage, after a jump of the state or the parameters.
     pub fn reset(&mut self) {
         self.first_known = false;
     }
 
-    /// One step of `size`; `error` receives the estimate of its error.
+    /// Makes one step of `size` from `from` at `time`; `to` becomes the result, `error` its estimated error. One value per
+    /// state, SI units.
     pub fn step(
         &mut self,
         equations: &mut Equations,
@@ -81,7 +82,7 @@ impl DormandPrince {
         error.iter_mut().for_each(|error| *error *= size);
     }
 
-    /// The coefficients of the dense output of the last step, which led from `from` to `to`.
+    /// Coefficients of the dense output of the last step, from `from` to `to`.
     pub fn dense(&self, size: f64, from: &[f64], to: &[f64], coefficients: &mut [Vec<f64>; 5]) {
         let [c_0, c_1, c_2, c_3, c_4] = coefficients;
         for k in 0..from.len() {
@@ -96,13 +97,13 @@ impl DormandPrince {
         c_4.iter_mut().for_each(|value| *value *= size);
     }
 
-    /// Makes the last stage of an accepted step the first of the next.
+    /// Stores the last stage of an accepted step as the first stage of the next one.
     pub fn accept(&mut self) {
         self.rates.swap(0, STAGES - 1);
     }
 }
 
-/// The dense output at `part` of the step, 0 to 1.
+/// Evaluates the dense output at `part` of the step, 0 to 1; one value per state.
 pub(crate) fn dense_value(coefficients: &[Vec<f64>; 5], part: f64, out: &mut [f64]) {
     let rest = 1.0 - part;
     let [c_0, c_1, c_2, c_3, c_4] = coefficients;
@@ -119,7 +120,7 @@ fn combine(to: &mut [f64], from: &[f64], size: f64, weights: &[f64], rates: &[Ve
     }
 }
 
-/// sum = weights . rates, one stage after the other for all states, which a processor does for several at a time.
+/// sum = weights . rates, stage by stage over all states, which allows vectorization.
 fn weighted(sum: &mut [f64], weights: &[f64], rates: &[Vec<f64>]) {
     sum.fill(0.0);
     for (weight, rates) in weights.iter().zip(rates) {
@@ -178,7 +179,7 @@ mod tests {
     #[test]
     fn the_dense_output_has_order_4_everywhere() {
         for part in [0.0, 0.2, 0.5, 0.9, 1.0] {
-            // The weights of each stage at this part of the step: the output where only that stage is not zero.
+            // Weights of the stages at this part of the step: the output with only one stage not zero.
             let weights_there: Vec<f64> = (0..STAGES)
                 .map(|stage| {
                     let mut pair = DormandPrince::new(1);

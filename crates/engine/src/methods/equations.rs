@@ -1,27 +1,27 @@
-//! The right side of the first-order system y' = f(t, y) of a model, with what the methods need to know of it.
+//! The right-hand side f of the first-order system y' = f(t, y) of a model, and its derivatives.
 
 use crate::Routine;
 use program::{Model, NodeId};
 
-/// f and, for stiff methods, its derivatives; counts its evaluations.
+/// The function f and, for stiff methods, its Jacobian; counts evaluations.
 #[derive(Clone, Debug)]
 pub(crate) struct Equations {
     rates: Routine,
     slopes: Option<Routine>,
-    /// The places of the derivatives by states: number of the rate, number of the state.
+    /// Sparsity pattern of the Jacobian: index of the rate, index of the state.
     pattern: Vec<(usize, usize)>,
-    /// The order in which the routine takes the states, where it is another one than the model's.
+    /// Order of the states in the routine, `None` if it is that of the model.
     order: Option<Order>,
-    /// The parameters, and behind them the values at which switches are held.
+    /// Parameters, then the held values of the switches.
     inputs: Vec<f64>,
-    /// How often f was evaluated.
+    /// Number of evaluations of f.
     pub evaluations: u64,
-    /// How often the derivatives of f were evaluated.
+    /// Number of evaluations of the derivatives of f.
     pub jacobians: u64,
 }
 
 impl Equations {
-    /// f alone.
+    /// The function f alone.
     pub fn new(model: &Model) -> Self {
         let nodes = rate_nodes(model);
         let order = Order::of(model);
@@ -35,7 +35,8 @@ impl Equations {
         Self { rates, order, slopes: None, pattern: Vec::new(), inputs: Vec::new(), evaluations: 0, jacobians: 0 }
     }
 
-    /// f with its exact derivatives by the states and by the independent variable; `None` if they are too many.
+    /// The function f with exact derivatives with respect to the states and the independent variable; `None` if there are
+    /// too many.
     pub fn with_slopes(model: &Model) -> Option<Self> {
         let found = model.slopes()?;
         let roots: Vec<NodeId> =
@@ -45,7 +46,7 @@ impl Equations {
         Some(Self { slopes: Some(slopes), pattern, ..Self::new(model) })
     }
 
-    /// Sets parameters, the values at which switches are held ([`program::Held`]), and initial values.
+    /// Sets parameters, held values of the switches ([`program::Held`]) and initial values, SI units.
     pub fn prepare(&mut self, parameters: &[f64], held: &[f64], initial: &[f64]) {
         self.inputs.clear();
         self.inputs.extend(parameters.iter().chain(held));
@@ -55,7 +56,7 @@ impl Equations {
         }
     }
 
-    /// f(time, state).
+    /// Evaluates f(time, state): one rate per state, SI units.
     #[inline]
     pub fn rates(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
         self.evaluations += 1;
@@ -69,25 +70,25 @@ impl Equations {
         }
     }
 
-    /// f in the order of [`Equations::order`], at the state in that order that `set` writes.
+    /// Evaluates f with states and rates in the order of [`Equations::order`]; `set` writes the state.
     #[inline]
     pub fn ordered_rates(&mut self, time: f64, out: &mut [f64], set: impl FnOnce(&mut [f64])) {
         self.evaluations += 1;
         self.rates.evaluate_at(time, out, set);
     }
 
-    /// The numbers of the states in the order in which f is computed fastest, if that is not the model's own.
+    /// Indices of the states in the order in which f is computed fastest; `None` for the order of the model.
     pub fn order(&self) -> Option<&[u32]> {
         self.order.as_ref().map(|order| order.states.as_slice())
     }
 
-    /// Which derivatives by states are not 0 everywhere: the numbers of rate and state of each.
+    /// Sparsity pattern of the Jacobian: index of the rate and index of the state per entry.
     pub fn pattern(&self) -> &[(usize, usize)] {
         &self.pattern
     }
 
-    /// The derivatives of f: first by the states, in the order of [`Equations::pattern`], then of all by the independent
-    /// variable.
+    /// Evaluates the derivatives of f: with respect to the states in the order of [`Equations::pattern`], then of all rates
+    /// with respect to the independent variable. SI units.
     pub fn slopes(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
         self.jacobians += 1;
         match &mut self.slopes {
@@ -96,32 +97,32 @@ impl Equations {
         }
     }
 
-    /// About how many floating-point operations all evaluations took.
+    /// Approximate number of floating-point operations of all evaluations.
     pub fn work(&self) -> u64 {
         let slopes = self.slopes.as_ref().map_or(0, Routine::work);
         self.evaluations * self.rates.work() + self.jacobians * slopes
     }
 
-    /// Whether the equations could not be solved for the highest derivatives when f was evaluated last.
+    /// True if the linear systems for the highest derivatives were singular at the last evaluation of f.
     pub fn singular(&self) -> bool {
         self.rates.singular()
     }
 }
 
-/// Another order of the states.
+/// A permutation of the states.
 #[derive(Clone, Debug)]
 struct Order {
-    /// Their numbers.
+    /// Model indices of the states in the new order.
     states: Vec<u32>,
-    /// Room for the rates of change in this order.
+    /// Working storage for the rates in this order.
     rates: Vec<f64>,
 }
 
 impl Order {
-    /// Models with fewer states are computed one by one.
+    /// Minimum number of states for which a new order pays off.
     const LEAST_STATES: usize = 32;
 
-    /// First all states of order 0, then those of order 1, and so on: what repeats then stands side by side.
+    /// All states of order 0 first, then those of order 1, and so on: repeated operations then use consecutive registers.
     fn of(model: &Model) -> Option<Self> {
         let count = model.states.len();
         if count < Self::LEAST_STATES || model.states.iter().all(|state| state.order == 0) {
@@ -133,14 +134,14 @@ impl Order {
     }
 }
 
-/// Writes `values` in another order, of which `order` has the numbers.
+/// Permutes `values`: element `k` of `out` is element `order[k]` of `values`.
 pub(crate) fn gather(out: &mut [f64], order: &[u32], values: &[f64]) {
     for (out, &number) in out.iter_mut().zip(order) {
         *out = values[number as usize];
     }
 }
 
-/// Takes [`gather`] back.
+/// Inverse of [`gather`].
 pub(crate) fn scatter(out: &mut [f64], order: &[u32], values: &[f64]) {
     for (value, &number) in values.iter().zip(order) {
         out[number as usize] = *value;

@@ -1,23 +1,23 @@
-//! The methods of fixed step.
+//! Fixed-step methods.
 
 use super::equations::{Equations, gather, scatter};
 use crate::Method;
 use program::{Model, Node};
 
-/// A method of fixed step and its working storage.
+/// A fixed-step method and its working storage.
 #[derive(Clone, Debug)]
 pub(crate) struct Fixed {
     method: Method,
     rates: [Vec<f64>; 4],
     stage: Vec<f64>,
-    /// For velocity Verlet, the states that are positions, each with its velocity. The others rest.
+    /// For velocity Verlet, pairs of the indices of a position and its velocity; all other states are constant.
     pairs: Vec<(usize, usize)>,
-    /// Room for both ends of a step in the order of the equations, if they have one of their own.
+    /// Working storage: both ends of a step in the order of the equations.
     ends: [Vec<f64>; 2],
 }
 
 impl Fixed {
-    /// The method for a model and its equations.
+    /// Prepares the method for a model and its equations.
     pub fn new(method: Method, model: &Model, equations: &Equations) -> Self {
         let states = model.states.len();
         let mut places: Vec<usize> = (0..states).collect();
@@ -31,7 +31,7 @@ impl Fixed {
         Self { method, rates: std::array::from_fn(|_| zeros.clone()), stage: zeros, pairs, ends }
     }
 
-    /// One step of `size` from the state `from` at `time`.
+    /// Makes one step of `size` from the state `from` at `time`; one value per state, SI units.
     #[inline]
     pub fn step(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         if equations.order().is_none() {
@@ -44,14 +44,14 @@ impl Fixed {
         self.ends = [start, end];
     }
 
-    /// One step in the order of the equations.
+    /// One step with the states in the order of the equations.
     #[inline]
     fn ordered_step(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         match self.method {
             Method::Euler => self.euler(equations, time, size, from, to),
             Method::EulerRichardson => self.euler_richardson(equations, time, size, from, to),
             Method::VelocityVerlet => self.velocity_verlet(equations, time, size, from, to),
-            // The adaptive methods never come here.
+            // The adaptive methods are not handled here.
             Method::RungeKutta4 | Method::DormandPrince | Method::Rosenbrock => {
                 self.runge_kutta(equations, time, size, from, to);
             }
@@ -65,7 +65,7 @@ impl Fixed {
     }
 
     /// The midpoint method, as in Gould, Tobochnik & Christian, An Introduction to Computer Simulation Methods (3rd ed.,
-    /// chapter 3), where all states and not only the velocity go to the middle of the step first.
+    /// chapter 3), with all states, not only the velocity, evaluated at the middle of the step.
     fn euler_richardson(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         let [first, middle, ..] = &mut self.rates;
         equations.ordered_rates(time, first, |state| state.copy_from_slice(from));
@@ -75,7 +75,8 @@ impl Fixed {
 
     /// Velocity Verlet (Swope et al., J. Chem. Phys. 76 (1982) 637). A force that depends on the velocity is evaluated at
     /// the end of the step with the predicted velocity v + h a, as by Groot & Warren (J. Chem. Phys. 107 (1997) 4423) with
-    /// their lambda = 1: the prediction is off by O(h^2), the velocity after the step by O(h^3), so the order is still 2.
+    /// lambda = 1. The error of the prediction is O(h^2), that of the velocity after the step O(h^3), so the order remains
+    /// 2.
     fn velocity_verlet(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         let [start, end, ..] = &mut self.rates;
         equations.ordered_rates(time, start, |state| state.copy_from_slice(from));
@@ -93,7 +94,8 @@ impl Fixed {
         }
     }
 
-    /// The classical method of order 4 (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, table II.1.2).
+    /// Classical Runge-Kutta method of order 4 (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, table
+    /// II.1.2).
     fn runge_kutta(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         let [k_1, k_2, k_3, k_4] = &mut self.rates;
         let half = 0.5 * size;
@@ -117,8 +119,8 @@ fn advance(to: &mut [f64], from: &[f64], size: f64, rates: &[f64]) {
     }
 }
 
-/// The first state of a variable that does not have exactly two and does not rest between events either, which keeps
-/// velocity Verlet from being used.
+/// First state that velocity Verlet cannot integrate: its variable does not have exactly two states and is not constant
+/// between events.
 pub(crate) fn not_of_second_order(model: &Model) -> Option<usize> {
     let states = &model.states;
     let mut position = 0;

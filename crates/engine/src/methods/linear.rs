@@ -1,19 +1,19 @@
 //! Small dense linear systems: Gaussian elimination with partial pivoting in a fixed order of operations, so that the bits
-//! of the solution are the same everywhere. A singular system has no solution: every unknown is then NaN.
+//! of the solution are the same on all machines. Every unknown of a singular system is NaN.
 
 /// An LU factorization P A = L U of a square matrix, in place.
 #[derive(Clone, Debug)]
 pub(crate) struct Factors {
-    /// The matrix row by row; after [`Factors::factorize`] L below the diagonal and U on and above it.
+    /// Matrix row by row; after [`Factors::factorize`] L below the diagonal, U on and above it.
     pub values: Vec<f64>,
     /// Row `k` was exchanged with row `exchanged[k]`.
     exchanged: Vec<usize>,
-    /// Whether no pivot was found.
+    /// True if no pivot was found.
     pub singular: bool,
 }
 
 impl Factors {
-    /// Room for a matrix of `size` rows, all zero.
+    /// A zero matrix of `size` rows.
     pub fn new(size: usize) -> Self {
         Self { values: vec![0.0; size * size], exchanged: vec![0; size], singular: false }
     }
@@ -50,7 +50,7 @@ impl Factors {
         }
     }
 
-    /// Replaces the right side by the solution; by NaN if the matrix was singular.
+    /// Replaces the right-hand side by the solution, or by NaN if the matrix is singular.
     pub fn solve(&self, right: &mut [f64]) {
         let size = self.exchanged.len();
         if self.singular {
@@ -104,7 +104,7 @@ mod tests {
         assert_eq!(bits, HILBERT_BITS);
     }
 
-    /// As computed on the first machine; any other order of operations changes them.
+    /// Reference bits of one machine; any other order of operations changes them.
     const HILBERT_BITS: [u64; 4] =
         [4_625_196_817_309_498_996, 13_861_516_703_092_964_796, 4_642_648_265_865_559_352, 13_862_501_865_511_452_203];
 

@@ -1,4 +1,4 @@
-//! The methods that make a step, their linear algebra, and the stepper that drives them from one point of the grid to the next.
+//! Integration methods, their linear algebra, and the stepper that moves from grid point to grid point.
 
 pub(crate) mod adaptive;
 pub(crate) mod banded;

@@ -1,5 +1,5 @@
-//! Order conditions of one-step methods by rooted trees (Hairer, Norsett & Wanner I, section II.2, theorem 2.13; for
-//! Rosenbrock methods Hairer & Wanner II, section IV.7, theorem 7.3), to check coefficients in tests.
+//! Order conditions of one-step methods by rooted trees (Hairer, Norsett & Wanner I, section II.2, theorem 2.13; Rosenbrock
+//! methods: Hairer & Wanner II, section IV.7, theorem 7.3), for tests of coefficients.
 
 use super::equations::Equations;
 
@@ -24,9 +24,9 @@ impl Tree {
         self.order() as f64 * self.0.iter().map(Self::density).product::<f64>()
     }
 
-    /// The product over the subtrees at stage `i`.
+    /// Product over the subtrees at stage `stage`.
     fn product(&self, method: &Method, stage: usize) -> f64 {
-        // Rosenbrock methods: a vertex with a single branch stands for the Jacobian, which the matrix gamma is for.
+        // Rosenbrock methods: a vertex with a single branch stands for the Jacobian, which uses the matrix alpha + gamma.
         let matrix = if self.0.len() == 1 { &method.single } else { &method.several };
         let sum = |subtree: &Self| -> f64 {
             (0..method.weights.len()).map(|j| matrix[stage][j] * subtree.product(method, j)).sum()
@@ -55,16 +55,16 @@ fn forests(vertices: usize) -> Vec<Vec<Tree>> {
 
 /// A method as full square matrices.
 pub(crate) struct Method {
-    /// For vertices with one branch: alpha + gamma; of an explicit method the same as `several`.
+    /// For vertices with one branch: alpha + gamma; for an explicit method equal to `several`.
     pub single: Vec<Vec<f64>>,
     /// For vertices with several branches: alpha.
     pub several: Vec<Vec<f64>>,
-    /// b, perhaps of a continuous extension.
+    /// b, or the weights of a continuous extension.
     pub weights: Vec<f64>,
 }
 
 impl Method {
-    /// The greatest violation of the conditions of `order` for the solution at `part` of the step.
+    /// Greatest violation of the conditions of `order` for the solution at `part` of the step.
     pub fn residual(&self, order: usize, part: f64) -> f64 {
         let power = (0..order).fold(1.0, |power, _| power * part);
         let mut greatest = 0.0_f64;
@@ -77,8 +77,8 @@ impl Method {
     }
 }
 
-/// The order that a method shows on a nonlinear, driven pendulum when its constant step is halved. `step` makes one step:
-/// time, size, from, to.
+/// Measured order of a method with constant step on a nonlinear, driven pendulum. `step` makes one step; its arguments are
+/// equations, time, size, from, to.
 pub(crate) fn measured(mut step: impl FnMut(&mut Equations, f64, f64, &[f64], &mut [f64])) -> f64 {
     let text = "independent t\nq'' = -sin(q) - 0.2*q' + cos(2*t)\nq(0) = 1\nq'(0) = 0.5\n";
     let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));

@@ -1,7 +1,7 @@
-//! RODAS, a Rosenbrock method of order 4 with an embedded one of order 3 for the error, L-stable and stiffly accurate, with
-//! a continuous extension of order 3 (Hairer & Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.7
-//! and the coefficients of their code RODAS, first set). A step solves six linear systems with one matrix and no
-//! equations by iteration, so that its work does not depend on luck.
+//! RODAS: a Rosenbrock method of order 4 with an embedded method of order 3 for the error estimate, L-stable and stiffly
+//! accurate, with a continuous extension of order 3 (Hairer & Wanner, Solving Ordinary Differential Equations II, 2nd ed.,
+//! section IV.7, and the coefficients of their code RODAS, first set). A step solves six linear systems with the same
+//! matrix and needs no iteration, so its work is fixed.
 //!
 //! In the transformed variables u: (1/(h gamma) - J) u_i = f(t + alpha_i h, y + sum a_ij u_j) + sum c_ij u_j / h
 //! + gamma_i h df/dt.
@@ -12,13 +12,14 @@ use super::jacobian::Jacobian;
 const STAGES: usize = 6;
 const GAMMA: f64 = 0.25;
 
-/// alpha_i
+/// Nodes alpha_i.
 const NODES: [f64; STAGES] = [0.0, 0.386, 0.21, 0.63, 1.0, 1.0];
 
-/// gamma_i
+/// Weights gamma_i of the derivative with respect to the independent variable.
 const TIME_WEIGHTS: [f64; STAGES] = [0.25, -0.1043, 0.1035, -0.0362, 0.0, 0.0];
 
-/// a_ij; the last row gives the embedded result, to which the last stage is added.
+/// Weights a_ij of earlier stages in the argument of f. The last row gives the embedded result. The result of order 4 is
+/// that plus the last stage.
 const STAGE_WEIGHTS: [&[f64]; STAGES] = [
     &[],
     &[1.544],
@@ -28,7 +29,7 @@ const STAGE_WEIGHTS: [&[f64]; STAGES] = [
     &[1.221_224_509_226_641, 6.019_134_481_288_629, 12.537_083_329_320_87, -0.687_886_036_105_895, 1.0],
 ];
 
-/// c_ij
+/// Weights c_ij of earlier stages in the right-hand side.
 const SOLVED_WEIGHTS: [&[f64]; STAGES] = [
     &[],
     &[-5.6688],
@@ -44,7 +45,7 @@ const SOLVED_WEIGHTS: [&[f64]; STAGES] = [
     ],
 ];
 
-/// The weights of the dense output's two inner terms.
+/// Weights of the two inner terms of the dense output.
 const DENSE_WEIGHTS: [[f64; 5]; 2] = [
     [
         10.126_235_083_445_86,
@@ -62,23 +63,24 @@ const DENSE_WEIGHTS: [[f64; 5]; 2] = [
     ],
 ];
 
-/// Working storage.
+/// Working storage of the method.
 #[derive(Clone, Debug)]
 pub(crate) struct Rosenbrock {
     /// The transformed stages u.
     solved: [Vec<f64>; STAGES],
     stage: Vec<f64>,
     rates: Vec<f64>,
-    /// By states, then by the independent variable.
+    /// Jacobian entries in the order of the pattern, then the derivatives with respect to the independent variable.
     slopes: Vec<f64>,
-    /// 1/(h gamma) - J
+    /// The matrix 1/(h gamma) - J.
     matrix: Jacobian,
-    /// Whether the slopes belong to the start of the step.
+    /// True if `slopes` belong to the start of the step.
     slopes_known: bool,
 }
 
 impl Rosenbrock {
-    /// For so many states; `pattern` has the numbers of rate and state of all derivatives that are not 0 everywhere.
+    /// Prepares the method for `states` states; `pattern` has the indices of rate and state of all Jacobian entries that
+    /// are not identically 0.
     pub fn new(states: usize, pattern: &[(usize, usize)]) -> Self {
         Self {
             solved: std::array::from_fn(|_| vec![0.0; states]),
@@ -90,22 +92,23 @@ impl Rosenbrock {
         }
     }
 
-    /// Whether there is room for the linear systems of so many states with this pattern.
+    /// True if linear systems of this size and pattern are small enough to be solved.
     pub fn can_solve(states: usize, pattern: &[(usize, usize)]) -> bool {
         Jacobian::fits(states, pattern)
     }
 
-    /// Forgets the start of the step, after a step or a jump.
+    /// Discards the derivatives at the start of the step, after a step or a jump.
     pub fn reset(&mut self) {
         self.slopes_known = false;
     }
 
-    /// About how many operations a stage takes for its linear system, its share of the factorisation included.
+    /// Approximate number of operations per stage for its linear system, including its share of the factorization.
     pub fn work_of_stage(&self) -> u64 {
         self.matrix.work() / STAGES as u64
     }
 
-    /// One step of `size`; `error` receives the estimate of its error.
+    /// Makes one step of `size` from `from` at `time`; `to` becomes the result, `error` its estimated error. One value per
+    /// state, SI units.
     pub fn step(
         &mut self,
         equations: &mut Equations,
@@ -143,7 +146,7 @@ impl Rosenbrock {
         }
     }
 
-    /// The coefficients of the dense output of the last step, in the form of [`super::dormand_prince::dense_value`].
+    /// Coefficients of the dense output of the last step, in the form of [`super::dormand_prince::dense_value`].
     pub fn dense(&self, from: &[f64], to: &[f64], coefficients: &mut [Vec<f64>; 5]) {
         let [c_0, c_1, c_2, c_3, c_4] = coefficients;
         for k in 0..from.len() {
@@ -193,7 +196,7 @@ mod tests {
         (0..STAGES).map(|row| columns.iter().map(|column| column[row]).collect()).collect()
     }
 
-    /// From weights of the transformed stages to those of the original ones.
+    /// Weights of the original stages from those of the transformed ones.
     fn original(weights: &[f64]) -> Vec<f64> {
         let gammas = gammas();
         (0..STAGES).map(|k| (0..STAGES).map(|j| weights[j] * gammas[j][k]).sum()).collect()

@@ -1,16 +1,16 @@
-//! Linear systems with the same few entries every time: dense if they are small, banded where each unknown occurs in few equations,
-//! as in chains and in diffusion.
+//! Linear systems with a fixed sparsity pattern: dense for small ones, banded if each unknown occurs in few equations, as
+//! in chains and diffusion.
 
 use super::banded::Banded;
 use super::linear::Factors;
 use program::{banded_order, bandwidth, places};
 
-/// A square matrix and its factors.
+/// A square matrix of fixed pattern and its factors.
 #[derive(Clone, Debug)]
 pub(crate) struct Sparse {
     form: Form,
     size: usize,
-    /// Where each entry stands among the values.
+    /// Index of each entry among the values of the chosen form.
     entries: Vec<usize>,
 }
 
@@ -19,15 +19,15 @@ enum Form {
     Dense(Factors),
     Banded {
         factors: Banded,
-        /// The unknowns in the order of the rows.
+        /// Index of the unknown in each row.
         order: Vec<usize>,
-        /// Room for a right side in that order.
+        /// Working storage for a right-hand side in that order.
         right: Vec<f64>,
     },
 }
 
 impl Sparse {
-    /// Room for a matrix; `pattern` has row and column of every entry.
+    /// Storage for a matrix; `pattern` has row and column of every entry.
     pub fn new(size: usize, pattern: &[(usize, usize)]) -> Self {
         match banded_order(size, pattern) {
             Some(order) => {
@@ -44,7 +44,7 @@ impl Sparse {
         }
     }
 
-    /// About how many floating-point operations one factorization and so many solutions take.
+    /// Approximate number of floating-point operations of one factorization and `solutions` solutions.
     pub fn work(&self, solutions: usize) -> usize {
         match &self.form {
             Form::Dense(_) => self.size * self.size * (2 * solutions + self.size / 3),
@@ -52,7 +52,8 @@ impl Sparse {
         }
     }
 
-    /// Sets the matrix to a number on its diagonal, gives its values with the places of the entries to `set`, and factorizes it.
+    /// Sets all diagonal entries to `diagonal` and all others to 0, calls `set` with the values and the index of each
+    /// entry, and factorizes the matrix.
     pub fn factorize(&mut self, diagonal: f64, set: impl FnOnce(&mut [f64], &[usize])) {
         let (values, first, distance) = match &mut self.form {
             Form::Dense(factors) => (&mut factors.values[..], 0, self.size + 1),
@@ -71,7 +72,7 @@ impl Sparse {
         }
     }
 
-    /// Replaces the right side by the solution; by NaN if the matrix was singular.
+    /// Replaces the right-hand side by the solution, or by NaN if the matrix is singular.
     pub fn solve(&mut self, values: &mut [f64]) {
         match &mut self.form {
             Form::Dense(factors) => factors.solve(values),
@@ -83,7 +84,7 @@ impl Sparse {
         }
     }
 
-    /// Whether no pivot was found.
+    /// True if no pivot was found.
     pub fn singular(&self) -> bool {
         match &self.form {
             Form::Dense(factors) => factors.singular,

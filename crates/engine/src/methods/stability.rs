@@ -1,35 +1,35 @@
-//! Whether the step of a fixed-step method is short enough for it to be stable.
+//! Stability check of fixed-step methods.
 //!
-//! A method of fixed step h follows y' = λy only while hλ lies in its region of stability (Hairer & Wanner, Solving Ordinary
-//! Differential Equations II, 2nd ed., section IV.2). Beyond, what should decay grows from step to step. The greatest |λ| of
-//! the linearized equations is estimated by power iteration with differences of the rates of change.
+//! A fixed-step method with step h is stable for y' = λy only if hλ lies in its region of stability (Hairer & Wanner,
+//! Solving Ordinary Differential Equations II, 2nd ed., section IV.2). Outside, decaying solutions grow from step to step.
+//! The greatest |λ| of the linearized equations is estimated by power iteration with finite differences of the rates.
 
 use super::equations::Equations;
 use crate::Method;
 
-/// How many rows lie between two looks.
+/// Number of rows between two checks.
 const ROWS: u32 = 256;
-/// After how many rows one that was too long is looked at again: a collision of less than a step is over by then.
+/// Number of rows until a suspicion is checked again: a collision shorter than a step is over by then.
 const ROWS_TO_CONFIRM: u32 = 16;
-/// Iterations that turn the direction into that of the greatest |λ|.
+/// Iterations that align the direction with the greatest |λ|.
 const TURNS: u32 = 6;
-/// Iterations over which |λ| is averaged: an even number, after which an oscillation points in its own direction again.
+/// Iterations over which |λ| is averaged: an even number, after which the direction of an oscillation repeats.
 const AVERAGED: u32 = 16;
-/// How far the states are moved, relative to their size: so little that the equations are linear there, and far more than rounding.
+/// Perturbation for finite differences, relative to the size of the states: small enough for linearity, far above rounding.
 const SHIFT: f64 = 1e-9;
 
-/// Looks at the equations now and then.
+/// Stability check of a run, made at regular intervals.
 #[derive(Clone, Debug)]
 pub(crate) struct Stability {
-    /// The greatest h|λ|.
+    /// Upper bound of h|λ| for stability.
     limit: f64,
-    /// How many rows there are until the next look.
+    /// Number of rows until the next check.
     left: u32,
-    /// From when on the step seems too long, until another look confirms it.
+    /// Time from which on the step seems too long, until a second check confirms it; SI units.
     suspected: Option<f64>,
-    /// From when on the step has been too long.
+    /// Time from which on the step is too long, SI units.
     exceeded: Option<f64>,
-    /// The direction in which the states are moved; kept from look to look, so that it becomes more exact.
+    /// Direction of the perturbation; kept from check to check, which improves the estimate.
     direction: Vec<f64>,
     moved: Vec<f64>,
     sizes: Vec<f64>,
@@ -37,7 +37,7 @@ pub(crate) struct Stability {
 }
 
 impl Stability {
-    /// For a method and so many states; none for an adaptive method, whose control of errors sees to it.
+    /// The check for a method and `states` states; `None` for an adaptive method, which its error control keeps stable.
     pub fn new(method: Method, states: usize) -> Option<Self> {
         let zeros = || vec![0.0; states];
         Some(Self {
@@ -52,12 +52,12 @@ impl Stability {
         })
     }
 
-    /// Has the next row looked at, since the parameters are others.
+    /// Schedules a check of the next row, after a change of the parameters.
     pub fn look_soon(&mut self) {
         self.left = 0;
     }
 
-    /// Looks at a row on the grid, if it is time.
+    /// Checks a row on the grid if a check is due; `step` and `time` in SI units.
     pub fn look(&mut self, equations: &mut Equations, time: f64, step: f64, state: &[f64]) {
         if self.exceeded.is_some() {
             return;
@@ -66,7 +66,7 @@ impl Stability {
             self.left -= 1;
             return;
         }
-        // These belong to no step.
+        // The evaluations of this check are not counted.
         let evaluations = equations.evaluations;
         let greatest = self.greatest_rate(equations, time, step, state);
         equations.evaluations = evaluations;
@@ -76,14 +76,14 @@ impl Stability {
         self.left = if too_long { ROWS_TO_CONFIRM } else { ROWS } - 1;
     }
 
-    /// The greatest |λ|, 1 / unit of time; 0 where it cannot be told.
+    /// Estimate of the greatest |λ|, in 1 / SI unit of time; 0 if the estimate fails.
     fn greatest_rate(&mut self, equations: &mut Equations, time: f64, step: f64, state: &[f64]) -> f64 {
         let [here, there] = &mut self.rates;
         equations.rates(time, state, here);
         for (size, (value, rate)) in self.sizes.iter_mut().zip(state.iter().zip(&*here)) {
             *size = value.abs() + step * rate.abs();
         }
-        // What is 0 and stays there has no size of its own.
+        // States that are 0 and stay 0 have no size of their own.
         let any = self.sizes.iter().fold(0.0_f64, |most, size| most.max(*size));
         let least = if any > 0.0 { 1e-9 * any } else { 1.0 };
         for (k, (direction, size)) in self.direction.iter_mut().zip(&mut self.sizes).enumerate() {
@@ -91,7 +91,7 @@ impl Stability {
                 *size = least;
             }
             if *direction == 0.0 {
-                // Unequal parts: none of a chain's eigenvectors is orthogonal to them.
+                // Unequal components: not orthogonal to any eigenvector of a chain.
                 *direction = *size * (1.0 + 0.1 * (k % 7) as f64);
             }
         }
@@ -119,12 +119,12 @@ impl Stability {
         if greatest.is_finite() { greatest } else { 0.0 }
     }
 
-    /// From when on the step has been too long.
+    /// Time from which on the step is too long, SI units; `None` if it is not.
     pub fn exceeded(&self) -> Option<f64> {
         self.exceeded
     }
 
-    /// Forgets what was found after `time`.
+    /// Drops a finding after `time`.
     pub fn go_back_to(&mut self, time: f64) {
         self.exceeded = self.exceeded.filter(|exceeded| *exceeded <= time);
         self.suspected = self.exceeded;
@@ -132,18 +132,18 @@ impl Stability {
     }
 }
 
-/// The length of a direction in which each state is measured by its size.
+/// Norm of a direction, each component relative to the size of its state.
 fn length(direction: &[f64], sizes: &[f64]) -> f64 {
     let sum = direction.iter().zip(sizes).fold(0.0, |sum, (part, size)| sum + (part / size) * (part / size));
     sum.sqrt()
 }
 
-/// How far the region of stability reaches along the negative real axis, which for these methods is no farther than along the
-/// imaginary one where that is stable at all: h|λ| beyond it is unstable for what decays and for what oscillates.
+/// Upper bound of h|λ|: the end of the region of stability on the negative real axis. For these methods it is not beyond
+/// that on the imaginary axis where that is stable at all, so a greater h|λ| is unstable for both decay and oscillation.
 fn limit(method: Method) -> Option<f64> {
     match method {
         Method::Euler | Method::EulerRichardson | Method::VelocityVerlet => Some(2.0),
-        // The root of |1 + z + z²/2 + z³/6 + z⁴/24| = 1.
+        // Root of |1 + z + z²/2 + z³/6 + z⁴/24| = 1.
         Method::RungeKutta4 => Some(2.785_293_563_405_282),
         Method::DormandPrince | Method::Rosenbrock => None,
     }

@@ -1,4 +1,4 @@
-//! A model in motion, without memory of where it has been.
+//! Integration of a model along the grid, without recorded history.
 
 mod advance;
 mod count;
@@ -22,7 +22,7 @@ use crate::start;
 use crate::{Cause, Method, Notice, Routine, RunError, Setup};
 use program::{Model, NodeId};
 
-/// A model in motion: goes from one point of the grid t_n = n h to the next.
+/// A model with its current state, which moves along the grid t_n = n h.
 #[derive(Clone, Debug)]
 pub struct Stepper {
     equations: Equations,
@@ -30,28 +30,28 @@ pub struct Stepper {
     surfaces: Surfaces,
     method: Method,
     step: f64,
-    /// The number of the last grid point at or before `time`.
+    /// Index of the last grid point at or before `time`.
     index: u64,
-    /// Whether `time` is that grid point.
+    /// True if `time` is that grid point.
     on_grid: bool,
     time: f64,
     state: Vec<f64>,
     next: Vec<f64>,
-    /// Those in force. A stepper has no history, and a fit runs it without any.
+    /// The parameters in force, SI units. A stepper has no history; fits use it without one.
     parameters: Vec<f64>,
     initial: Vec<f64>,
-    /// What has been done since the last point of the grid.
+    /// Progress since the last grid point.
     row: RowWork,
-    /// Whether an event that ends the run does so.
+    /// True if events that end the run take effect.
     heeds_ends: bool,
-    /// Whether the independent variable counts.
+    /// True if the independent variable counts (discrete time).
     counts: bool,
     presses: Presses,
-    /// Why it cannot go on, until something is changed.
+    /// Error that stopped the stepper, until parameters or state change.
     stopped: Option<RunError>,
 }
 
-/// What it took to come from one point of the grid towards the next.
+/// Steps and events since the last grid point.
 #[derive(Clone, Copy, Debug, Default)]
 struct RowWork {
     steps: usize,
@@ -61,7 +61,7 @@ struct RowWork {
     switches: usize,
 }
 
-/// How many happenings there have been within a short time.
+/// Number of events or switches within a short time.
 #[derive(Clone, Copy, Debug, Default)]
 struct Burst {
     since: f64,
@@ -69,7 +69,7 @@ struct Burst {
 }
 
 impl Burst {
-    /// Counts so many more, those of the last `span` together.
+    /// Adds `count`; returns the number within about the last `span`.
     fn add(&mut self, count: usize, time: f64, span: f64) -> usize {
         if time - self.since > span {
             *self = Self { since: time, count: 0 };
@@ -89,7 +89,7 @@ impl Stepper {
     /// Checks the setup and computes the initial state.
     ///
     /// # Errors
-    /// A step or tolerance that is not positive, an initial state that is not finite, a method that cannot treat the model.
+    /// A step or tolerance out of range, an initial state that is not finite, or a method that cannot integrate the model.
     pub fn new(model: &Model, setup: &Setup) -> Result<Self, RunError> {
         let setup = &setup.clone().fitting(model);
         start::check(setup, model)?;
@@ -99,7 +99,7 @@ impl Stepper {
         };
         start::check_initial(&initial)?;
         let states = model.states.len();
-        // The error control of an adaptive method meets a bend with shorter steps; to find it would take as many.
+        // The error control of an adaptive method shortens its steps at a bend. Locating the bend would take as many steps.
         let held = model.held(!setup.method.adaptive());
         let moving = held.as_ref().map_or(model, |held| &held.model);
         let adaptive = |pair| Solver::Adaptive(Box::new(Adaptive::new(pair, model, setup)));
@@ -145,33 +145,33 @@ impl Stepper {
         Ok(stepper)
     }
 
-    /// The independent variable.
+    /// Current value of the independent variable, SI units.
     pub fn time(&self) -> f64 {
         self.time
     }
 
-    /// The present state.
+    /// The current state, one value per state, SI units.
     pub fn state(&self) -> &[f64] {
         &self.state
     }
 
-    /// The state at the start.
+    /// The state at the start, one value per state, SI units.
     pub fn initial(&self) -> &[f64] {
         &self.initial
     }
 
-    /// How often the right side of the equations was evaluated.
+    /// Number of evaluations of the right-hand side.
     pub fn evaluations(&self) -> u64 {
         self.equations.evaluations
     }
 
-    /// How often its derivatives were evaluated (by the stiff method).
+    /// Number of evaluations of its derivatives (stiff method only).
     pub fn jacobians(&self) -> u64 {
         self.equations.jacobians
     }
 
-    /// About how many floating-point operations were made so far: evaluations of the equations and of the conditions of
-    /// events and, for the stiff method, the solution of its linear systems.
+    /// Approximate number of floating-point operations so far: equations, conditions of events and, for the stiff method,
+    /// linear systems.
     pub fn work(&self) -> u64 {
         let systems = match &self.solver {
             Solver::Adaptive(adaptive) => adaptive.work_of_systems(self.equations.evaluations),
@@ -180,22 +180,22 @@ impl Stepper {
         self.equations.work() + self.surfaces.work() + systems
     }
 
-    /// What cannot be promised of what was done so far.
+    /// The limits of accuracy met so far.
     pub fn notices(&self) -> Vec<Notice> {
         self.surfaces.notices()
     }
 
-    /// Has the equations looked at where it stands.
+    /// Runs the stability check at the current state.
     pub(crate) fn look(&mut self, stability: &mut Stability) {
         stability.look(&mut self.equations, self.time, self.step, &self.state);
     }
 
-    /// The parameters in force.
+    /// The parameters in force, one value per parameter, SI units.
     pub fn parameters(&self) -> &[f64] {
         &self.parameters
     }
 
-    /// Changes the parameters from here on; the state stays.
+    /// Changes the parameters from here on (one value per parameter, SI units); the state is kept.
     pub fn set_parameters(&mut self, parameters: Vec<f64>) {
         self.parameters = parameters;
         self.stopped = None;
@@ -204,9 +204,9 @@ impl Stepper {
         self.restart();
     }
 
-    /// From here on an adaptive method may make this error in each step, relative to the greatest magnitude that each state
-    /// has had, and no longer to its present one. What swings through zero then takes a third of the steps, and is as exact
-    /// where that counts: beside measured values, whose errors do not vanish at zero either.
+    /// Sets the tolerance per step of an adaptive method, relative to the greatest magnitude of each state so far instead
+    /// of its current one. An oscillation then takes a third of the steps and is as accurate where it matters for fits:
+    /// measured values do not become more accurate near zero either.
     pub fn allow_of_peak(&mut self, tolerance: f64) {
         if let Solver::Adaptive(adaptive) = &mut self.solver {
             adaptive.allow_of_peak(tolerance.max(Setup::LEAST_TOLERANCE));
@@ -225,8 +225,8 @@ impl Stepper {
         self.surfaces.prepare_looks(&self.parameters, &self.initial);
     }
 
-    /// Holds the switches of the equations at their values here; the first that changes and with which the rates
-    /// jump, if there is one.
+    /// Holds the switches of the equations at their current values. Returns the first that changes and makes the rates
+    /// jump, if any.
     fn hold(&mut self) -> Option<usize> {
         if !self.surfaces.switches.differ(self.time, &self.state) {
             return None;
@@ -243,7 +243,7 @@ impl Stepper {
     }
 }
 
-/// The model's initial state for `parameters`.
+/// Initial state of the model for `parameters`, one value per state, SI units.
 pub(crate) fn initial_state(model: &Model, parameters: &[f64]) -> Vec<f64> {
     let nodes: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
     let zeros = vec![0.0; nodes.len()];

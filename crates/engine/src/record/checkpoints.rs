@@ -1,41 +1,41 @@
-//! Moments from which a run with an adaptive method can go on with the same bits. What such a method does next depends on the
-//! steps behind it, so that going on from an earlier row means to make the steps before it again, from a checkpoint on.
+//! Checkpoints of a run with an adaptive method. The next step of such a method depends on the previous ones. To continue
+//! from an earlier row with the same bits, the steps from the last checkpoint before it are made again.
 
 use crate::methods::stepper::{Moment, Stepper};
 
-/// Checkpoints, sparse enough for memory and dense enough for going back within a moment.
+/// Checkpoints of a run. Their spacing limits both the memory and the time to go back.
 #[derive(Clone, Debug)]
 pub(crate) struct Checkpoints {
-    /// Ascending; the first one is the start.
+    /// Ascending by row; the first one is the start.
     list: Vec<Checkpoint>,
-    /// The least work between two of them.
+    /// Minimum work between two checkpoints, in floating-point operations.
     spacing: u64,
 }
 
 #[derive(Clone, Debug)]
 struct Checkpoint {
-    /// The row at which the run stood.
+    /// Index of the last row.
     row: usize,
-    /// What the stepper had worked until then.
+    /// Work of the stepper up to here, in floating-point operations.
     work: u64,
     moment: Moment,
 }
 
 impl Checkpoints {
-    /// The work between the first ones: some milliseconds.
+    /// Initial spacing, in floating-point operations: some milliseconds.
     const SPACING: u64 = 2_000_000;
-    /// How many there are at most; then every other one is given up.
+    /// Maximum number of checkpoints; beyond it every other one is dropped.
     const MOST: usize = 64;
-    /// The memory they may take.
+    /// Maximum memory, in bytes.
     const BYTES: usize = 4 << 20;
 
-    /// Those of a run that stands at its start.
+    /// Checkpoints of a run at its start.
     pub fn new(stepper: &Stepper) -> Self {
         let start = Checkpoint { row: 0, work: stepper.work(), moment: stepper.moment() };
         Self { list: vec![start], spacing: Self::SPACING }
     }
 
-    /// Adds the present moment, `row` being the last row of the run, if it is far enough from the last checkpoint.
+    /// Adds a checkpoint of the present moment if it is far enough from the last one; `row` is the last row of the run.
     pub fn note(&mut self, stepper: &Stepper, row: usize) {
         let work = stepper.work();
         if self.list.last().is_some_and(|last| work.saturating_sub(last.work) < self.spacing) {
@@ -53,16 +53,16 @@ impl Checkpoints {
         }
     }
 
-    /// The last moment at or before `row`, and its row; what lies after it is forgotten.
+    /// The last checkpoint at or before `row`: its row and moment. Later checkpoints are dropped.
     pub fn back_to(&mut self, row: usize, work: u64) -> Option<(usize, &Moment)> {
         self.list.retain(|one| one.row <= row);
         let last = self.list.last_mut()?;
-        // Work is counted on, also for what is done twice.
+        // The work counter never goes back: repeated steps count again.
         last.work = work;
         Some((last.row, &last.moment))
     }
 
-    /// Rows are counted from `dropped` on.
+    /// Drops the checkpoints before row `dropped` and renumbers the others.
     pub fn forget(&mut self, dropped: usize) {
         self.list.retain_mut(|one| {
             let stays = one.row >= dropped;

@@ -1,41 +1,43 @@
-//! The one writer of CSV: cells for programs, and for spreadsheets of both kinds.
+//! Writer for all CSV files: cells for programs and for spreadsheets.
 
 use std::fmt::{self, Write};
 use units::number::shortest;
 
-/// How a CSV file is written. Numbers have the fewest digits that read back exactly; what is not finite is an empty cell.
+/// CSV dialect. Numbers have the fewest digits that read back exactly; a value that is not finite is an empty cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dialect {
-    /// Commas between the cells, decimal points, lines that end in `\n`: what programs in a pipe read.
+    /// Commas, decimal points and line ends `
+    /// `: for programs in a pipe.
     Lines,
-    /// Commas between the cells, decimal points, lines that end in `\r\n`: RFC 4180.
+    /// Commas, decimal points and line ends `\r
+    /// `: RFC 4180.
     #[default]
     Commas,
-    /// Semicolons between the cells, decimal commas, and a byte-order mark: what a spreadsheet opens correctly where the
-    /// decimal sign is a comma.
+    /// Semicolons, decimal commas, line ends `\r
+    /// ` and a byte-order mark: for spreadsheets in regions with a decimal comma.
     Semicolons,
 }
 
 impl Dialect {
-    /// What a file begins with.
+    /// Start of a file: the byte-order mark or nothing.
     pub fn start(self) -> &'static str {
         if self == Self::Semicolons { "\u{feff}" } else { "" }
     }
 
-    /// What stands between two cells.
+    /// Separator between two cells.
     pub fn separator(self) -> char {
         if self == Self::Semicolons { ';' } else { ',' }
     }
 
-    /// What ends a line.
+    /// End of a line.
     pub fn line_end(self) -> &'static str {
         if self == Self::Lines { "\n" } else { "\r\n" }
     }
 
-    /// Writes a number.
+    /// Writes a number; nothing if it is not finite.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn number(self, out: &mut impl Write, value: f64) -> fmt::Result {
         let text = shortest(value);
         match self {
@@ -45,10 +47,10 @@ impl Dialect {
         }
     }
 
-    /// Writes a text, in quotation marks where it needs them. A spreadsheet must not take a name for a formula.
+    /// Writes a text, quoted if necessary. An apostrophe in front keeps a spreadsheet from taking it for a formula.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn text(self, out: &mut impl Write, text: &str) -> fmt::Result {
         let guarded = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
         let quoted = guarded || text.contains([',', '"', '\n', '\r']) || (self != Self::Lines && text.contains(';'));

@@ -1,4 +1,4 @@
-//! Who receives the rows of a run.
+//! Recording of a run.
 
 pub mod csv;
 pub mod table;
@@ -8,24 +8,24 @@ pub(crate) mod history;
 pub(crate) mod ranges;
 pub(crate) mod readings;
 
-/// Receives the rows of a run while it is made.
+/// Receiver of the rows of a run in progress.
 pub trait Record {
-    /// A row: time, state, and whether the state jumped there from the row before.
+    /// Takes a row: time and state (SI units), and true if the state jumped there from the row before.
     fn row(&mut self, time: f64, state: &[f64], jumped: bool);
 
-    /// What the last row, which a jump has left, does not tell by itself.
+    /// Takes additional data of the last row, which follows a jump.
     fn after_jump(&mut self, _after: AfterJump) {}
 }
 
-/// What must be known right after a jump to go on with the same bits, besides time, state and parameters.
+/// Data right after a jump that are needed, besides time, state and parameters, to continue with the same bits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AfterJump {
-    /// For each event whether it can fire again. One whose action has not kept its condition from becoming true is used up.
+    /// True for each event that can fire again. False if its action has not kept its condition from becoming true.
     pub armed: Vec<bool>,
-    /// Whether the next step begins on the grid. After an event so soon behind a point of the grid that their times are
-    /// equal it does not.
+    /// True if the next step begins on the grid. False after an event so close to a grid point that both have the same
+    /// time.
     pub on_grid: bool,
-    /// How many presses have acted.
+    /// Number of presses that have acted.
     pub presses: usize,
 }
 

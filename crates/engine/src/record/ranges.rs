@@ -1,16 +1,16 @@
-//! Whether the arguments of tables stay where the tables have points.
+//! Check that the arguments of tables stay within the range of their points.
 
 use crate::{Notice, NoticeKind, Readings};
 use program::{Model, Node, NodeId};
 use std::collections::HashMap;
 
-/// The arguments of all tables that a model looks something up in.
+/// The arguments of all table lookups of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct Ranges {
     arguments: Readings,
-    /// By argument, the table's number and its first and last point.
+    /// Index of the table and its first and last point, per argument.
     tables: Vec<(usize, [f64; 2])>,
-    /// When the first of them left its range, and which.
+    /// Time (SI units) and index of the first table whose argument left its range.
     left: Option<(f64, usize)>,
 }
 
@@ -39,7 +39,7 @@ impl Ranges {
         Self { arguments: Readings::new(model, &arguments), tables, left: None }
     }
 
-    /// Looks at a state.
+    /// Checks the arguments at a state.
     pub fn look(&mut self, parameters: &[f64], initial: &[f64], time: f64, state: &[f64]) {
         if self.tables.is_empty() || self.left.is_some() {
             return;
@@ -49,12 +49,12 @@ impl Ranges {
         self.left = outside.map(|(_, (table, _))| (time, *table));
     }
 
-    /// That a table was left, if one was.
+    /// Notice of the first table whose argument left its range, if any.
     pub fn notice(&self) -> Option<Notice> {
         self.left.map(|(time, table)| Notice { kind: NoticeKind::OutsideTable(table), time })
     }
 
-    /// Forgets what was noticed after `time`.
+    /// Drops a record after `time`.
     pub fn go_back_to(&mut self, time: f64) {
         self.left = self.left.filter(|(left, _)| *left <= time);
     }

@@ -3,13 +3,13 @@
 use crate::{History, Routine};
 use program::{Model, NodeId};
 
-/// A set of expressions that can be read at any row or state; it notices when parameters change.
+/// A set of expressions evaluated at rows or states of a run. Changed parameters are taken into account.
 #[derive(Clone, Debug)]
 pub struct Readings {
     routine: Routine,
     values: Vec<f64>,
     state: Vec<f64>,
-    /// What the routine was last prepared with.
+    /// Parameters of the last preparation of the routine.
     parameters: Vec<f64>,
     initial: Vec<f64>,
     prepared: bool,
@@ -28,7 +28,7 @@ impl Readings {
         }
     }
 
-    /// The values at a recorded row, SI, in the order of the roots.
+    /// Values at a recorded row, one per root, SI units.
     pub fn at_row(&mut self, history: &History, row: usize) -> &[f64] {
         self.prepare(history.parameters(row), history.initial());
         history.state(row, &mut self.state);
@@ -36,7 +36,7 @@ impl Readings {
         &self.values
     }
 
-    /// The values at any state, SI, in the order of the roots.
+    /// Values at any state, one per root; arguments and values in SI units.
     pub fn at(&mut self, parameters: &[f64], initial: &[f64], time: f64, state: &[f64]) -> &[f64] {
         self.prepare(parameters, initial);
         self.routine.evaluate(time, state, &mut self.values);

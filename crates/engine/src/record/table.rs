@@ -1,4 +1,4 @@
-//! The rows of a run as a table in display units. The page and the command line write the same characters.
+//! The rows of a run as a table in display units. Page and command line write the same characters.
 
 mod write;
 
@@ -7,7 +7,7 @@ use program::{Kind, Model, NodeId, State};
 use std::rc::Rc;
 use units::Unit;
 
-/// Which columns of a run, and their values at its rows.
+/// A selection of columns of a run, evaluated row by row.
 #[derive(Clone, Debug)]
 pub struct Table {
     columns: Vec<Column>,
@@ -17,30 +17,30 @@ pub struct Table {
     cells: Vec<Cell>,
 }
 
-/// One column of a [`Table`].
+/// A column of a [`Table`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// The name, with primes: `y'`.
+    /// Name with primes, such as `y'`.
     pub name: String,
-    /// The author's label, if any.
+    /// Label given by the author, if any.
     pub label: Option<String>,
-    /// The display unit; its text is empty for a pure number.
+    /// Display unit; empty text for a pure number.
     pub unit: Unit,
 }
 
 impl Column {
-    /// The name with its unit, `y' [m/s]`; the name alone for pure numbers, texts and truth values.
+    /// Name and unit, `y' [m/s]`; only the name if the unit is empty.
     pub fn heading(&self) -> String {
         if self.unit.text.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit.text) }
     }
 }
 
-/// A value of a [`Table`] in its column's unit.
+/// A cell of a [`Table`], in the unit of its column.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// A number, perhaps not finite.
     Number(f64),
-    /// Whether a condition holds.
+    /// Truth value of a condition.
     Truth(bool),
     /// A text of the document.
     Text(Rc<str>),
@@ -49,24 +49,24 @@ pub enum Cell {
 /// A column that does not exist.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownColumn {
-    /// What was asked for.
+    /// The name asked for.
     pub name: String,
-    /// The name that is nearest to it, if one is near.
+    /// The most similar known name, if one is similar.
     pub near: Option<String>,
 }
 
-/// Where the values of a column come from.
+/// Source of the values of a column.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Independent,
     State(usize),
     Parameter(usize),
-    /// The root of this number.
+    /// Root of this index, of this kind.
     Reading(usize, Kind),
 }
 
 impl Table {
-    /// All columns: the independent variable, the states, the quantities that vary.
+    /// Default columns: the independent variable, the states and the quantities that vary.
     pub fn new(model: &Model) -> Self {
         let mut chosen = vec![independent(model)];
         let remembered = |index: &usize| model.states[*index].role == program::Role::Remembered;
@@ -77,8 +77,7 @@ impl Table {
         Self::of(model, chosen)
     }
 
-    /// The named columns, in the order asked for: also parameters, quantities that do not vary, and the highest
-    /// derivatives.
+    /// The named columns in the order asked for; parameters, constant quantities and highest derivatives are allowed too.
     ///
     /// # Errors
     /// A name that does not exist.
@@ -106,12 +105,12 @@ impl Table {
         Self { columns, sources, readings, texts, cells: Vec::new() }
     }
 
-    /// The columns.
+    /// The columns, in order.
     pub fn columns(&self) -> &[Column] {
         &self.columns
     }
 
-    /// The values at a recorded row.
+    /// The cells of a recorded row, one per column.
     pub fn row(&mut self, history: &History, row: usize) -> &[Cell] {
         let read = self.readings.at_row(history, row);
         self.cells.clear();
@@ -133,7 +132,7 @@ impl Table {
     }
 }
 
-/// Where the values of a column come from, before the roots are collected.
+/// Source of the values of a column, before the roots are collected.
 enum Origin {
     Known(Source),
     Node(NodeId, Kind),

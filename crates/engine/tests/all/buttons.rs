@@ -1,4 +1,4 @@
-//! Presses of buttons: part of what a run is started with.
+//! Presses of buttons, which are part of the setup of a run.
 
 use crate::support::{jumps, model, run, setup};
 use engine::{Cause, Method, Press, Run, Setup};
@@ -82,7 +82,7 @@ fn what_a_press_remembers_is_known() {
     assert_eq!(table("before"), run.history().column(1)[row], "before the last press");
 }
 
-/// Pressing when the run has come there, or has gone beyond, gives the bits of a run that knew of it from the start.
+/// A press at the time of the run or before it gives the bits of a run that has the press in its setup.
 #[test]
 fn a_run_that_is_pressed_has_the_bits_of_one_that_knew() {
     let model = model(KICKED);
@@ -118,7 +118,7 @@ fn a_run_that_is_pressed_has_the_bits_of_one_that_knew() {
             }
             assert_eq!(live.history().fingerprint(), known.history().fingerprint(), "{method} from {back}");
         }
-        // What is given up is gone.
+        // Dropped rows and presses leave no trace.
         live.press(0.61, None);
         while live.time() < 2.0 {
             live.advance().unwrap();
@@ -164,7 +164,7 @@ fn presses_that_mean_nothing_are_left_out() {
     assert_eq!(run.history().fingerprint(), plain.history().fingerprint());
 }
 
-/// A random draw at a press is keyed by its number, not by when the run came to it.
+/// A random draw at a press depends on the number of the press, not on the time at which the run reached it.
 #[test]
 fn draws_of_presses_are_repeated() {
     let model = model(

@@ -19,7 +19,7 @@ fn column<'a>(model: &Model, run: &'a Run, name: &str) -> &'a [f64] {
     run.history().column(state)
 }
 
-/// Mean N_0 exp(-lambda t), variance N_0 exp(-lambda t)(1 - exp(-lambda t)): each nucleus decays by itself.
+/// Mean N_0 exp(-lambda t), variance N_0 exp(-lambda t)(1 - exp(-lambda t)): the nuclei decay independently.
 #[test]
 fn nuclei_decay_exponentially() {
     let model = model(DECAY);
@@ -44,7 +44,7 @@ fn nuclei_decay_exponentially() {
     assert!((spread - deviation * deviation).abs() < 5.0 * error, "{spread} and not {}", deviation * deviation);
 }
 
-/// The same draws whatever the step and the method, after going back, and however far the run goes at a time.
+/// The draws do not depend on step, method, going back or the division of the work.
 #[test]
 fn draws_do_not_depend_on_the_way() {
     let model = model(DECAY);
@@ -74,7 +74,7 @@ fn draws_do_not_depend_on_the_way() {
     assert_eq!(run.history().fingerprint(), fingerprint);
 }
 
-/// Two draws of one action, one of a family's members each, and those of two events are different; `let` draws once.
+/// Two draws of one action, of two family members, or of two events differ; `let` draws once.
 #[test]
 fn each_draw_has_its_own_number() {
     let model = model(
@@ -113,7 +113,7 @@ fn a_random_walk_spreads_with_the_root_of_time() {
     assert!((mean - 100.0).abs() < 5.0 * error, "{mean} ± {error}");
 }
 
-/// The bits of a run that any other machine gives, too.
+/// Reference bits of a run, equal on all machines.
 #[test]
 fn the_bits_of_a_random_run() {
     let model = model(

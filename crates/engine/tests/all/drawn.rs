@@ -51,7 +51,7 @@ fn a_constant_push_gives_the_parabola() {
     }
 }
 
-/// A push that rises evenly and is linear between its points: x is the cubic a t^3/6, and keeps its last value later.
+/// A push that grows linearly up to its last point and is then constant: x is the cubic a t^3/6 while it grows.
 #[test]
 fn a_push_that_rises_gives_the_cubic_and_then_the_parabola() {
     let model = model(PUSHED);

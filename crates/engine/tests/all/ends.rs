@@ -1,10 +1,10 @@
-//! What happens at the end of a run happens, in every form in which it can be written.
+//! Events at the end of a run take place, in every form in which they can be written.
 
 use crate::support::{model, setup};
 use engine::{Advance, Method, Press, Run, RunError};
 use program::Model;
 
-/// A run until `end` with all that happens there, and the error that ended it.
+/// A run until `end` with all events there, and the error that ended it.
 fn until(model: &Model, method: Method, step: f64, end: f64, presses: &[Press]) -> (Run, Option<RunError>) {
     let mut setup = setup(model, method, step);
     setup.presses = presses.to_vec();

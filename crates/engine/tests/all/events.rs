@@ -234,7 +234,7 @@ fn model_of_a_bounce() -> program::Model {
     model("y'' = -9.8 [m/s^2]\ny(0) = 1 [m]\ny'(0) = 0 [m/s]\nwhen y == 0 { y' = -y' }\n")
 }
 
-/// What `discrete` declares is what an unknown with the derivative 0 is, to the bit; the word stays free as a name.
+/// A `discrete` variable has the bits of an unknown with the derivative 0; the word remains free as a name.
 #[test]
 fn discrete_quantities_change_at_events_only() {
     let text = |counter: &str| {

@@ -131,7 +131,7 @@ fn a_run_goes_on_with_its_bits() {
     }
 }
 
-/// With the limit 0 nothing is held: from rest, with the belt and through the turning points it moves as without friction.
+/// With the limit 0 nothing sticks: from rest, with the belt and through turning points it moves as without friction.
 #[test]
 fn friction_without_a_limit_holds_nothing() {
     let text = "parameter mu = 0
@@ -152,7 +152,7 @@ z'(0) = 0.5 [m/s]
     }
 }
 
-/// What is derived from friction may be remembered from the start on: there it is the force that holds.
+/// A quantity derived from friction may be remembered from the start on: there it is the static force.
 #[test]
 fn the_force_at_the_start_is_that_which_holds() {
     let text = "F = coulomb(x', 3 [N], 2 [N])

@@ -142,8 +142,8 @@ fn a_thousand_points_are_compiled_and_move() {
     }
 }
 
-/// A string of finite elements: the mass matrix couples neighbours, as the stiffness matrix does (Zienkiewicz & Taylor, The Finite
-/// Element Method, volume 1, section 16.2: the consistent mass matrix).
+/// A string of finite elements: the mass matrix couples neighbours, as the stiffness matrix does (Zienkiewicz & Taylor, The
+/// Finite Element Method, volume 1, section 16.2: the consistent mass matrix).
 #[test]
 fn coupled_equations_of_motion_are_solved_banded() {
     for (points, mode) in [(20, 3), (300, 3)] {

@@ -55,7 +55,7 @@ fn fibonacci_and_henon() {
     assert!((column(&henon, &run, "y")[300] - b * fixed).abs() < 1e-12);
 }
 
-/// A rotating shift register: what each member gets is what its neighbour had.
+/// A rotating shift register: each member takes the previous value of its neighbour.
 #[test]
 fn families_have_maps() {
     let ring = model(

@@ -1,4 +1,4 @@
-//! Each method shows its order, and what is known of its energy.
+//! Order of each method, and known results on its energy.
 
 use crate::support::{U_TUBE, model, setup};
 use engine::{Method, Run, Setup, Subject};

@@ -1,4 +1,4 @@
-//! What events remember, their names of their own, and events that end the run.
+//! Values that events remember, names local to events, and events that end the run.
 
 use crate::support::{model, run, setup};
 use engine::{Method, Readings, Run, Subject};
@@ -74,7 +74,7 @@ fn an_event_ends_the_run() {
     }
 }
 
-/// `let` is worth what stands behind it, from the values before the event.
+/// `let` has the value of its expression, computed from the values before the event.
 #[test]
 fn names_inside_an_event() {
     let text = |actions: &str| {

@@ -1,4 +1,4 @@
-//! What a run records, and how it can be changed, taken back and read.
+//! Rows recorded by a run; changing parameters, going back and interpolating.
 
 use crate::support::{U_TUBE, model, parameter, setup};
 use engine::{Advance, CAPACITY, Method, Readings, Run, Setup, Subject};
@@ -164,7 +164,7 @@ fn a_state_that_is_not_finite_stops_the_run_with_place_and_time() {
         assert!(error.time > 0.98 && error.time < 1.06, "{method}: {error}");
         assert_eq!(error.subject(), Some(Subject::State(0)), "{method}");
         assert!(run.history().column(0).iter().all(|value| value.is_finite()));
-        // And the next try says the same.
+        // The next call returns the same error.
         assert_eq!(run.advance().unwrap_err().code(), code, "{method}");
     }
 }

@@ -155,7 +155,7 @@ y(0) = h
 y'(0) = 0 [m/s]
 ";
 
-/// Events of one moment, each with a part of its own: none may undo what another has done to the sensitivities.
+/// Events of one moment, each with its own jump of the sensitivities: none may undo the jump of another.
 #[test]
 fn of_events_at_one_moment() {
     // Balls that meet the floor at one moment because they are dropped from one height, not because they must.
@@ -175,7 +175,7 @@ when y < 0 [m] { y' = -e_1*y' }
 when z < 0 [m] { z' = -e_2*z' }
 ";
     check_against_differences("two balls", two_balls, 0.7);
-    // A count of what is lost beside the bounce, which reads the velocity before or behind it.
+    // A sum of the losses at the bounces, which reads the velocity before or after the bounce.
     let lost = "
 parameter m = 0.3 [kg]
 w' = 0 [W]

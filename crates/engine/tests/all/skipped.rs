@@ -1,4 +1,4 @@
-//! Events that are over before the step is: none is skipped, and where that cannot be promised the run says so.
+//! Events that begin and end within a step: none is skipped, and where that cannot be guaranteed the run gives a notice.
 
 use crate::support::{jumps, model, run, setup};
 use engine::{Method, Run, Subject};
@@ -96,7 +96,7 @@ fn what_cannot_be_promised_is_said() {
     let message = run.notices()[0].message(&model(in_time));
     assert!(message.english.ends_with("from t = 0 s on"), "{message:?}");
     assert!(message.spanish.contains("t = 0 s"), "{message:?}");
-    // After going back to the start nothing is left to be said of it.
+    // After going back to the start there is no notice.
     let mut back = counting(fast, Method::RungeKutta4, 0.05, 1);
     back.truncate(0);
     assert_eq!(back.notices(), []);
@@ -115,7 +115,8 @@ fn the_event_in_doubt_is_named() {
     assert!(run.notices()[0].message(&model(named)).english.starts_with("the event `drive` may be"));
 }
 
-/// A root that is no number in the middle of a step, where the cubic is checked, is near 0 for short times on both sides of that.
+/// A root that is not defined in the middle of a step, where the interpolant is checked, and is near 0 for short times on
+/// both sides.
 #[test]
 fn a_value_that_ceases_to_be_a_number_hides_no_event() {
     for (centre, half) in [(0.455, 0.2), (0.45, 0.25), (0.47, 0.3), (0.4, 0.35)] {
@@ -156,7 +157,8 @@ fn motor(voltage: &str, moment: f64, inductance: f64) -> String {
     )
 }
 
-/// The slope of the current jumps with the voltage, and the number that the maximum compares jumps over zero. All of it is seen.
+/// The slope of the current jumps with the voltage, and the number compared by the maximum jumps over zero. All changes are
+/// detected.
 #[test]
 fn a_switched_voltage_gives_no_false_alarm() {
     for voltage in VOLTAGES {
@@ -172,8 +174,8 @@ fn a_switched_voltage_gives_no_false_alarm() {
     }
 }
 
-/// Beside a switched voltage, what may be skipped is still said: a mark on the axis that passes hundreds of times in a step. It acts
-/// after 99 counts only, so that none of its passages ends a step.
+/// With a switched voltage, too, a notice is given if events may be skipped: a mark on the axis that passes hundreds of
+/// times per step. It acts only after 99 counts, so that none of its passages ends a step.
 #[test]
 fn a_switched_voltage_hides_no_doubt() {
     for voltage in VOLTAGES {

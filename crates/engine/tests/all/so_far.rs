@@ -1,4 +1,4 @@
-//! What a run has been so far, and events at equal intervals.
+//! Running extrema, integrals and other quantities of the past of a run, and events at equal intervals.
 
 use crate::support::{jumps, model, run, setup, value};
 use engine::{Method, Run};
@@ -33,7 +33,7 @@ fn extrema_and_integrals_of_an_oscillation() {
     }
 }
 
-/// The fastest a ball has been is how it hits the floor, where its speed jumps down.
+/// The greatest speed of a ball so far is that of its impact, where the speed jumps down.
 #[test]
 fn the_maximum_before_a_jump_counts() {
     let model = model(
@@ -74,7 +74,7 @@ fn events_at_equal_intervals() {
     );
 }
 
-/// The moments are known beforehand, so that none has to be searched for: each costs less than ten steps.
+/// The moments are known in advance and need no search: each costs less than ten steps.
 #[test]
 fn events_at_equal_intervals_cost_little() {
     let work = |interval: &str| {

@@ -88,7 +88,7 @@ fn a_rectifier() {
     let text =
         "omega = 3 [rad/s]\nR = 2 [1/s]\nu = sin(omega*t)\ni' = (if u > 0 then u else 0)*(1 [1/s]) - R*i\ni(0) = 0";
     let driven = |i: f64, span: f64| {
-        // The particular solution (R sin wt - w cos wt)/(R^2 + w^2), and what of the start dies away.
+        // The particular solution (R sin wt - w cos wt)/(R^2 + w^2), and the decaying part of the start.
         let part = |t: f64| (2.0 * libm::sin(3.0 * t) - 3.0 * libm::cos(3.0 * t)) / 13.0;
         part(span) + (i - part(0.0)) * libm::exp(-2.0 * span)
     };
@@ -143,7 +143,7 @@ fn a_corner_of_continuous_slope_is_none() {
         let model = model(&format!("v = x'\nx'' = -x/(1 [s^2]) - {term}/(1 [m])\nx(0) = 1 [m]\nx'(0) = 0"));
         assert!(model.held(true).is_none(), "{term}");
     }
-    // What only events change does not switch by itself.
+    // A quantity that only events change is no switch.
     let text =
         "d' = 0\nd(0) = 1\nx' = abs(d)*(if d > 0 then 1 else 2)*(1 [m/s])\nx(0) = 0 [m]\nwhen x > 1 [m] { d = -d }";
     assert!(model(text).held(true).is_none());

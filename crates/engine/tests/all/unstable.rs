@@ -73,7 +73,8 @@ fn what_falls_freely_grows_or_rests_is_no_reason() {
     }
 }
 
-/// Damping is raised during the run and taken back: the notice says from when on, and going back before it takes it away.
+/// Damping is raised during the run and lowered again: the notice has the time of the change, and going back before it
+/// removes the notice.
 #[test]
 fn a_parameter_that_is_changed_is_looked_at_at_once() {
     let model = model(U_TUBE);

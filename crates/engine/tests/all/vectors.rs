@@ -1,4 +1,4 @@
-//! Runs of models with vectors against closed forms and what is kept.
+//! Runs of models with vectors, against closed forms and conserved quantities.
 
 use crate::support::{model, run, setup};
 use engine::{Method, Readings, Run};

@@ -1,5 +1,5 @@
-//! How much work each method does: an innocent edit that costs evaluations fails here. And the bits of runs, which must be
-//! the same on every machine and after every edit that does not mean to change them.
+//! Work of each method: an edit that costs evaluations fails here. Bits of runs: they must be the same on all machines and
+//! after every edit that does not intend to change them.
 
 use crate::support::{U_TUBE, model, setup};
 use engine::{Method, Setup, Stepper};

@@ -1,4 +1,4 @@
-//! Whatever comes in, a figure comes out: finite, well-formed, without a panic.
+//! Arbitrary input gives a figure that is finite and well-formed, without a panic.
 
 use figure::{Anchor, Axis, Direction, Interval, Item, Palette, Plot, Point, Series, Settings, Style, View, layout};
 use proptest::prelude::*;

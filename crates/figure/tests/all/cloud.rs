@@ -1,4 +1,4 @@
-//! Very many points: the marks that pixels can show, and no extreme lost.
+//! Very many points: reduced to the marks that pixels can show, without losing an extreme.
 
 use figure::{Figure, Interval, Item, Palette, Plot, Series, Settings, Style, View, layout, layout_into};
 
@@ -44,7 +44,7 @@ fn many_points_are_few_bars_that_cover_every_point() {
                 |[at, upper, lower]: &[f32; 3]| (at - right).abs() <= 1.0 && down >= upper - 0.6 && down <= lower + 0.6;
             assert!(bars.iter().any(near), "{x} {y}");
         }
-        // The extremes are where they are to the bit.
+        // The extremes are exact to the bit.
         let end = |pick: fn(f32, f32) -> f32, place: usize| bars.iter().map(|bar| bar[place]).reduce(pick).unwrap();
         assert!((end(f32::min, 1) - up.pixel(3.0) as f32).abs() < 1e-3);
         assert!((end(f32::max, 2) - up.pixel(-2.5) as f32).abs() < 1e-3);
@@ -53,7 +53,7 @@ fn many_points_are_few_bars_that_cover_every_point() {
         assert!(svg.contains("stroke-linecap=\"round\"") && svg.len() < 100_000, "{}", svg.len());
         roxmltree::Document::parse(&svg).unwrap();
     }
-    // Few points are dots, as ever.
+    // Few points are drawn as dots.
     let figure = layout(&plot(&x[..500], &y[..500], 0, true), &SETTINGS);
     assert!(bars(&figure).is_empty() && figure.items().any(|item| matches!(item, Item::Dots { .. })));
 }
@@ -102,7 +102,7 @@ fn a_very_long_series_is_drawn_in_several_layouts_when_it_is_new() {
     assert!(shown.len() == 3 && shown.is_sorted() && shown[0] < shown[2], "{shown:?}");
     let whole = layout(&plot(&x, &y, 0, true), &SETTINGS);
     assert_eq!(figure.items().collect::<Vec<_>>(), whole.items().collect::<Vec<_>>());
-    // What stands alone is whole, and other scales are drawn at once.
+    // A single call of `layout` draws the whole series, and a change of scales is drawn at once.
     assert_eq!(bars(&layout(&plot(&x, &y, 2, true), &SETTINGS)), bars(&whole));
     let view = View { x: Some(Interval::new(0.0, 5e5)), y: Vec::new() };
     layout_into(&mut figure, &Plot { view, ..plot(&x, &y, 1, true) }, &SETTINGS);

@@ -81,7 +81,7 @@ fn hovering_a_time_plot_reads_all_series_at_the_nearest_sample() {
     assert_eq!(texts, ["y = −0.2380\u{a0}m", "y′ = −0.7344\u{a0}m/s"]);
     assert!(readout.samples.iter().all(|sample| sample.row == 100 && sample.x == 5.0));
     assert_eq!(readout.samples[0].at.y, figure.y_scales()[0].pixel(run.displacement[100]) as f32);
-    // Outside the panel there is nothing to read.
+    // Outside the panel there is no read-out.
     assert_eq!(figure.hover(&plot, Point { x: 1.0, y: 1.0 }), None);
 }
 
@@ -178,7 +178,7 @@ fn zooming_keeps_the_value_under_the_pointer() {
         assert!(close(part(&figure, before, value), part(&zoomed, after, value)));
         assert!(close(after.values.length() * 2.0, before.values.length()));
     }
-    // Out again, about the same values, is the way back.
+    // Zooming out about the same values restores the view.
     let back = zoomed.zoom(
         Point {
             x: zoomed.x_scale().unwrap().pixel(figure.x_scale().unwrap().value(f64::from(at.x))) as f32,
@@ -190,7 +190,7 @@ fn zooming_keeps_the_value_under_the_pointer() {
     let limits = back.x.unwrap();
     assert!((limits.low - figure.x_scale().unwrap().values.low).abs() < 1e-4);
     assert!((limits.high - figure.x_scale().unwrap().values.high).abs() < 1e-4);
-    // Along one direction the other stays automatic.
+    // The direction that is not zoomed stays automatic.
     assert!(figure.zoom_centre(2.0, Direction::Horizontal).y.is_empty());
     assert!(figure.zoom_centre(2.0, Direction::Vertical).x.is_none());
 }
@@ -207,7 +207,7 @@ fn a_rectangle_becomes_the_view() {
     assert!((limits.low - 2.0).abs() < 1e-5 && (limits.high - 4.0).abs() < 1e-5);
     assert!((view.y[0].low + 0.1).abs() < 1e-5 && (view.y[0].high - 0.3).abs() < 1e-5);
     assert_eq!(view.y.len(), 2);
-    // A flat one is meant along the time alone, a click is not a rectangle, and one beyond the panel ends at its edge.
+    // A flat rectangle zooms along the time only, a click is no rectangle, and one beyond the panel ends at its edge.
     assert!(figure.zoom_to(corner(4.0, 0.3), corner(2.0, 0.3)).y.is_empty());
     assert!(figure.zoom_to(corner(4.0, 0.3), corner(4.0, 0.3)).is_automatic());
     let beyond = figure.zoom_to(corner(5.0, 0.3), Point { x: 1e6, y: 1e6 });

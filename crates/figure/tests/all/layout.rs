@@ -1,4 +1,4 @@
-//! Figures as a whole: what is written where, and what is drawn.
+//! Complete figures: positions of texts, and items drawn.
 
 use figure::{
     Anchor, Axis, Figure, Ink, Interval, Item, Palette, Plot, Point, Series, Settings, View, layout, layout_into,

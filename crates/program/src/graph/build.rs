@@ -1,20 +1,20 @@
-//! Constructors that simplify as they build. What they do is exact in IEEE arithmetic up to the sign of a zero: constants
-//! are folded, neutral elements dropped, signs moved outwards, whole powers multiplied out. `0*x` stays, since it is not 0
-//! for an infinite x.
+//! Constructors that simplify as they build. All simplifications are exact in IEEE arithmetic up to the sign of a zero:
+//! constants are folded, neutral elements dropped, signs moved outwards, whole powers multiplied out. `0*x` is kept because
+//! it is not 0 for an infinite x.
 
 use crate::{Binary, Graph, Node, NodeId, Unary};
 use std::sync::Arc;
 
-/// The greatest whole power that is multiplied out: beyond it, the error of repeated products exceeds that of `pow`.
+/// Greatest whole power that is multiplied out: beyond it, repeated products have a greater error than `pow`.
 const GREATEST_PRODUCT: f64 = 16.0;
 
 impl Graph {
-    /// A number.
+    /// Node of a constant.
     pub fn constant(&mut self, value: f64) -> NodeId {
         self.insert(Node::Constant(value.to_bits()))
     }
 
-    /// The number that `id` is, if it is one.
+    /// Value of a constant node, `None` for any other node.
     pub fn as_constant(&self, id: NodeId) -> Option<f64> {
         match self.node(id) {
             Node::Constant(bits) => Some(f64::from_bits(bits)),
@@ -33,7 +33,7 @@ impl Graph {
         }
     }
 
-    /// Any function of one argument.
+    /// Node of a function of one argument.
     pub fn unary(&mut self, function: Unary, x: NodeId) -> NodeId {
         if let Some(value) = self.as_constant(x) {
             return self.constant(function.evaluate(value));
@@ -49,7 +49,7 @@ impl Graph {
         }
     }
 
-    /// Any function of two arguments.
+    /// Node of a function of two arguments.
     pub fn binary(&mut self, function: Binary, a: NodeId, b: NodeId) -> NodeId {
         match function {
             Binary::Add => self.add(a, b),
@@ -140,7 +140,7 @@ impl Graph {
         if a_negative == b_negative { quotient } else { self.negate(quotient) }
     }
 
-    /// Whether a sign can be moved out of `id`, and what is left without it.
+    /// True if a minus sign can be moved out of `id`, with the node without it.
     fn split_sign(&mut self, id: NodeId) -> (bool, NodeId) {
         match self.node(id) {
             Node::Unary(Unary::Negate, inner) => (true, inner),
@@ -149,7 +149,7 @@ impl Graph {
         }
     }
 
-    /// `a^b`: small whole and half powers by multiplication and square root.
+    /// `a^b`: small whole and half-integer powers by multiplication and square root.
     pub fn power(&mut self, a: NodeId, b: NodeId) -> NodeId {
         let Some(exponent) = self.as_constant(b) else {
             return self.folded(Binary::Power, a, b);
@@ -174,7 +174,7 @@ impl Graph {
         result
     }
 
-    /// By repeated squaring.
+    /// Whole power by repeated squaring.
     fn whole_power(&mut self, base: NodeId, mut exponent: u32) -> NodeId {
         let mut result = self.constant(1.0);
         let mut square = base;
@@ -190,12 +190,12 @@ impl Graph {
         result
     }
 
-    /// Whether the reader draws it, so that its values are not constants.
+    /// True if the reader draws the curve, so that its values are not constants.
     fn is_drawn(&self, interpolation: u32) -> bool {
         self.interpolations()[interpolation as usize].drawing().is_some()
     }
 
-    /// The number of the piece of an interpolation in which `x` lies.
+    /// Index of the piece of an interpolation in which `x` lies.
     pub fn piece(&mut self, interpolation: u32, x: NodeId) -> NodeId {
         match self.as_constant(x) {
             Some(x) if !self.is_drawn(interpolation) => {
@@ -205,7 +205,7 @@ impl Graph {
         }
     }
 
-    /// The value at `x` of an interpolation's piece of that number.
+    /// Value at `x` of the piece `piece` of an interpolation.
     pub fn interpolated(&mut self, interpolation: u32, x: NodeId, piece: NodeId) -> NodeId {
         match (self.as_constant(x), self.as_constant(piece)) {
             (Some(x), Some(piece)) if !self.is_drawn(interpolation) => {
@@ -215,27 +215,26 @@ impl Graph {
         }
     }
 
-    /// The value of an interpolation at `x`.
+    /// Value of an interpolation at `x`.
     pub fn interpolate(&mut self, interpolation: u32, x: NodeId) -> NodeId {
         let piece = self.piece(interpolation, x);
         self.interpolated(interpolation, x, piece)
     }
 
-    /// A number that changes its sign where `x` passes a point of the interpolation, and nowhere else
-    /// ([`Interpolation::zeros`]).
+    /// A number that changes its sign exactly where `x` passes a point of the interpolation ([`crate::Interpolation::zeros`]).
     pub fn passing_points(&mut self, interpolation: u32, x: NodeId) -> NodeId {
         let zeros = Arc::new(self.interpolations()[interpolation as usize].zeros());
         let zeros = self.insert_interpolation(&zeros);
         self.interpolate(zeros, x)
     }
 
-    /// The number of the interpolation that is the derivative of this one.
+    /// Index of the interpolation that is the derivative of this one.
     pub(super) fn derivative_of_table(&mut self, interpolation: u32) -> u32 {
         let derivative = Arc::new(self.interpolations()[interpolation as usize].derivative());
         self.insert_interpolation(&derivative)
     }
 
-    /// `chosen` where `condition` is true, otherwise `other`.
+    /// `chosen` if `condition` is true, otherwise `other`.
     pub fn select(&mut self, condition: NodeId, chosen: NodeId, other: NodeId) -> NodeId {
         match self.as_constant(condition) {
             Some(0.0) => other,
@@ -246,7 +245,7 @@ impl Graph {
     }
 }
 
-/// Whether multiplying by `1/divisor` is the same as dividing: for powers of two.
+/// True if multiplication by `1/divisor` equals division, bit by bit: for powers of two.
 fn has_exact_reciprocal(divisor: f64) -> bool {
     const FRACTION: u64 = (1 << 52) - 1;
     divisor.to_bits() & FRACTION == 0 && divisor.is_normal() && (1.0 / divisor).is_normal()

@@ -1,10 +1,10 @@
-//! Derivatives of expressions, as expressions: the Jacobian of a stiff method, the prime of a defined quantity, the
-//! sensitivity to a parameter.
+//! Symbolic derivatives of expressions: for the Jacobian of a stiff method, derivatives of defined quantities, and
+//! sensitivities to parameters.
 
 use super::{Binary, Graph, LinearSystem, Node, NodeId, Unary};
 use std::collections::HashMap;
 
-/// What to differentiate with respect to.
+/// Variable of differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Variable {
     /// [`Node::State`]
@@ -19,21 +19,21 @@ pub enum Variable {
 
 /// The partial derivative of `node` with respect to `variable`.
 ///
-/// Where a function has a corner or a jump (`abs`, `min`, `floor`, `if`), the derivative is that of the branch taken.
+/// At a corner or jump of a function (`abs`, `min`, `floor`, `if`), it is the derivative of the branch taken.
 pub fn differentiate(graph: &mut Graph, node: NodeId, variable: Variable) -> NodeId {
     let derivatives = differentiate_all(graph, &[node], variable);
     derivatives.first().copied().unwrap_or(node)
 }
 
-/// The partial derivatives of several nodes, in one pass.
+/// Partial derivatives of several nodes in one pass, one per node.
 pub fn differentiate_all(graph: &mut Graph, nodes: &[NodeId], variable: Variable) -> Vec<NodeId> {
     let wanted = input(variable);
     let one = graph.constant(1.0);
     along(graph, nodes, |node| (node == wanted).then_some(one))
 }
 
-/// The partial derivatives of nodes, by node; those that are 0 everywhere are left out. `nodes` are operands first, and hold
-/// everything that is computed from the variable.
+/// Partial derivatives by node; those that are identically 0 are left out. `nodes` must be in the order of their operands
+/// and contain everything that depends on the variable.
 pub(crate) fn differentiate_through(
     graph: &mut Graph,
     nodes: &[NodeId],
@@ -55,7 +55,7 @@ fn input(variable: Variable) -> Node {
     }
 }
 
-/// The change of `nodes` per unit of a change in which each input changes as `rate` says; `None` is no change.
+/// Directional derivatives of `nodes`, one per node: `rate` gives the rate of change of each input, `None` for 0.
 pub fn along(graph: &mut Graph, nodes: &[NodeId], rate: impl FnMut(Node) -> Option<NodeId>) -> Vec<NodeId> {
     let reachable = graph.reachable(nodes);
     let rates = rates_through(graph, &reachable, rate);
@@ -63,7 +63,8 @@ pub fn along(graph: &mut Graph, nodes: &[NodeId], rate: impl FnMut(Node) -> Opti
     nodes.iter().map(|node| rates.get(node).copied().unwrap_or(zero)).collect()
 }
 
-/// The changes of `nodes`, operands first, by node; those that are 0 everywhere are left out.
+/// Directional derivatives by node; those that are identically 0 are left out. `nodes` must be in the order of their
+/// operands.
 fn rates_through(
     graph: &mut Graph,
     nodes: &[NodeId],
@@ -101,7 +102,7 @@ fn rates_through(
                 let slope = graph.interpolated(derivative, x, piece);
                 graph.multiply(slope, dx)
             }),
-            // No draw has a derivative; nothing but actions and values at the start is computed from one.
+            // Draws have no derivative; only actions and initial values depend on draws.
             Node::Binomial(..) => None,
             Node::Solution { system, row } => {
                 let rate_system = match systems.get(&system) {
@@ -124,14 +125,14 @@ fn rates_through(
     rates
 }
 
-/// The derivative of `value = function(x)`, where `x` changes at the rate `dx`.
+/// Derivative of `value = function(x)`, where `x` has the rate `dx`.
 fn of_unary(graph: &mut Graph, function: Unary, value: NodeId, x: NodeId, dx: NodeId) -> Option<NodeId> {
     let one = graph.constant(1.0);
     let x_squared = |graph: &mut Graph| graph.multiply(x, x);
     let derivative = match function {
         Unary::Negate => graph.negate(dx),
         Unary::Not | Unary::Sign | Unary::Floor | Unary::Ceil | Unary::Round => return None,
-        // No draw has a derivative; nothing but actions and values at the start is computed from one.
+        // Draws have no derivative; only actions and initial values depend on draws.
         Unary::Uniform | Unary::Normal | Unary::Exponential => return None,
         Unary::Absolute => {
             let sign = graph.unary(Unary::Sign, x);
@@ -208,7 +209,7 @@ fn of_unary(graph: &mut Graph, function: Unary, value: NodeId, x: NodeId, dx: No
     Some(derivative)
 }
 
-/// The derivative of `value = function(a, b)`, where `a` and `b` change at the given rates.
+/// Derivative of `value = function(a, b)`, where `a` and `b` have the rates `da` and `db`; `None` for 0.
 fn of_binary(
     graph: &mut Graph,
     function: Binary,
@@ -275,7 +276,8 @@ fn sum(graph: &mut Graph, a: Option<NodeId>, b: Option<NodeId>) -> Option<NodeId
     }
 }
 
-/// The system whose solution is the derivative of the solution of A x = r: A x' = r' - A' x. `None` if nothing changes.
+/// The system whose solution is the derivative of the solution of A x = r: A x' = r' - A' x. `None` if A and r are
+/// constant.
 fn of_system(graph: &mut Graph, system: u32, rates: &HashMap<NodeId, NodeId>) -> Option<u32> {
     let linear = graph.systems()[system as usize].clone();
     if linear.operands().all(|operand| !rates.contains_key(&operand)) {

@@ -1,10 +1,10 @@
-//! What the functions of a graph mean on numbers. Constant folding, the virtual machine and the tests all use these, so
-//! that an expression has the same bits wherever it is computed.
+//! Numeric values of the functions of a graph. Constant folding, the register machine and the tests share them, so that an
+//! expression has the same bits everywhere.
 
 use crate::{Binary, Unary, chance};
 
 impl Unary {
-    /// The value for `x`.
+    /// Value at `x`.
     pub fn evaluate(self, x: f64) -> f64 {
         match self {
             Self::Negate => -x,
@@ -39,7 +39,7 @@ impl Unary {
 }
 
 impl Binary {
-    /// The value for `a` and `b`.
+    /// Value at `a` and `b`.
     pub fn evaluate(self, a: f64, b: f64) -> f64 {
         match self {
             Self::Add => a + b,
@@ -67,7 +67,7 @@ fn truth(value: bool) -> f64 {
     f64::from(u8::from(value))
 }
 
-/// Unlike `f64::signum`, 0 for 0; NaN for NaN.
+/// Sign of `x`: unlike `f64::signum`, 0 for 0; NaN for NaN.
 fn sign(x: f64) -> f64 {
     if x > 0.0 {
         1.0
@@ -78,12 +78,12 @@ fn sign(x: f64) -> f64 {
     }
 }
 
-/// Unlike `f64::min`, NaN if either is NaN, and for zeros of both signs the same everywhere.
+/// Minimum: unlike `f64::min`, NaN if either is NaN, and defined for zeros of both signs.
 fn lesser(a: f64, b: f64) -> f64 {
     if a.is_nan() || a < b { a } else { b }
 }
 
-/// Unlike `f64::max`, NaN if either is NaN, and for zeros of both signs the same everywhere.
+/// Maximum: unlike `f64::max`, NaN if either is NaN, and defined for zeros of both signs.
 fn greater(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }

@@ -1,47 +1,47 @@
-//! Functions that are given by a table: a polynomial between each two of its points.
+//! Functions given by a table: piecewise polynomials.
 
 use serde::{Deserialize, Serialize};
 
-/// How a table goes from point to point.
+/// Kind of interpolation between the points of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Course {
-    /// `table`: straight lines.
+    /// `table`: linear.
     Linear,
-    /// `smooth table`: cubics that do not overshoot.
+    /// `smooth table`: cubics without overshoot.
     Smooth,
-    /// `steps table`: the value of each point until the next.
+    /// `steps table`: the value of each point up to the next.
     Steps,
 }
 
-/// What an interpolation has to do with a curve that the reader draws.
+/// Relation of an interpolation to a curve drawn by the reader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct OfDrawing {
-    /// Which of [`crate::Model::tables`].
+    /// Index in [`crate::Model::tables`].
     pub table: u32,
-    /// Which derivative of the curve; 0 for the curve itself.
+    /// Order of the derivative of the curve; 0 for the curve itself.
     pub derivative: u32,
 }
 
-/// A function of one number x: a polynomial between each two neighbouring knots. Before the first knot and behind the last it
-/// is a polynomial, too; a table keeps its value there.
+/// A piecewise polynomial of one number x. There is a polynomial between each two neighbouring knots, before the first knot
+/// and after the last; those of a table are constant outside its points.
 ///
-/// To say where a step of integration has to end, it is computed in two steps: the number of the piece in which x lies, which
-/// changes at the knots only, and the value of that piece at x, which is smooth.
+/// It is evaluated in two steps, so that steps of integration can end at the knots: first the index of the piece in which x
+/// lies, which changes at the knots only, then the value of that piece at x, which is smooth.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Interpolation {
-    /// Where the pieces meet, each greater than the one before.
+    /// Ends of the pieces, strictly ascending.
     knots: Vec<f64>,
-    /// The piece before the first knot, those between the knots, and the one behind the last: the coefficients of the powers,
-    /// from the zeroth on, of the distance from the knot at which the piece begins; that of the first counts from its end.
+    /// Coefficients of the pieces, from power 0 to power 3 of the distance from the knot at which the piece begins. The
+    /// first piece, before the first knot, uses the distance from the first knot.
     pieces: Vec<[f64; 4]>,
-    /// How many times it can be differentiated at the knots until it jumps: 0 if it jumps itself, 1 if it bends.
+    /// Lowest order of derivative that is discontinuous at the knots: 0 if the value jumps, 1 if the slope does.
     smoothness: u32,
-    /// Whether the reader draws it: then its points are not known before.
+    /// Relation to a curve drawn by the reader, if there is one: the points are then not known in advance.
     drawing: Option<OfDrawing>,
 }
 
 impl Interpolation {
-    /// Through points by a course. `None` unless the x of the points are finite and increase, and their values are finite.
+    /// Interpolation through points of a table. `None` if x does not strictly increase or a number is not finite.
     pub fn through_points(course: Course, points: &[[f64; 2]]) -> Option<Self> {
         match course {
             Course::Linear => Self::linear(points),
@@ -50,31 +50,31 @@ impl Interpolation {
         }
     }
 
-    /// The same as the curve of a table that the reader draws.
+    /// The same function, marked as the curve drawn by the reader for this table.
     pub fn drawn(self, table: u32) -> Self {
         Self { drawing: Some(OfDrawing { table, derivative: 0 }), ..self }
     }
 
-    /// What it has to do with a curve that the reader draws.
+    /// Relation to a curve drawn by the reader, if there is one.
     pub fn drawing(&self) -> Option<OfDrawing> {
         self.drawing
     }
 
-    /// From each point on its value, until the next. `None` unless the x of the points are finite and increase, and their
-    /// values are finite.
+    /// Piecewise constant: the value of each point up to the next. `None` if x does not strictly increase or a number is
+    /// not finite.
     pub fn steps(points: &[[f64; 2]]) -> Option<Self> {
         Self::through(points, 0, |piece| [piece.from, 0.0, 0.0, 0.0])
     }
 
-    /// Straight lines between the points. `None` as for [`Self::steps`].
+    /// Piecewise linear. `None` as for [`Self::steps`].
     pub fn linear(points: &[[f64; 2]]) -> Option<Self> {
         Self::through(points, 1, |piece| [piece.from, (piece.to - piece.from) / piece.size, 0.0, 0.0])
     }
 
-    /// Cubics with a common slope at each point, which rise where the points rise, fall where they fall, and nowhere overshoot
-    /// them: F. N. Fritsch & J. Butland, A method for constructing local monotone piecewise cubic interpolants, SIAM J. Sci.
-    /// Stat. Comput. 5 (1984) 300; at the ends the parabola through three points (C. Moler, Numerical Computing with MATLAB,
-    /// section 3.6). `None` as for [`Self::steps`].
+    /// Monotone cubic interpolation with a continuous slope, without overshoot: F. N. Fritsch & J. Butland, A method for
+    /// constructing local monotone piecewise cubic interpolants, SIAM J. Sci. Stat. Comput. 5 (1984) 300; at the ends the
+    /// parabola through three points (C. Moler, Numerical Computing with MATLAB, section 3.6). `None` as for
+    /// [`Self::steps`].
     pub fn smooth(points: &[[f64; 2]]) -> Option<Self> {
         let slopes = slopes(points);
         Self::through(points, 2, |piece| {
@@ -97,20 +97,20 @@ impl Interpolation {
         Some(Self { knots, pieces, smoothness, drawing: None }).filter(Self::is_sound)
     }
 
-    /// Whether its parts fit together.
+    /// True if knots and coefficients are finite and consistent.
     pub(super) fn is_sound(&self) -> bool {
         let finite = self.knots.iter().chain(self.pieces.iter().flatten()).all(|number| number.is_finite());
         let increase = self.knots.windows(2).all(|pair| pair[0] < pair[1]);
         finite && increase && !self.knots.is_empty() && self.pieces.len() == self.knots.len() + 1
     }
 
-    /// The number of the piece in which `x` lies: 0 before the first knot, and from each knot on one more. NaN for NaN.
+    /// Index of the piece in which `x` lies: 0 before the first knot, one more from each knot on. NaN for NaN.
     #[inline]
     pub fn piece(&self, x: f64) -> f64 {
         if x.is_nan() { x } else { self.knots.partition_point(|&knot| knot <= x) as f64 }
     }
 
-    /// The value at `x` of the polynomial of a piece, also where `x` lies in another.
+    /// Value at `x` of the polynomial of a piece, even if `x` lies in another piece.
     #[inline]
     pub fn value(&self, x: f64, piece: f64) -> f64 {
         if piece.is_nan() {
@@ -119,30 +119,30 @@ impl Interpolation {
         let piece = (piece.max(0.0) as usize).min(self.knots.len());
         let (begin, [a, b, c, d]) = (self.knots[piece.saturating_sub(1)], self.pieces[piece]);
         let distance = x - begin;
-        // An infinite distance times 0 would be no number.
+        // Avoids infinity times 0, which is NaN.
         if b == 0.0 && c == 0.0 && d == 0.0 { a } else { a + distance * (b + distance * (c + distance * d)) }
     }
 
-    /// Where it is given: from the first knot to the last, and of steps, whose last value has no end, from the first on.
+    /// Domain: from the first knot to the last. For steps, whose last value holds for ever, it ends at infinity.
     pub fn range(&self) -> [f64; 2] {
         let [first, last] = [self.knots.first(), self.knots.last()].map(|knot| knot.copied().unwrap_or(f64::NAN));
         if self.smoothness == 0 { [first, f64::INFINITY] } else { [first, last] }
     }
 
-    /// How many times it can be differentiated at the knots until it jumps: 0 if it jumps itself, 1 if it bends.
+    /// Lowest order of derivative that is discontinuous at the knots: 0 if the value jumps, 1 if the slope does.
     pub fn smoothness(&self) -> u32 {
         self.smoothness
     }
 
-    /// The derivative, piece by piece.
+    /// The derivative of each piece, with the same knots.
     pub fn derivative(&self) -> Self {
         let pieces = self.pieces.iter().map(|[_, b, c, d]| [*b, 2.0 * c, 3.0 * d, 0.0]).collect();
         let drawing = self.drawing.map(|own| OfDrawing { derivative: own.derivative.saturating_add(1), ..own });
         Self { knots: self.knots.clone(), pieces, smoothness: self.smoothness.saturating_sub(1), drawing }
     }
 
-    /// A function with the same pieces whose zeros are the knots. It changes its sign at each and has a continuous slope of
-    /// magnitude 1 there.
+    /// A function with the same pieces and its zeros at the knots. It changes its sign at each knot, with a continuous
+    /// slope of magnitude 1.
     pub fn zeros(&self) -> Self {
         let sizes = self.knots.windows(2).map(|pair| pair[1] - pair[0]);
         let mut sign = -1.0;
@@ -156,19 +156,19 @@ impl Interpolation {
     }
 }
 
-/// What lies between two points of a table.
+/// Interval between two points of a table.
 struct Piece {
-    /// That of its first point.
+    /// Index of the first point.
     number: usize,
-    /// The distance of the points.
+    /// Distance of the points in x.
     size: f64,
-    /// The value at the first.
+    /// Value at the first point.
     from: f64,
-    /// The value at the second.
+    /// Value at the second point.
     to: f64,
 }
 
-/// The slopes at the points.
+/// Slopes at the points, one per point.
 fn slopes(points: &[[f64; 2]]) -> Vec<f64> {
     let pieces: Vec<(f64, f64)> = points
         .windows(2)
@@ -188,7 +188,7 @@ fn slopes(points: &[[f64; 2]]) -> Vec<f64> {
     std::iter::once(slope_at_end(first, second)).chain(inner).chain([slope_at_end(last, before_last)]).collect()
 }
 
-/// The slope at an end from the size and slope of the piece there and of the next.
+/// Slope at an end, from size and slope of the piece there and of the next one.
 fn slope_at_end((size, slope): (f64, f64), (next_size, next_slope): (f64, f64)) -> f64 {
     let parabola = ((2.0 * size + next_size) * slope - size * next_slope) / (size + next_size);
     if parabola * slope <= 0.0 {
@@ -226,15 +226,15 @@ mod tests {
         assert_eq!([at(&steps, 0.999), at(&steps, 1.0), at(&steps, 3.9)], [0.0, 1.0, 4.0]);
     }
 
-    /// The harmonic mean of the secants 1 and 3, equally far, is 3/2; at a greatest value the slope is 0; and from these the
-    /// cubic in the middle between (1, 1) and (2, 4) is (1 + 4)/2 + (3/2 - 0)/8.
+    /// The harmonic mean of the secants 1 and 3, equally far, is 3/2; at a maximum the slope is 0. With these, the cubic in
+    /// the middle between (1, 1) and (2, 4) is (1 + 4)/2 + (3/2 - 0)/8.
     #[test]
     fn cubics_have_the_slopes_of_fritsch_and_butland() {
         let table = Interpolation::smooth(&POINTS).expect("the points increase");
         let slope = table.derivative();
         assert_eq!([1.0, 2.0, 4.0, 5.0].map(|x| at(&slope, x)), [1.5, 0.0, 0.0, 0.0]);
         assert!((at(&table, 1.5) - 2.6875).abs() < 1e-15);
-        // Nowhere beyond the points.
+        // No overshoot beyond the points.
         for number in 0..=500 {
             let y = at(&table, f64::from(number) / 100.0);
             assert!((0.0..=4.0).contains(&y), "{y}");

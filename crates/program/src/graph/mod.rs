@@ -1,6 +1,5 @@
-//! The expression graph: what is left of a model when names, units and syntax are gone. Equal expressions are one node,
-//! so that nothing is computed twice. All values are SI numbers; a truth value is 0 or 1; a text is an index into
-//! [`crate::Model::texts`].
+//! The expression graph: a model without names, units and syntax. Equal expressions are one node, so that nothing is
+//! computed twice. All values are in SI units; a truth value is 0 or 1; a text is an index in [`crate::Model::texts`].
 
 mod build;
 mod differentiate;
@@ -19,55 +18,56 @@ use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// A node of a [`Graph`]. A node's operands always have smaller numbers than the node itself.
+/// Index of a node in a [`Graph`]. Operands always have smaller indices than the node that uses them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct NodeId(pub u32);
 
-/// One operation or input.
+/// An operation or input of the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Node {
-    /// A number, by its bits.
+    /// A number, as its IEEE 754 bits.
     Constant(u64),
-    /// The value of [`crate::Model::parameters`]`[i]`, in SI.
+    /// Value of [`crate::Model::parameters`]`[i]`, SI units.
     Parameter(u32),
-    /// The value that [`crate::Model::states`]`[i]` had at the start of the run, `y(0)`.
+    /// Initial value of [`crate::Model::states`]`[i]`, written `y(0)`.
     Initial(u32),
     /// The independent variable.
     Independent,
-    /// The value of [`crate::Model::states`]`[i]`.
+    /// Current value of [`crate::Model::states`]`[i]`.
     State(u32),
     /// A function of one argument.
     Unary(Unary, NodeId),
     /// A function of two arguments.
     Binary(Binary, NodeId, NodeId),
-    /// The second if the first is not 0, otherwise the third. Both are computed.
+    /// If the first operand is not 0, the second one, otherwise the third one. Both are computed.
     Select(NodeId, NodeId, NodeId),
-    /// The force of dry friction at this speed with these limits, static and kinetic. It depends on all other forces: while
-    /// a model is built it stands for itself, and in a finished model nothing is computed from it.
+    /// Force of dry friction: operands are speed, static limit and kinetic limit. It depends on all other forces, so this
+    /// node is a placeholder while a model is built; a finished model does not evaluate it.
     Friction(NodeId, NodeId, NodeId),
-    /// In which piece of [`Graph::interpolations`]`[i]` a number lies: it changes at isolated values, as `floor` does.
+    /// Index of the piece of [`Graph::interpolations`]`[i]` in which the operand lies; a step function, like `floor`.
     Piece(u32, NodeId),
-    /// The value of [`Graph::interpolations`]`[i]` at the first, by the polynomial of the piece whose number is the second.
+    /// Value of [`Graph::interpolations`]`[i]` at the first operand, by the polynomial of the piece given by the second
+    /// one.
     Interpolated(u32, NodeId, NodeId),
-    /// A draw of the number of successes: trials, probability, stream.
+    /// Binomial draw: trials, probability, stream.
     Binomial(NodeId, NodeId, NodeId),
     /// Unknown `row` of the linear system [`Graph::systems`]`[system]`.
     Solution {
-        /// Which system.
+        /// Index of the system.
         system: u32,
-        /// Which of its unknowns.
+        /// Index of the unknown.
         row: u32,
     },
 }
 
-/// Functions of one argument, on SI numbers; angles in radians.
+/// Functions of one argument, in SI units; angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "each says itself")]
 pub enum Unary {
     Negate,
     Not,
     Absolute,
-    /// -1, 0 or 1.
+    /// Sign: -1, 0 or 1.
     Sign,
     SquareRoot,
     CubeRoot,
@@ -88,17 +88,17 @@ pub enum Unary {
     Atanh,
     Floor,
     Ceil,
-    /// Half away from zero.
+    /// Rounds half away from zero.
     Round,
-    /// A draw between 0 and 1, of this stream.
+    /// Uniform draw in (0, 1); the operand is the stream.
     Uniform,
-    /// A draw with the mean 0 and the standard deviation 1, of this stream.
+    /// Normal draw with mean 0 and standard deviation 1; the operand is the stream.
     Normal,
-    /// A draw with the mean 1, of this stream.
+    /// Exponential draw with mean 1; the operand is the stream.
     Exponential,
 }
 
-/// Functions of two arguments.
+/// Functions of two arguments, in SI units; angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "each says itself")]
 pub enum Binary {
@@ -117,33 +117,33 @@ pub enum Binary {
     NotEqual,
     And,
     Or,
-    /// The stream of random draws that belongs to two numbers.
+    /// Stream of random draws, a hash of two numbers.
     Stream,
-    /// A draw with this mean, of this stream.
+    /// Poisson draw: mean, stream.
     Poisson,
 }
 
-/// A linear system A x = r, solved where the equations of motion are coupled.
+/// A linear system A x = r, needed if the equations of motion are coupled.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LinearSystem {
-    /// The entries of A, row by row; those that are not there are 0.
+    /// Entries of A, row by row; missing ones are 0.
     pub entries: Vec<Entry>,
-    /// r.
+    /// Right-hand side r, one node per row.
     pub right: Vec<NodeId>,
 }
 
-/// An entry of a matrix.
+/// An entry of the matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Entry {
-    /// Its row.
+    /// Row index.
     pub row: u32,
-    /// Its column.
+    /// Column index.
     pub column: u32,
-    /// Its value.
+    /// Node of the value.
     pub node: NodeId,
 }
 
-/// The nodes and systems of a [`Graph`], not yet checked.
+/// Serialized form of a [`Graph`], not yet checked.
 #[derive(Serialize, Deserialize)]
 struct Written {
     nodes: Vec<Node>,
@@ -151,7 +151,7 @@ struct Written {
     interpolations: Vec<Interpolation>,
 }
 
-/// Nodes, each equal expression once.
+/// Expression graph: each different expression is one node.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(try_from = "Written", into = "Written")]
 pub struct Graph {
@@ -162,8 +162,8 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// The node for `node`, the existing one if there is one. [`Graph`]'s simplifying constructors are in
-    /// `build.rs`; this one takes the node as it is.
+    /// Index of `node`, which is added if it is new. The node is taken as it is; constructors that simplify are in
+    /// `build.rs`.
     pub fn insert(&mut self, node: Node) -> NodeId {
         if let Some(&id) = self.known.get(&node) {
             return id;
@@ -174,12 +174,13 @@ impl Graph {
         id
     }
 
-    /// The node for `node`, if it is there.
+    /// Index of `node` if it exists.
     pub fn find(&self, node: Node) -> Option<NodeId> {
         self.known.get(&node).copied()
     }
 
-    /// Adds a linear system, or finds the equal one; its unknowns are then `Node::Solution { system, row }`.
+    /// Adds a linear system, or finds an equal one, and returns its index; the unknowns are `Node::Solution { system, row
+    /// }`.
     pub fn insert_system(&mut self, system: LinearSystem) -> u32 {
         if let Some(known) = self.systems.iter().position(|known| *known == system) {
             return known as u32;
@@ -188,7 +189,7 @@ impl Graph {
         (self.systems.len() - 1) as u32
     }
 
-    /// What `id` stands for.
+    /// The node of index `id`.
     pub fn node(&self, id: NodeId) -> Node {
         self.nodes[id.0 as usize]
     }
@@ -198,8 +199,7 @@ impl Graph {
         &self.systems
     }
 
-    /// Puts another curve in the place of the one that the reader draws for a table, and its derivatives in the place of the
-    /// former ones.
+    /// Replaces the curve drawn by the reader for a table, and its derivatives.
     pub(crate) fn redraw(&mut self, table: u32, curve: &Interpolation) {
         for interpolation in &mut self.interpolations {
             let Some(own) = interpolation.drawing().filter(|own| own.table == table) else { continue };
@@ -208,7 +208,7 @@ impl Graph {
         }
     }
 
-    /// Adds an interpolation, or finds the equal one.
+    /// Adds an interpolation, or finds an equal one, and returns its index.
     pub fn insert_interpolation(&mut self, interpolation: &Arc<Interpolation>) -> u32 {
         let known = self.find_interpolation(interpolation).unwrap_or_else(|| {
             self.interpolations.push(Arc::clone(interpolation));
@@ -221,17 +221,17 @@ impl Graph {
         self.interpolations.iter().position(|known| Arc::ptr_eq(known, wanted) || known == wanted)
     }
 
-    /// The functions that are given by tables.
+    /// All functions given by tables.
     pub fn interpolations(&self) -> &[Arc<Interpolation>] {
         &self.interpolations
     }
 
-    /// How many nodes there are.
+    /// Number of nodes.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Whether there are none.
+    /// True if there are no nodes.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }

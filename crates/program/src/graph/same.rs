@@ -1,12 +1,12 @@
-//! Whether expressions of two graphs are the same.
+//! Comparison of expressions of two graphs.
 
 use crate::{Binary, Graph, Node, NodeId};
 use std::collections::HashMap;
 
 impl Graph {
-    /// Whether `nodes` are the same expressions as `others` of another graph: then their values have the same bits.
-    /// `rename` gives the input of the other graph (a [`Node::Parameter`], [`Node::Initial`], [`Node::Independent`] or
-    /// [`Node::State`]) that an input of this one stands for, and `None` where there is none.
+    /// True if `nodes` are the same expressions as `others` of another graph; their values then have the same bits.
+    /// `rename` maps an input of this graph (a [`Node::Parameter`], [`Node::Initial`], [`Node::Independent`] or
+    /// [`Node::State`]) to that of the other one; `None` if it has none.
     pub fn same(
         &self,
         nodes: &[NodeId],
@@ -17,7 +17,7 @@ impl Graph {
         if nodes.len() != others.len() {
             return false;
         }
-        // Equal expressions are one node of a graph, so that each node has at most one counterpart.
+        // Equal expressions are one node, so each node has at most one counterpart.
         let mut found: HashMap<NodeId, NodeId> = HashMap::new();
         for id in self.reachable(nodes) {
             let Some(counterpart) = self.counterpart(id, other, &found, &rename) else { return false };
@@ -26,7 +26,7 @@ impl Graph {
         nodes.iter().zip(others).all(|(node, other)| found.get(node) == Some(other))
     }
 
-    /// The number that an interpolation has in another graph.
+    /// Index of an interpolation in another graph.
     fn interpolation_in(&self, interpolation: u32, other: &Graph) -> Option<u32> {
         let found = other.find_interpolation(self.interpolations().get(interpolation as usize)?)?;
         Some(found as u32)
@@ -48,7 +48,7 @@ impl Graph {
             Node::Unary(function, x) => other.find(Node::Unary(function, there(x)?)),
             Node::Binary(function, a, b) => {
                 let (a, b) = (there(a)?, there(b)?);
-                // A graph writes the operands of these in the order of their numbers.
+                // A graph orders the operands of these functions by index.
                 let commutes = matches!(
                     function,
                     Binary::Add | Binary::Multiply | Binary::Equal | Binary::NotEqual | Binary::And | Binary::Or
@@ -84,7 +84,7 @@ impl Graph {
 mod tests {
     use super::*;
 
-    /// `(p_0 + x)/p_1` in a graph that holds something else before it.
+    /// `(p_0 + x)/p_1` in a graph that has the nodes `before` first.
     fn graph(before: &[Node], [p, q]: [u32; 2]) -> (Graph, NodeId) {
         let mut graph = Graph::default();
         before.iter().for_each(|&node| _ = graph.insert(node));
@@ -97,12 +97,12 @@ mod tests {
     #[test]
     fn expressions_are_the_same_whatever_stands_before_them() {
         let (one, root) = graph(&[], [0, 1]);
-        // Here x has a smaller number than p, and is the first summand.
+        // Here x has a smaller index than p and is the first summand.
         let (other, same) = graph(&[Node::State(0), Node::Independent], [0, 1]);
         assert_ne!(root, same);
         assert!(one.same(&[root], &other, &[same], Some) && other.same(&[same], &one, &[root], Some));
         assert!(!one.same(&[root], &other, &[NodeId(0)], Some) && !one.same(&[root], &other, &[], Some));
-        // The quotient is not the reciprocal one, except where the parameters have changed their places.
+        // The quotient differs from its reciprocal, unless the parameters are exchanged.
         let (other, swapped) = graph(&[], [1, 0]);
         assert!(!one.same(&[root], &other, &[swapped], Some));
         let swap = |node| match node {

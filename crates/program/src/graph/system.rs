@@ -4,12 +4,12 @@ use super::{Entry, LinearSystem, NodeId};
 use crate::bandwidth::{band_width, banded_order, bandwidth, places};
 
 impl LinearSystem {
-    /// Unknowns of a system whose matrix is dense.
+    /// Maximum number of unknowns of a system with a dense matrix.
     pub const MOST_DENSE: usize = 32;
-    /// Numbers that the elimination of all systems of a model may take.
+    /// Maximum storage for the elimination of all systems of a model, in numbers.
     pub const MOST_NUMBERS: usize = 1_000_000;
 
-    /// A system of entries, each with its row and column, and of the right side.
+    /// System from entries with (row, column), in any order, and the right-hand side.
     pub fn new(entries: impl IntoIterator<Item = ((usize, usize), NodeId)>, right: Vec<NodeId>) -> Self {
         let entry = |((row, column), node)| Entry { row: row as u32, column: column as u32, node };
         let mut entries: Vec<Entry> = entries.into_iter().map(entry).collect();
@@ -17,18 +17,18 @@ impl LinearSystem {
         Self { entries, right }
     }
 
-    /// All that it is computed from.
+    /// All nodes of the matrix and of the right-hand side.
     pub fn operands(&self) -> impl Iterator<Item = NodeId> {
         self.entries.iter().map(|entry| entry.node).chain(self.right.iter().copied())
     }
 
-    /// The same with other nodes in the places of those that it is computed from.
+    /// Copy with every operand `n` replaced by `other(n)`.
     pub fn map(&self, mut other: impl FnMut(NodeId) -> NodeId) -> Self {
         let entries = self.entries.iter().map(|entry| Entry { node: other(entry.node), ..*entry }).collect();
         Self { entries, right: self.right.iter().map(|&node| other(node)).collect() }
     }
 
-    /// [`LinearSystem::map`]; `None` if one of them has no other.
+    /// [`LinearSystem::map`]; `None` if `other` returns `None` for any operand.
     pub fn try_map(&self, mut other: impl FnMut(NodeId) -> Option<NodeId>) -> Option<Self> {
         let entries = self.entries.iter().map(|entry| Some(Entry { node: other(entry.node)?, ..*entry }));
         let entries = entries.collect::<Option<_>>()?;
@@ -41,8 +41,8 @@ impl LinearSystem {
         self.entries.iter().map(|entry| (entry.row as usize, entry.column as usize)).collect()
     }
 
-    /// How many numbers its elimination takes; `None` if it would take too much work, since it has many unknowns and no order of them
-    /// in which all entries stand near the diagonal.
+    /// Storage for the elimination, in numbers. `None` if it would be too much work: the system has many unknowns and no
+    /// order of small bandwidth.
     pub fn numbers(&self) -> Option<usize> {
         let size = self.right.len();
         let pattern = self.pattern();
@@ -55,7 +55,7 @@ impl LinearSystem {
         }
     }
 
-    /// Whether each entry stands in the matrix, once and in order.
+    /// True if all entries are inside the matrix, sorted and unique.
     pub(super) fn is_sound(&self) -> bool {
         let size = self.right.len();
         let place = |entry: &Entry| (entry.row, entry.column);

@@ -1,14 +1,15 @@
-//! Going through a graph. Operands have smaller numbers than the node that uses them, so every pass is one loop over
-//! numbers: no recursion, however deep an expression is.
+//! Traversals of a graph. Operands have smaller indices than the node that uses them, so every pass is a loop over indices,
+//! without recursion however deep an expression is.
 
 use crate::{Graph, Node, NodeId};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// A set of less than this part of the nodes is found without going through all of them.
+/// A set smaller than 1/32 of the nodes is searched without a pass over all nodes.
 const SMALL_PART: usize = 32;
 
 impl Graph {
-    /// Calls `visit` with each operand of `id`; for a [`Node::Solution`] these are the entries of its system.
+    /// Calls `visit` with each operand of `id`; for a [`Node::Solution`] these are matrix entries and right-hand side of
+    /// its system.
     pub fn for_each_operand(&self, id: NodeId, mut visit: impl FnMut(NodeId)) {
         match self.node(id) {
             Node::Constant(_) | Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => {}
@@ -30,12 +31,12 @@ impl Graph {
         }
     }
 
-    /// The roots and all that they are computed from, operands first.
+    /// The roots and all nodes they depend on, operands first.
     pub fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let Some(last) = roots.iter().max() else {
             return Vec::new();
         };
-        // One of many equations reaches a small part of a large graph.
+        // One of many equations usually depends on a small part of a large graph.
         if let Some(few) = self.reachable_few(roots, last.0 as usize / SMALL_PART) {
             return few;
         }
@@ -59,7 +60,7 @@ impl Graph {
         (0..needed.len()).filter(|&number| needed[number]).map(|number| NodeId(number as u32)).collect()
     }
 
-    /// [`Graph::reachable`] if these are no more than `most`.
+    /// [`Graph::reachable`] if there are at most about `most` nodes, otherwise `None`.
     fn reachable_few(&self, roots: &[NodeId], most: usize) -> Option<Vec<NodeId>> {
         if roots.len() > most {
             return None;
@@ -81,8 +82,8 @@ impl Graph {
         Some(sorted)
     }
 
-    /// Rebuilds `roots` inside `target`, with `replace` giving the new node for those inputs that change. The inputs
-    /// are [`Node::Parameter`], [`Node::Initial`], [`Node::Independent`] and [`Node::State`].
+    /// Rebuilds `roots` inside `target`. `replace` gives the new node of an input that changes; inputs are
+    /// [`Node::Parameter`], [`Node::Initial`], [`Node::Independent`] and [`Node::State`].
     pub fn rebuild_into(
         &self,
         target: &mut Graph,
@@ -92,8 +93,7 @@ impl Graph {
         rebuild(Some(self), target, roots, |graph, _, node| replace(graph, node))
     }
 
-    /// Rebuilds `roots` inside `target` with an input in the place of some nodes: what is computed from those is then
-    /// computed from the inputs.
+    /// Rebuilds `roots` inside `target` with some nodes replaced by inputs, on which the result then depends.
     pub fn rebuild_from_inputs(&self, target: &mut Graph, roots: &[NodeId], inputs: &[(NodeId, Node)]) -> Vec<NodeId> {
         rebuild(Some(self), target, roots, |graph, id, _| {
             let input = inputs.iter().find(|(replaced, _)| *replaced == id);
@@ -110,8 +110,8 @@ impl Graph {
         rebuild(None, self, roots, |graph, _, node| replace(graph, node))
     }
 
-    /// Rebuilds `roots` inside the graph itself. `replace` is given each node, by its number and with operands that are
-    /// rebuilt already, and returns what stands in its place, if anything else does.
+    /// Rebuilds `roots` inside the graph itself. `replace` receives each node, by its index and with operands already
+    /// rebuilt, and returns its replacement, if any.
     pub fn rewrite(
         &mut self,
         roots: &[NodeId],
@@ -121,7 +121,7 @@ impl Graph {
     }
 }
 
-/// Rebuilds from `source`, or from `target` itself.
+/// Rebuilds nodes of `source`, or of `target` itself if that is `None`.
 fn rebuild(
     source: Option<&Graph>,
     target: &mut Graph,
@@ -171,7 +171,7 @@ fn rebuild(
     roots.iter().map(|root| rebuilt[root]).collect()
 }
 
-/// The number in `target` of an interpolation of `source`, or of `target` itself.
+/// Index in `target` of an interpolation of `source`, or of `target` itself.
 fn carried(source: Option<&Graph>, target: &mut Graph, interpolation: u32) -> u32 {
     match source {
         Some(source) => target.insert_interpolation(&source.interpolations()[interpolation as usize]),

@@ -1,4 +1,4 @@
-//! A graph as it is written to a bundle, and the checks of one that is read.
+//! Serialized form of a graph, and the checks when it is read.
 
 use super::{Graph, Interpolation, LinearSystem, Node, NodeId, Written};
 use std::sync::Arc;

@@ -1,27 +1,27 @@
-//! What the conditions of a model compare: numbers whose zeros are the only moments at which a condition can change.
+//! Values compared in the conditions of a model: their zeros are the only moments at which a condition can change.
 
 use super::switches::{Held, Motion};
 use crate::{Model, Node, NodeId, Unary};
 use std::collections::HashSet;
 
-/// The numbers that the conditions of events and the jumps of the equations compare, as far as they move with the states.
-/// Between two neighbouring zeros of all of them no condition changes.
+/// Values compared in the conditions of events and in the jumps of the equations, as far as they change with the states. No
+/// condition changes between two neighbouring zeros of all of them.
 #[derive(Clone, Debug)]
 pub struct Compared {
-    /// The model, whose graph has the nodes of these numbers besides its own.
+    /// The model; its graph is extended by the nodes of these values.
     pub model: Model,
-    /// The numbers.
+    /// The compared values: differences of both sides.
     pub values: Vec<NodeId>,
-    /// How fast each changes along the motion.
+    /// Rates of change of the values along the solution, one per value.
     pub rates: Vec<NodeId>,
-    /// The first event whose condition compares each; none where an equation does.
+    /// Index of the first event whose condition uses each value; `None` for the equations.
     pub events: Vec<Option<usize>>,
 }
 
 impl Model {
-    /// What is compared; `None` where nothing is. What depends on the independent variable alone is scheduled
-    /// ([`Model::timed_switches`]) and not among them. The switches of the equations have the values at which they are `held`
-    /// during a step, in these numbers and in their rates: at the end of a step the true ones are already those of the next.
+    /// The compared values; `None` if there are none. Values that depend on the independent variable alone are scheduled
+    /// ([`Model::timed_switches`]) and not included. Switches of the equations have their `held` values here and in the
+    /// rates, because at the end of a step the true ones belong to the next step already.
     pub fn compared(&self, held: Option<&Held>) -> Option<Compared> {
         let conditions = self.events.iter().enumerate().map(|(number, event)| (Some(number), event.condition));
         let switches = self.find_switches().into_iter().filter(|switch| switch.jumps);
@@ -47,7 +47,7 @@ impl Model {
 }
 
 impl Compared {
-    /// Adds the number whose zeros are the changes of a switch.
+    /// Adds the value whose zeros are the changes of a switch.
     fn add(&mut self, switch: NodeId, event: Option<usize>, seen: &mut HashSet<(NodeId, NodeId)>) {
         let graph = &mut self.model.graph;
         let zero = graph.constant(0.0);
@@ -55,7 +55,7 @@ impl Compared {
             Node::Unary(function @ (Unary::Floor | Unary::Ceil | Unary::Round), x) => {
                 let pi = graph.constant(std::f64::consts::PI);
                 let angle = graph.multiply(pi, x);
-                // Zero at the whole numbers, or half-way between.
+                // Zero at the integers, or half-way between for `round`.
                 let function = if function == Unary::Round { Unary::Cos } else { Unary::Sin };
                 (graph.unary(function, angle), zero)
             }

@@ -1,22 +1,21 @@
-//! The curves of a model that the reader draws, all together.
+//! All curves of a model that the reader draws.
 
 use crate::Model;
 
 impl Model {
-    /// The values of all curves that the reader draws, in the order of the tables.
+    /// Values of all curves that the reader draws, in the order of the tables; SI units.
     pub fn drawings(&self) -> Vec<Vec<f64>> {
         self.tables.iter().filter_map(|table| Some(table.drawn.as_ref()?.values.clone())).collect()
     }
 
-    /// Whether these can be the values of all curves that the reader draws.
+    /// True if `drawings` has valid values for all curves that the reader draws.
     pub fn takes_drawings(&self, drawings: &[Vec<f64>]) -> bool {
         let mut drawn = self.tables.iter().filter_map(|table| table.drawn.as_ref());
         drawn.clone().count() == drawings.len()
             && drawings.iter().all(|values| drawn.next().is_some_and(|own| own.takes(values)))
     }
 
-    /// The model with other curves in the place of those that the reader draws; `None` if it has them already, or if they
-    /// are none of it.
+    /// The model with these curves in place of the present ones; `None` if they are the present ones or are not valid.
     pub fn with_drawings(&self, drawings: &[Vec<f64>]) -> Option<Model> {
         if !self.takes_drawings(drawings) || self.drawings() == drawings {
             return None;

@@ -1,37 +1,37 @@
-//! What names mean, and what values depend on.
+//! Meaning of names, and dependences of values.
 
 use crate::{Choices, Compiled, Kind, Model, Node, NodeId};
 use units::Unit;
 
-/// What a node is computed from. The numbers are sorted.
+/// Inputs on which a node depends. Indices are sorted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Dependence {
-    /// Indices into [`Model::parameters`].
+    /// Indices in [`Model::parameters`].
     pub parameters: Vec<u32>,
-    /// Indices into [`Model::states`] whose value at the start is used.
+    /// Indices in [`Model::states`] whose initial value is used.
     pub initial: Vec<u32>,
-    /// Indices into [`Model::states`].
+    /// Indices in [`Model::states`] whose current value is used.
     pub states: Vec<u32>,
-    /// Whether the independent variable is used.
+    /// True if the independent variable is used.
     pub independent: bool,
 }
 
 impl Dependence {
-    /// Whether the value changes during a run in which no parameter is changed.
+    /// True if the value changes during a run with constant parameters.
     pub fn varies(&self) -> bool {
         self.independent || !self.states.is_empty()
     }
 }
 
 impl Model {
-    /// Whether a node is the independent variable itself.
+    /// True if a node is the independent variable itself.
     pub fn is_independent(&self, node: NodeId) -> bool {
         self.graph.node(node) == Node::Independent
     }
 
-    /// The value of a name with `order` primes: a parameter, a state, a highest derivative, a defined quantity, the
-    /// independent variable. `None` for an unknown name, and for derivatives that the model does not already have
-    /// (primes of defined quantities): these need the compiler of the language.
+    /// Value of a name with `order` primes: a parameter, a state, a highest derivative, a defined quantity or the
+    /// independent variable. `None` for an unknown name, and for derivatives of defined quantities, which need the compiler
+    /// of the language.
     pub fn lookup(&self, name: &str, order: u32) -> Option<Compiled> {
         let number = |node, unit: &Unit| Compiled { node, kind: Kind::Number, unit: unit.clone() };
         let find = |node| self.graph.find(node);
@@ -57,12 +57,12 @@ impl Model {
         self.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| quantity.value.clone())
     }
 
-    /// Whether its runs depend on random draws.
+    /// True if runs depend on random draws.
     pub fn is_random(&self) -> bool {
         self.parameters.iter().any(|parameter| parameter.choices == Choices::Seed)
     }
 
-    /// What `node` is computed from.
+    /// Inputs on which `node` depends.
     pub fn depends(&self, node: NodeId) -> Dependence {
         let mut dependence = Dependence::default();
         for id in self.graph.reachable(&[node]) {
@@ -80,8 +80,8 @@ impl Model {
         dependence
     }
 
-    /// Whether there are equations of motion, and they and the events are the same at all times: then a run can begin at any
-    /// reading of the clock.
+    /// True if the model has states, and equations and conditions do not depend on the independent variable: a run can then
+    /// start at any time.
     pub fn is_autonomous(&self) -> bool {
         let derivatives = self.states.iter().map(|state| state.derivative);
         let mut nodes = derivatives.chain(self.events.iter().map(|event| event.condition));

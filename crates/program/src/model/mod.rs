@@ -1,4 +1,4 @@
-//! The checked model: a system of first-order equations and everything that can be shown of it.
+//! The checked model: a system of first-order equations, with quantities, tables, events and buttons.
 
 mod compared;
 mod drawings;
@@ -20,86 +20,86 @@ use crate::{Graph, NodeId};
 use serde::{Deserialize, Serialize};
 use units::{Dimension, Unit};
 
-/// Nodes of the expression graph with all its derivatives. Documents come from strangers, and a short text can ask for an
-/// enormous computation; no honest model comes near this.
+/// Maximum number of nodes of the graph with its derivatives. Documents come from strangers, and a short text can demand an
+/// enormous computation; reasonable models stay far below.
 const MOST_NODES: usize = 500_000;
 
-/// A checked model, lowered to first order. Values are SI unless a [`Unit`] is named.
+/// A checked model, reduced to first order. Values are in SI units unless a [`Unit`] is given.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Model {
     /// The independent variable.
     pub independent: Independent,
-    /// In the order of the text.
+    /// The parameters, in the order of the text.
     pub parameters: Vec<Parameter>,
-    /// In the order of the text.
+    /// The sizes, in the order of the text.
     pub sizes: Vec<Size>,
-    /// Each variable's orders stand together, lowest first: y, y', z, z'.
+    /// The states of each variable are adjacent, lowest order first: y, y', z, z'.
     pub states: Vec<State>,
     /// Named definitions, in the order of the text.
     pub quantities: Vec<Quantity>,
-    /// In the order of the text.
+    /// The tables, in the order of the text.
     pub tables: Vec<Table>,
-    /// In the order of the text.
+    /// The events, in the order of the text.
     pub events: Vec<Event>,
-    /// In the order of the text.
+    /// The buttons, in the order of the text.
     pub buttons: Vec<Button>,
-    /// The expressions.
+    /// All expressions of the model.
     pub graph: Graph,
-    /// The texts that nodes of kind [`Kind::Text`] index.
+    /// Texts to which values of kind [`Kind::Text`] refer by index.
     pub texts: Vec<String>,
-    /// What is known of sensitivities, in a model that has them among its states ([`Model::with_sensitivities`]).
+    /// Data on sensitivities, in a model that has them among its states ([`Model::with_sensitivities`]).
     pub sensitive: Option<Sensitive>,
 }
 
-/// The independent variable, `t` in seconds unless stated.
+/// The independent variable; by default `t` in seconds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Independent {
-    /// Its name.
+    /// Name, `t` by default.
     pub name: String,
-    /// Its unit.
+    /// Display unit.
     pub unit: Unit,
-    /// Whether it counts 0, 1, 2 ...: nothing flows, and a run has one row at each count.
+    /// True if it counts 0, 1, 2 ... (discrete time): a run has one row per count.
     pub counts: bool,
 }
 
-/// A number the user can change.
+/// A parameter: a value that the user can change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Parameter {
-    /// Its ASCII name.
+    /// ASCII name.
     pub name: String,
-    /// The author's label, if any.
+    /// Label given by the author, if any.
     pub label: Option<String>,
-    /// The heading under which its control stands, if any.
+    /// Heading of the group of its control, if any.
     pub group: Option<String>,
-    /// The declared unit.
+    /// Declared unit.
     pub unit: Unit,
-    /// The default, SI.
+    /// Default value, SI units.
     pub value: f64,
-    /// Least and greatest value, SI.
+    /// Minimum and maximum value, SI units.
     pub range: Option<(f64, f64)>,
-    /// The slider's step, SI.
+    /// Step of the slider, SI units.
     pub step: Option<f64>,
-    /// Whether an initial value depends on it: a change restarts the run.
+    /// True if an initial value depends on it: a change restarts the run.
     pub restarts: bool,
-    /// What the user can choose.
+    /// Kind of values the user can choose.
     pub choices: Choices,
 }
 
-/// What values a parameter can have.
+/// Kind of values of a parameter.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Choices {
-    /// Numbers.
+    /// Any finite number.
     Numbers,
-    /// On (1) or off (0).
+    /// A switch: on (1) or off (0).
     Switch,
-    /// A whole number that decides all random draws.
+    /// Seed of all random draws, an integer from 0 to 2^53 - 1.
     Seed,
-    /// One of these texts, the default first: indices into [`Model::texts`], which are also its values.
+    /// One of these texts, the default first. The values are indices in [`Model::texts`].
     Texts(Vec<u32>),
 }
 
 impl Parameter {
-    /// What its value is.
+    /// Kind of its value.
     pub fn kind(&self) -> Kind {
         match self.choices {
             Choices::Numbers | Choices::Seed => Kind::Number,
@@ -108,12 +108,12 @@ impl Parameter {
         }
     }
 
-    /// Whether its value is a number, and no word stands for it.
+    /// True if its value is shown as a number, not as a word.
     pub fn is_number(&self) -> bool {
         matches!(self.choices, Choices::Numbers | Choices::Seed)
     }
 
-    /// Whether it can have a value (SI), its range aside.
+    /// True if this value (SI units) is possible, regardless of the range.
     pub fn takes(&self, value: f64) -> bool {
         match &self.choices {
             Choices::Numbers => value.is_finite(),
@@ -123,7 +123,7 @@ impl Parameter {
         }
     }
 
-    /// The value that a word stands for: `on` or `off`, or one of the texts; `None` for numbers and other words.
+    /// Value of a word: `on` or `off`, or one of the texts. `None` for numbers and other words.
     pub fn chosen(&self, word: &str, texts: &[String]) -> Option<f64> {
         match &self.choices {
             Choices::Numbers | Choices::Seed => None,
@@ -139,7 +139,7 @@ impl Parameter {
         }
     }
 
-    /// The words for all values, `on` and `off` or the texts; none for numbers.
+    /// Words of all values: `on` and `off`, or the texts; empty for numbers.
     pub fn words<'a>(&self, texts: &'a [String]) -> Vec<&'a str> {
         match &self.choices {
             Choices::Numbers | Choices::Seed => Vec::new(),
@@ -150,7 +150,7 @@ impl Parameter {
         }
     }
 
-    /// The word for a value; `None` for a number.
+    /// Word of a value; `None` for numbers.
     pub fn word<'a>(&self, value: f64, texts: &'a [String]) -> Option<&'a str> {
         match &self.choices {
             Choices::Numbers | Choices::Seed => None,
@@ -160,64 +160,64 @@ impl Parameter {
     }
 }
 
-/// A whole number that decides how many members families have. It is part of what the model was built from: another value
-/// needs another model.
+/// An integer that determines the number of members of families. The model is built for this value; another value needs
+/// another model.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Size {
-    /// Its ASCII name.
+    /// ASCII name.
     pub name: String,
-    /// The author's label, if any.
+    /// Label given by the author, if any.
     pub label: Option<String>,
-    /// Its value.
+    /// Current value.
     pub value: u32,
-    /// The value that the document's text states.
+    /// Value stated in the document.
     pub stated: u32,
-    /// Least and greatest value.
+    /// Minimum and maximum value.
     pub range: Option<(u32, u32)>,
 }
 
-/// One first-order state.
+/// A state of the first-order system.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
-    /// The variable without primes, `y`.
+    /// Variable without primes, `y`.
     pub variable: String,
-    /// How many primes: 0 for y, 1 for y'.
+    /// Order of the derivative: 0 for y, 1 for y'.
     pub order: u32,
-    /// The author's label on its initial value, if any.
+    /// Label given by the author to the initial value, if any.
     pub label: Option<String>,
-    /// The display unit: stated, or SI.
+    /// Display unit: as stated, or SI.
     pub unit: Unit,
-    /// Its value at the start; depends on parameters only.
+    /// Initial value; depends on parameters only.
     pub initial: NodeId,
-    /// What it is there for.
+    /// Purpose of the state.
     pub role: Role,
-    /// Its rate of change: the next state, or the solution of the equations for the highest derivative.
+    /// Rate of change: the next state, or the highest derivative.
     pub derivative: NodeId,
 }
 
-/// What a state is there for.
+/// Purpose of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Role {
-    /// It is one of the author's quantities.
+    /// A variable of the author.
     Own,
-    /// It is one of them that the author keeps out of the readouts.
+    /// A variable that the author hides from the readouts.
     Hidden,
-    /// The run keeps in it what it remembers ([`Quantity::remembered`]).
+    /// Storage for values that the run remembers ([`Quantity::remembered`]).
     Remembered,
-    /// It says how a body with dry friction moves: 1 forwards, -1 backwards, 0 while it sticks.
+    /// Motion of a body with dry friction: 1 forwards, -1 backwards, 0 while it sticks.
     Friction,
 }
 
 impl State {
-    /// How the names of states end that a run keeps for a name of the author's: `maximum(x) so far` for `maximum(x)`.
+    /// Suffix of the names of states that store a running value: `maximum(x) so far` for `maximum(x)`.
     pub const SO_FAR: &str = " so far";
 
-    /// Its variable, or the author's name for which a run keeps it.
+    /// Name of the variable, or of the author's expression whose running value it stores.
     pub fn kept_for(&self) -> &str {
         self.variable.strip_suffix(Self::SO_FAR).unwrap_or(&self.variable)
     }
 
-    /// `y''`
+    /// Name with primes, `y''`.
     pub fn name(&self) -> String {
         let mut name = self.variable.clone();
         name.extend(std::iter::repeat_n('\'', self.order as usize));
@@ -225,125 +225,126 @@ impl State {
     }
 }
 
-/// A named definition.
+/// A named definition of the author, or a remembered value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Quantity {
-    /// Its ASCII name.
+    /// ASCII name.
     pub name: String,
-    /// The author's label, if any.
+    /// Label given by the author, if any.
     pub label: Option<String>,
-    /// Its value and unit.
+    /// Compiled value with its unit.
     pub value: Compiled,
-    /// Whether it depends on states or the independent variable; if not, it is constant while parameters are.
+    /// True if it depends on states or the independent variable; otherwise it is constant while parameters are.
     pub varies: bool,
-    /// Whether the author keeps it out of the readouts.
+    /// True if the author hides it from the readouts.
     pub hidden: bool,
-    /// Whether it is what a run remembers, such as `landing.x` or `maximum(y)`, and none of the author's own.
+    /// True if it is a value that the run remembers, such as `landing.x` or `maximum(y)`, not a definition of the author.
     pub remembered: bool,
 }
 
-/// A function that is given by a table.
+/// A function given by a table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
-    /// Its ASCII name.
+    /// ASCII name.
     pub name: String,
-    /// The author's label, if any.
+    /// Label given by the author, if any.
     pub label: Option<String>,
-    /// What its argument is called.
+    /// Name of the argument.
     pub argument: String,
-    /// The unit of its argument.
+    /// Unit of the argument.
     pub argument_unit: Unit,
-    /// The unit of its values.
+    /// Unit of the values.
     pub unit: Unit,
-    /// Its place in [`Graph::interpolations`].
+    /// Index in [`Graph::interpolations`].
     pub interpolation: u32,
-    /// What the reader may draw, if the curve is the reader's.
+    /// Range and default of the curve if the reader draws it.
     pub drawn: Option<Drawn>,
 }
 
-/// An expression compiled against a model.
+/// An expression compiled for a model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Compiled {
-    /// Its node.
+    /// Node in the graph of the model.
     pub node: NodeId,
-    /// What it is.
+    /// Kind of the value.
     pub kind: Kind,
-    /// The display unit: stated, or that of the name it consists of, or SI. Dimensionless unless `kind` is a number.
+    /// Display unit: as stated, or that of the name if the expression is a name, or SI. Dimensionless unless `kind` is a
+    /// number.
     pub unit: Unit,
 }
 
 impl Compiled {
-    /// Its dimension.
+    /// Dimension of the unit.
     pub fn dimension(&self) -> Dimension {
         self.unit.dimension
     }
 }
 
-/// What an expression's value is.
+/// Kind of the value of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Kind {
     /// A number with a dimension.
     Number,
-    /// 0 or 1.
+    /// A truth value, 0 or 1.
     Truth,
-    /// An index into [`Model::texts`].
+    /// A text, as index in [`Model::texts`].
     Text,
 }
 
 /// A sudden change of the state.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Event {
-    /// Fires when this goes from 0 to 1.
+    /// Condition; the event fires when it goes from 0 to 1.
     pub condition: NodeId,
-    /// Which states change, and to what.
+    /// Actions: index of a state, and its new value.
     pub actions: Vec<(u32, NodeId)>,
-    /// The author's label or name for it, if any.
+    /// Label or name given by the author, if any.
     pub title: Option<String>,
-    /// Whether the title is a label, which can be translated, and no name.
+    /// True if the title is a label, which can be translated, not a name.
     pub is_labelled: bool,
-    /// Whether it ends the run.
+    /// True if the event ends the run.
     pub stops: bool,
-    /// How sensitivities change, in a model that has them ([`Model::with_sensitivities`]).
+    /// Jump of the sensitivities, in a model that has them ([`Model::with_sensitivities`]).
     pub jump: Option<Jump>,
 }
 
 impl Event {
-    /// One without a name that does not end the run.
+    /// An event without title that does not end the run.
     pub fn new(condition: NodeId, actions: Vec<(u32, NodeId)>) -> Self {
         Self { condition, actions, title: None, is_labelled: false, stops: false, jump: None }
     }
 }
 
-/// A button for the reader of the document: each press of it is an event.
+/// A button for the reader; each press is an event.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Button {
-    /// What stands on it.
+    /// Text on the button.
     pub title: String,
-    /// The author's name for its event, if any.
+    /// Name given by the author to the event, if any.
     pub name: Option<String>,
-    /// Which of [`Model::events`]; its condition is never true.
+    /// Index in [`Model::events`] of its event, whose condition is never true.
     pub event: u32,
 }
 
-/// What a model with sensitivities knows of them.
+/// Structure of a model with sensitivities.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sensitive {
-    /// How many of the states, the first, are the model's own.
+    /// Number of states without sensitivities; they come first.
     pub states: usize,
-    /// By how many parameters there are sensitivities.
+    /// Number of parameters with sensitivities.
     pub parameters: usize,
-    /// The switches of the equations at which these jump, each with the derivative of its moment by each parameter, at the
-    /// state before.
+    /// Switches at which the equations jump, each with the derivatives of its moment with respect to each parameter, at the
+    /// state before it.
     pub delays: Vec<(NodeId, Vec<NodeId>)>,
 }
 
-/// How the sensitivities of a model change at an event. With S states of the model itself and P parameters, the model with
-/// sensitivities has n = S (1 + P) states.
+/// Jump of the sensitivities at an event. With S states of the model itself and P parameters, the model with sensitivities
+/// has n = S (1 + P) states.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Jump {
-    /// The derivative of the event's moment by each parameter, at the state before all events of the moment.
+    /// Derivatives of the moment of the event, one per parameter, at the state before all events of the moment.
     pub delays: Vec<NodeId>,
-    /// The sensitivities after the event, states S to n. They read n + P states: the n that the events before this one have
-    /// left, and the P delays.
+    /// Sensitivities after the event, states S to n. They read n + P states: the n states left by the previous events, then
+    /// the P delays.
     pub sensitivities: Vec<NodeId>,
 }

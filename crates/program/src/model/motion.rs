@@ -1,10 +1,11 @@
-//! Whether two models move in the same way.
+//! Comparison of the dynamics of two models.
 
 use crate::{Model, NodeId};
 
 impl Model {
-    /// Whether a run of the other model from the same parameters has the same bits: parameters of the same names in the same
-    /// order, states, initial values, equations and events. Labels, ranges, defaults and defined quantities may differ.
+    /// True if a run of the other model with the same parameters has the same bits: parameters of the same names in the
+    /// same order, and equal states, initial values, equations and events. Labels, ranges, defaults and defined quantities
+    /// may differ.
     pub fn moves_like(&self, other: &Model) -> bool {
         let parameters = |model: &Model| -> Vec<_> {
             model.parameters.iter().map(|parameter| (parameter.name.clone(), parameter.unit.dimension)).collect()
@@ -22,7 +23,7 @@ impl Model {
             && self.graph.same(&self.motion(), &other.graph, &other.motion(), Some)
     }
 
-    /// What decides how the states begin and move.
+    /// All nodes that determine the initial state and the motion.
     fn motion(&self) -> Vec<NodeId> {
         let states = self.states.iter().flat_map(|state| [state.initial, state.derivative]);
         let events = self.events.iter().flat_map(|event| {
@@ -32,7 +33,7 @@ impl Model {
         states.chain(events).collect()
     }
 
-    /// Which states each event sets.
+    /// Indices of the states that each event sets.
     fn targets(&self) -> Vec<Vec<u32>> {
         self.events.iter().map(|event| event.actions.iter().map(|(state, _)| *state).collect()).collect()
     }

@@ -1,16 +1,16 @@
-//! The equations of a model together with those for the sensitivities of its states to parameters, as one larger model.
+//! Sensitivity equations: a model extended by the sensitivities of its states to parameters.
 //!
 //! With the rates f(t, x, p), the sensitivity s = dx/dp obeys s' = f_x s + f_p, and s(0) is the derivative of the initial
-//! value. At an event, whose moment tau changes with p too, s jumps: where g(t, x, p) passes through zero and x becomes
-//! h(t, x, p),
+//! value. At an event, s jumps because the moment tau depends on p. Let g(t, x, p) pass through zero and x become h(t, x,
+//! p); then
 //!
 //! tau' = -(g_x s + g_p) / (g_x f + g_t),   s+ = h_x (s + f tau') + h_t tau' + h_p - f+ tau'
 //!
-//! with f+ the rates after the jump (Rozenvasser, Automation and Remote Control 28 (1967) 52; Hiskens & Pai, IEEE Trans.
-//! Circuits Syst. I 47 (2000) 204).
+//! where tau' = d tau/dp and f+ are the rates after the jump (Rozenvasser, Automation and Remote Control 28 (1967) 52;
+//! Hiskens & Pai, IEEE Trans. Circuits Syst. I 47 (2000) 204).
 //!
-//! Several events can fire at one moment, each with a tau' of its own. They act one after the other, in the order of the
-//! document, each on the state x and the sensitivity s that those before it have left.
+//! Several events can fire at one moment, each with its own tau'. They act one after the other, in the order of the
+//! document, each on the state x and the sensitivity s left by the previous ones.
 
 use super::MOST_NODES;
 use crate::graph::along;
@@ -18,9 +18,9 @@ use crate::{Binary, Graph, Jump, Model, Node, NodeId, Role, Sensitive, State, Un
 use units::Unit;
 
 impl Model {
-    /// The model with sensitivities as further states: after its own states those of all of them to the first of
-    /// `parameters` (indices into [`Model::parameters`]), then to the second and so on. Nodes of the model keep their
-    /// numbers. `None` if there would be too many nodes.
+    /// The model with sensitivities as further states: after its own states, the sensitivities of all of them to the first
+    /// of `parameters` (indices in [`Model::parameters`]), then to the second, and so on. Nodes of the model keep their
+    /// indices. `None` if there would be too many nodes.
     pub fn with_sensitivities(&self, parameters: &[usize]) -> Option<Model> {
         let mut extended = self.clone();
         for event in &mut extended.events {
@@ -41,21 +41,21 @@ impl Model {
         Some(extended)
     }
 
-    /// The change of `nodes` per unit of a change of the parameter that is number `position` among those of
-    /// [`Model::with_sensitivities`], which this model must have come from; `states` is how many states the original has.
-    /// What a node takes from the states changes with them.
+    /// Total derivatives of `nodes` with respect to a parameter, one per node, through the states as well. `position` is
+    /// the index of the parameter among those given to [`Model::with_sensitivities`], which must have made this model;
+    /// `states` is the number of states of the original model.
     pub fn sensitivities(&mut self, nodes: &[NodeId], parameter: usize, position: usize, states: usize) -> Vec<NodeId> {
         let initial: Vec<NodeId> = self.states[..states].iter().map(|state| state.initial).collect();
         total(&mut self.graph, nodes, parameter as u32, states * (position + 1), &initial)
     }
 
-    /// The change of `nodes` per unit of the independent variable, along the solution.
+    /// Rates of change of `nodes` with the independent variable along the solution, one per node.
     pub fn rates_of(&mut self, nodes: &[NodeId]) -> Vec<NodeId> {
         let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
         moving(&mut self.graph, nodes, &rates)
     }
 
-    /// Adds the sensitivities to one of the parameters: its place among them, and how many they are.
+    /// Adds the sensitivities to one parameter; `place` is its index among the parameters and their number.
     fn add_sensitivity(&self, extended: &mut Model, parameter: u32, place: (usize, usize)) {
         let states = self.states.len();
         let first = extended.states.len();
@@ -68,7 +68,7 @@ impl Model {
         let scale = if scale > 0.0 { scale } else { self.parameters[parameter as usize].unit.factor.abs() };
         for (number, state) in self.states.iter().enumerate() {
             let mut unit = Unit::dimensionless();
-            // The unit is the idea of its size that the step control has.
+            // The step control takes the unit as the typical size of the state.
             unit.factor = state.unit.factor / scale;
             extended.states.push(State {
                 variable: format!("d{}/d{}", state.name(), self.parameters[parameter as usize].name),
@@ -90,7 +90,7 @@ impl Model {
         debug_assert_eq!(extended.states.len(), first + states);
     }
 
-    /// Adds the jump of the sensitivities to one of the parameters to event `number`.
+    /// Adds to event `number` the jump of the sensitivities to one parameter.
     fn add_jump(
         &self,
         extended: &mut Model,
@@ -113,7 +113,7 @@ impl Model {
             after[state as usize] = value;
         }
         let rates_after = with_states(graph, &rates, &after);
-        // h_x s + h_p, and the change of h along the motion.
+        // `direct`: h_x s + h_p; `moving`: the rate of h along the motion.
         let direct = total(graph, &after, parameter, first, initial);
         let moving = moving(graph, &after, &rates);
         let mut sensitivities = Vec::with_capacity(states);
@@ -129,7 +129,7 @@ impl Model {
     }
 }
 
-/// `nodes` with these values of the first states.
+/// `nodes` with the first states replaced by these values.
 fn with_states(graph: &mut Graph, nodes: &[NodeId], values: &[NodeId]) -> Vec<NodeId> {
     graph.substitute(nodes, |_, node| match node {
         Node::State(state) => values.get(state as usize).copied(),
@@ -137,13 +137,13 @@ fn with_states(graph: &mut Graph, nodes: &[NodeId], values: &[NodeId]) -> Vec<No
     })
 }
 
-/// The total derivative by a parameter, the sensitivities of the states beginning at state `first`, and `initial` being
-/// the nodes of the initial values, which `y(0)` in an expression stands for.
+/// Total derivatives with respect to a parameter. The sensitivities of the states begin at state `first`; `initial` has the
+/// nodes of the initial values, written `y(0)` in expressions.
 fn total(graph: &mut Graph, nodes: &[NodeId], parameter: u32, first: usize, initial: &[NodeId]) -> Vec<NodeId> {
     let one = graph.constant(1.0);
     let at_start = along(graph, initial, |node| (node == Node::Parameter(parameter)).then_some(one));
     let states = initial.len();
-    // While initial values themselves are differentiated there are no states in them.
+    // `initial` is empty while the initial values themselves are differentiated: they contain no states.
     let sensitivities: Vec<NodeId> =
         (0..states).map(|state| graph.insert(Node::State((first + state) as u32))).collect();
     along(graph, nodes, |node| match node {
@@ -154,7 +154,7 @@ fn total(graph: &mut Graph, nodes: &[NodeId], parameter: u32, first: usize, init
     })
 }
 
-/// The change per unit of the independent variable along a solution whose states change at `rates`.
+/// Rates of change along a solution whose states have the rates `rates`.
 fn moving(graph: &mut Graph, nodes: &[NodeId], rates: &[NodeId]) -> Vec<NodeId> {
     let one = graph.constant(1.0);
     along(graph, nodes, |node| match node {
@@ -164,10 +164,10 @@ fn moving(graph: &mut Graph, nodes: &[NodeId], rates: &[NodeId]) -> Vec<NodeId> 
     })
 }
 
-/// How the moment changes with a parameter at which one of these expressions passes through zero.
+/// Derivative with respect to a parameter of the moment at which one of these expressions passes through zero.
 ///
-/// Of several, as the comparisons of a condition, the one that is passed through at this moment counts: the one that is nearest to
-/// its zero in time. One that does not move is not passed through. Where there is no other, the moment depends on nothing.
+/// Of several expressions, such as the comparisons of a condition, the one nearest to its zero in time counts. An
+/// expression with zero speed is ignored. If none is left, the derivative is 0.
 fn delay(
     graph: &mut Graph,
     crossings: &[NodeId],
@@ -186,14 +186,14 @@ fn delay(
         let delay = graph.negate(quotient);
         let ahead = graph.divide(crossing, speed);
         let ahead = graph.unary(Unary::Absolute, ahead);
-        // Without a speed this is no number, or infinite, and so not less than any.
+        // Without speed this is NaN or infinite, and the comparison is false.
         let nearer = graph.binary(Binary::Less, ahead, nearest);
         (nearest, known) = (graph.select(nearer, ahead, nearest), graph.select(nearer, delay, known));
     }
     known
 }
 
-/// What passes through zero where a switch changes; for what rounds, up to a constant.
+/// Expressions that pass through zero where a switch changes; for rounding functions, up to a constant.
 fn crossings(graph: &mut Graph, switch: NodeId) -> Vec<NodeId> {
     match graph.node(switch) {
         Node::Piece(interpolation, x) => vec![graph.passing_points(interpolation, x)],
@@ -203,7 +203,7 @@ fn crossings(graph: &mut Graph, switch: NodeId) -> Vec<NodeId> {
     }
 }
 
-/// Left minus right of every comparison of order in a condition.
+/// Left minus right side of every inequality in a condition.
 fn comparisons(graph: &mut Graph, condition: NodeId) -> Vec<NodeId> {
     let mut open = vec![condition];
     let mut found = Vec::new();

@@ -1,34 +1,34 @@
-//! The derivatives that stiff methods need.
+//! Jacobian for stiff methods.
 
 use super::MOST_NODES;
 use crate::graph::differentiate_through;
 use crate::{Graph, Model, Node, NodeId, Variable, differentiate_all};
 use std::collections::HashMap;
 
-/// The derivatives of all rates of change, in a graph that extends the model's.
+/// Derivatives of all rates, in a graph that extends that of the model.
 #[derive(Clone, Debug)]
 pub struct Slopes {
-    /// The graph.
+    /// The extended graph.
     pub graph: Graph,
-    /// The derivatives by states, except those that are 0 everywhere, state by state.
+    /// Derivatives with respect to the states, state by state; those that are identically 0 are left out.
     pub by_states: Vec<Slope>,
-    /// The derivative of each rate of change by the independent variable.
+    /// Derivative of each rate with respect to the independent variable, one per state.
     pub by_independent: Vec<NodeId>,
 }
 
-/// The derivative of one rate of change by one state.
+/// Derivative of one rate with respect to one state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Slope {
-    /// The number of the state whose rate of change it is.
+    /// Index of the state whose rate is differentiated.
     pub rate: u32,
-    /// The number of the state by which it is differentiated.
+    /// Index of the state with respect to which it is differentiated.
     pub state: u32,
-    /// Its node.
+    /// Node of the derivative.
     pub node: NodeId,
 }
 
 impl Model {
-    /// The derivatives of all rates of change, for stiff methods. `None` if there would be too many nodes.
+    /// Derivatives of all rates, for stiff methods. `None` if there would be too many nodes.
     pub fn slopes(&self) -> Option<Slopes> {
         let mut graph = self.graph.clone();
         let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
@@ -39,7 +39,7 @@ impl Model {
         }
         let mut by_states = Vec::new();
         for state in 0..rates.len() as u32 {
-            // Only what is computed from the state has a derivative by it.
+            // Only nodes that depend on the state have a derivative with respect to it.
             let affected = self.graph.find(Node::State(state)).map(|node| readers.above(node)).unwrap_or_default();
             let derivatives = differentiate_through(&mut graph, &affected, Variable::State(state));
             let begin = by_states.len();
@@ -57,7 +57,7 @@ impl Model {
     }
 }
 
-/// By node, those that are computed directly from it, among what some roots are computed from.
+/// Direct users of each node, among the nodes on which some roots depend.
 struct Readers(HashMap<NodeId, Vec<NodeId>>);
 
 impl Readers {
@@ -69,7 +69,7 @@ impl Readers {
         for node in graph.reachable(roots) {
             graph.for_each_operand(node, |operand| {
                 let readers = readers.entry(operand).or_default();
-                // A square reads its operand twice.
+                // A square has the same operand twice.
                 if readers.last() != Some(&node) {
                     readers.push(node);
                 }
@@ -78,7 +78,7 @@ impl Readers {
         Self(readers)
     }
 
-    /// A node and all that is computed from it, operands first.
+    /// A node and all nodes that depend on it, operands first.
     fn above(&self, node: NodeId) -> Vec<NodeId> {
         let mut found = Vec::new();
         let mut seen = std::collections::HashSet::new();

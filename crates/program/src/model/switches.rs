@@ -1,56 +1,59 @@
-//! Where the equations of motion jump or bend: comparisons, `sign`, `floor`, `ceil`, `round`, the points of tables, and the
-//! corners of `abs`, `min` and `max`.
+//! Switches: discontinuities of the equations of motion or of their slope. They come from comparisons, `sign`, `floor`,
+//! `ceil`, `round`, points of tables, and corners of `abs`, `min` and `max`.
 //!
-//! A method of integration takes its equations to be smooth. So within a step every switch is held at the value that it had
-//! at the beginning, which makes them smooth, and the step ends where the true value changes (Hairer, Norsett & Wanner,
-//! Solving Ordinary Differential Equations I, section II.6; Cellier & Kofman, Continuous System Simulation, chapter 9).
+//! Integration methods assume smooth equations. Within a step every switch is therefore held at its value at the beginning,
+//! and the step ends where the true value changes (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I,
+//! section II.6; Cellier & Kofman, Continuous System Simulation, chapter 9).
 
 use crate::{Binary, Graph, Model, Node, NodeId, Unary, Variable, differentiate};
 use std::collections::HashMap;
 
-/// Beyond so many switches each is taken for a jump: to see what each does to the rates takes a pass over all of them.
+/// Maximum number of switches that are analysed, which takes a pass over all nodes per switch. Beyond it, every switch
+/// counts as a jump.
 const MOST_JUDGED: usize = 200;
 
-/// A model whose switches are held.
+/// A model with held switches.
 #[derive(Clone, Debug)]
 pub struct Held {
-    /// The model, with one more parameter behind its own for each switch: the value at which it is held. Only the rates of
-    /// change read them.
+    /// The model with one further parameter per switch, after its own ones: the held value. Only the rates of change read
+    /// them.
     pub model: Model,
-    /// What is held, in the order of these parameters.
+    /// The switches, in the order of these parameters.
     pub switches: Vec<Switch>,
-    /// By node of the model that switches, the parameter that holds it.
+    /// Parameter node that holds each switch, by the node of the switch.
     values: HashMap<NodeId, NodeId>,
 }
 
-/// A value in the equations that changes at isolated moments only.
+/// A value in the equations that changes only at isolated moments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Switch {
-    /// Its true value, a node of [`Held::model`].
+    /// True value, a node of [`Held::model`].
     pub node: NodeId,
-    /// Whether rates of change jump with it; else they bend.
+    /// True if the rates jump; false if only their slope does.
     pub jumps: bool,
 }
 
-/// A switch, in the equations or in the condition of an event, that depends on the independent variable alone, besides
-/// parameters and what only events change.
+/// A switch, in the equations or in the condition of an event, that depends only on the independent variable, on
+/// parameters, and on states that only events change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Timed {
-    /// Its true value, a node of the graph that comes with it.
+    /// True value, a node of the graph returned with it.
     pub node: NodeId,
-    /// What it compares with 0 or rounds.
+    /// Quantity that it compares with 0 or rounds.
     pub argument: NodeId,
-    /// How fast that changes.
+    /// Derivative of the argument with respect to the independent variable.
     pub slope: NodeId,
-    /// Whether it changes at most once between changes of the others, because its argument grows evenly.
+    /// True if the argument is linear in the independent variable, so that the switch changes at most once between other
+    /// changes.
     pub even: bool,
 }
 
 impl Model {
-    /// The model with its switches held; `None` where nothing switches. Bends are held if `bends` says so.
+    /// The model with its switches held; `None` if it has none. Bends (jumps of the slope only) are held if `bends` is
+    /// true.
     ///
-    /// A corner beside a factor that vanishes there, as in `v*abs(v)`, has a continuous slope and is no switch; neither is what
-    /// depends only on parameters and on states that events alone change.
+    /// A corner multiplied by a factor that vanishes there, as in `v*abs(v)`, has a continuous slope and is no switch.
+    /// Values that depend only on parameters and on states that only events change are no switches either.
     pub fn held(&self, bends: bool) -> Option<Held> {
         let mut found = self.find_switches();
         found.retain(|switch| switch.jumps || bends);
@@ -81,7 +84,7 @@ impl Model {
         Some(Held { model, switches, values: held })
     }
 
-    /// The switches whose moments can be known beforehand, in a graph that extends the model's.
+    /// The switches whose moments are known in advance, in a graph that extends that of the model.
     pub fn timed_switches(&self) -> (Graph, Vec<Timed>) {
         let rates = self.states.iter().map(|state| state.derivative);
         let roots: Vec<NodeId> = rates.chain(self.events.iter().map(|event| event.condition)).collect();
@@ -106,8 +109,8 @@ impl Model {
         (graph, found)
     }
 
-    /// What switches in the rates of change, in the order of the graph; `node` is that of this model. Of sensitivities the
-    /// rates jump already where those of their states bend; these are none.
+    /// The switches of the rates, in the order of the graph. Rates of sensitivities are not searched: they jump already
+    /// where the rates of their states bend.
     pub(super) fn find_switches(&self) -> Vec<Switch> {
         let graph = &self.graph;
         let own = self.sensitive.as_ref().map_or(self.states.len(), |sensitive| sensitive.states);
@@ -129,7 +132,7 @@ impl Model {
         candidates.iter().copied().filter_map(switch).collect()
     }
 
-    /// By node, what makes its value change between events.
+    /// Cause of changes between events, by node.
     pub(super) fn moving(&self, nodes: &[NodeId]) -> HashMap<NodeId, Motion> {
         let mut found: HashMap<NodeId, Motion> = HashMap::new();
         for &id in nodes {
@@ -154,13 +157,13 @@ impl Model {
 }
 
 impl Held {
-    /// Nodes of `graph`, which extends that of [`Held::model`], with the switches in them held.
+    /// Nodes of `graph`, which extends that of [`Held::model`], with their switches held.
     pub(super) fn hold(&self, graph: &mut Graph, nodes: &[NodeId]) -> Vec<NodeId> {
         with_held(graph, nodes, &self.values)
     }
 }
 
-/// Nodes with the switches in them replaced by what holds these.
+/// Nodes with their switches replaced by the held values.
 fn with_held(graph: &mut Graph, nodes: &[NodeId], held: &HashMap<NodeId, NodeId>) -> Vec<NodeId> {
     graph.rewrite(nodes, |graph, id, node| {
         let value = *held.get(&id)?;
@@ -175,7 +178,7 @@ fn with_held(graph: &mut Graph, nodes: &[NodeId], held: &HashMap<NodeId, NodeId>
     })
 }
 
-/// Why a value changes between events; the later include the earlier.
+/// Cause of changes of a value between events; a later variant includes the earlier ones.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Motion {
     AtRest,
@@ -184,7 +187,7 @@ pub(super) enum Motion {
 }
 
 impl Node {
-    /// Whether the value or the slope jumps somewhere, and not only that of what it is computed from.
+    /// True if the function itself has a jump of its value or of its slope.
     pub fn is_switch(self) -> bool {
         let steps = match self {
             Self::Unary(function, _) => matches!(function, Unary::Sign | Unary::Floor | Unary::Ceil | Unary::Round),
@@ -198,13 +201,13 @@ impl Node {
     }
 }
 
-/// Whether it is the slope that jumps and not the value.
+/// True if only the slope jumps.
 fn is_corner(node: Node) -> bool {
     matches!(node, Node::Unary(Unary::Absolute, _) | Node::Binary(Binary::Minimum | Binary::Maximum, ..))
 }
 
-/// How often the rates of change, `roots`, can be differentiated where a switch changes: 0 for a jump, 1 for a bend. What is
-/// multiplied by a factor that vanishes there gains the order of its zero.
+/// Lowest order of derivative of the rates (`roots`) that is discontinuous where a switch changes: 0 for a jump, 1 for a
+/// bend; `None` if no rate depends on it. Multiplication by a factor that vanishes there adds the order of its zero.
 fn smoothness(graph: &Graph, nodes: &[NodeId], roots: &[NodeId], switch: NodeId) -> Option<u32> {
     let (of_itself, zero) = match graph.node(switch) {
         Node::Unary(Unary::Absolute, x) => (1, Some(x)),
@@ -235,10 +238,10 @@ fn smoothness(graph: &Graph, nodes: &[NodeId], roots: &[NodeId], switch: NodeId)
     roots.iter().filter_map(|root| found.get(root)).min().copied()
 }
 
-/// How deep a factor is looked into for what makes it zero: deeper than any product that a person writes.
+/// Maximum depth of the analysis of a factor, deeper than any product written by hand.
 const DEEPEST_FACTOR: u32 = 8;
 
-/// The order of the zero that `factor` is known to have where `x` is 0.
+/// Lower bound of the order of the zero of `factor` at `x` = 0, as far as its form shows.
 fn zero_order(graph: &Graph, factor: NodeId, x: NodeId, depth: u32) -> u32 {
     if let Node::Unary(Unary::Negate, opposite) = graph.node(x) {
         return zero_order(graph, factor, opposite, depth);
@@ -263,7 +266,7 @@ fn zero_order(graph: &Graph, factor: NodeId, x: NodeId, depth: u32) -> u32 {
 mod tests {
     use super::*;
 
-    /// The zeros of products, quotients and sums of x and y where x is 0.
+    /// Zeros of products, quotients and sums of x and y at x = 0.
     #[test]
     fn the_order_of_a_zero() {
         let mut graph = Graph::default();

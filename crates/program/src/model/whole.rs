@@ -1,14 +1,14 @@
-//! Which values are whole numbers by their form: counts, which people write without decimals.
+//! Values that are integers by their form, such as counts; they are shown without decimals.
 
 use crate::{Binary, Model, Node, NodeId, Unary};
 
 impl Model {
-    /// For each node of the graph whether its value is always a whole number (if it is finite), as far as its form
-    /// tells: that of a state which only events change, by whole numbers, and of what is computed from such ones.
+    /// True for each node whose value is always an integer (if finite), as far as its form shows; one value per node.
+    /// Integers are states that only events change, by integers, and values computed from them.
     pub fn whole_numbers(&self) -> Vec<bool> {
         let zero = |node| self.graph.as_constant(node) == Some(0.0);
         let mut states: Vec<bool> = self.states.iter().map(|state| zero(state.derivative)).collect();
-        // Whoever is found not to be whole may be what another was taken to be whole for.
+        // A state that turns out not to be an integer can affect others: repeat until nothing changes.
         loop {
             let whole = self.whole_with(&states);
             let is_whole = |node: NodeId| whole[node.0 as usize];
@@ -26,7 +26,7 @@ impl Model {
         }
     }
 
-    /// The same if the states are whole that are said to be.
+    /// [`Model::whole_numbers`] under the assumption that the states marked in `states` are integers.
     fn whole_with(&self, states: &[bool]) -> Vec<bool> {
         let mut whole: Vec<bool> = Vec::with_capacity(self.graph.len());
         for number in 0..self.graph.len() {

@@ -1,4 +1,4 @@
-//! The drawing as a tree of elements that are known to be harmless, with places for values.
+//! The drawing as a tree of harmless elements with placeholders for values.
 
 mod written;
 
@@ -12,35 +12,35 @@ use std::fmt::Write;
 pub struct Scene {
     /// The `svg` element.
     pub root: Element,
-    /// What the templates name, evaluated for each frame.
+    /// Values used in the templates, evaluated for each frame.
     pub values: Vec<Compiled>,
-    /// Where points have been.
+    /// Traces of points.
     pub trails: Vec<Trail>,
-    /// How long a unit of the drawing is (SI), where a frame of lengths says so: an index into `values`.
+    /// Length of a unit of the drawing (SI units), if the document states it: an index in `values`.
     pub length: Option<usize>,
 }
 
-/// Where a point has been: a line, or dots at multiples of a time.
+/// Trace of a point: a line, or dots at equal intervals of time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trail {
-    /// Its place to the right, in units of the drawing: an index into [`Scene::values`], as are the others.
+    /// Horizontal position to the right, in units of the drawing: an index in [`Scene::values`], as all fields.
     pub x: usize,
-    /// Its place downwards, likewise.
+    /// Vertical position downwards, in units of the drawing.
     pub y: usize,
-    /// How long a point of it is seen, of the independent variable (SI); without, as long as the run.
+    /// Time for which a point remains visible, in SI units of the independent variable; `None`: for the whole run.
     pub last: Option<usize>,
-    /// The time from one dot to the next; without, it is a line.
+    /// Time between two dots, in SI units of the independent variable; `None`: a line.
     pub every: Option<usize>,
 }
 
 impl Trail {
-    /// The values that it names.
+    /// Indices of all values that it uses.
     pub fn values(&self) -> impl Iterator<Item = usize> + use<> {
         [Some(self.x), Some(self.y), self.last, self.every].into_iter().flatten()
     }
 }
 
-/// A [`Scene`], not yet checked: the last of the elements is the root.
+/// Serialized form of a [`Scene`], not yet checked: the last element is the root.
 #[derive(Serialize, Deserialize)]
 struct Written {
     elements: Vec<WrittenElement>,
@@ -59,72 +59,71 @@ struct WrittenElement {
 
 #[derive(Serialize, Deserialize)]
 enum WrittenChild {
-    /// The element of this number, which comes before its parent.
+    /// The element of this index, which precedes its parent.
     Element(u32),
     Text(Template),
 }
 
-/// An SVG element of the allow-list.
+/// An allowed SVG element.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Element {
-    /// Its name in the SVG namespace, such as `path`.
+    /// Name in the SVG namespace, such as `path`.
     pub name: String,
-    /// Its attributes; names and literal parts are safe to set as they are.
+    /// Attributes; names and literal parts are safe to set without escaping.
     pub attributes: Vec<Attribute>,
-    /// What it holds.
+    /// Child elements and texts.
     pub children: Vec<Child>,
-    /// What moving the pointer changes, where the element can be dragged.
+    /// Effect of dragging the element, if it can be dragged.
     pub drag: Option<Drag>,
 }
 
-/// An attribute.
+/// An attribute of an element.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attribute {
-    /// Its name.
+    /// Name of the attribute.
     pub name: String,
-    /// Its value; values in it are written as bare numbers. While one of them is not finite, the attribute keeps what
-    /// it had.
+    /// Value; numbers in it are written without unit. While one of them is not finite, the attribute keeps its previous
+    /// text.
     pub value: Template,
 }
 
 /// A child of an element.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Child {
-    /// A further element.
+    /// A nested element.
     Element(Element),
-    /// A text; values in it are written for people, with their units.
+    /// A text; numbers in it are formatted for readers, with their units.
     Text(Template),
 }
 
-/// A text with values in it.
+/// A text with placeholders for values.
 pub type Template = Vec<Piece>;
 
-/// A part of a template.
+/// A part of a template: literal text or a placeholder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Piece {
-    /// This text.
+    /// Literal text.
     Literal(String),
-    /// `Scene::values[index]`.
+    /// A number, `Scene::values[index]`.
     Value {
-        /// Which.
+        /// Index in `Scene::values`.
         index: usize,
-        /// How many decimals; `{t:.2}` asks for 2. Without, a sensible number of significant digits.
+        /// Number of decimals; `{t:.2}` asks for 2. `None`: a sensible number of significant digits.
         decimals: Option<u8>,
     },
-    /// The text that belongs to the value of `Scene::values[index]`: a colour, or whether something is shown. In
-    /// attributes only.
+    /// Text selected by the value of `Scene::values[index]`, such as a colour or a visibility. In attributes only.
     Choice {
-        /// Which.
+        /// Index in `Scene::values`.
         index: usize,
-        /// Whole numbers and the text for each.
+        /// Integers with the text of each.
         texts: Vec<(u32, String)>,
     },
-    /// The path of `Scene::trails[index]`; alone in its attribute.
+    /// Path of `Scene::trails[index]`; the only piece of its attribute.
     Trail(usize),
 }
 
 impl Piece {
-    /// The value that it shows, as an index into [`Scene::values`].
+    /// Index in [`Scene::values`] of the value shown, if any.
     pub fn value(&self) -> Option<usize> {
         match self {
             Self::Literal(_) | Self::Trail(_) => None,
@@ -133,8 +132,8 @@ impl Piece {
     }
 }
 
-/// Writes the text of an attribute for the values of [`Scene::values`]. False where it has none: a number that is not
-/// finite, a value without a text, or a trail, which more than values decide.
+/// Writes the text of an attribute for the values of [`Scene::values`]. Returns false if it has none: a number is not
+/// finite, a value has no text, or it contains a trail, which needs more than these values.
 pub fn write_attribute(template: &[Piece], values: &[f64], text: &mut String) -> bool {
     text.clear();
     template.iter().all(|piece| match piece {
@@ -144,7 +143,7 @@ pub fn write_attribute(template: &[Piece], values: &[f64], text: &mut String) ->
         }
         Piece::Trail(_) => false,
         Piece::Value { index, .. } => {
-            // Seven digits are more than a screen has, and the shorter text is parsed sooner.
+            // Seven digits exceed the resolution of a screen, and a shorter text is parsed faster.
             let value = values.get(*index).map_or(f32::NAN, |value| *value as f32);
             let _ = write!(text, "{value}");
             value.is_finite()
@@ -158,23 +157,24 @@ pub fn write_attribute(template: &[Piece], values: &[f64], text: &mut String) ->
     })
 }
 
-/// How dragging an element changes a state or a parameter. Distances are in user units of the `svg` element's viewBox.
+/// Effect of dragging an element on a state or a parameter. Distances are in user units of the viewBox of the `svg`
+/// element.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Drag {
-    /// What it changes.
+    /// State or parameter that changes.
     pub target: Dragged,
-    /// What one unit upwards adds to it, SI: an index into [`Scene::values`].
+    /// Change per unit upwards, SI units: an index in [`Scene::values`].
     pub up: Option<usize>,
-    /// What one unit to the right adds to it, SI: an index into [`Scene::values`].
+    /// Change per unit to the right, SI units: an index in [`Scene::values`].
     pub right: Option<usize>,
 }
 
-/// What dragging changes.
+/// State or parameter that dragging changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Dragged {
-    /// Which of [`crate::Model::states`].
+    /// Index in [`crate::Model::states`].
     State(usize),
-    /// Which of [`crate::Model::parameters`].
+    /// Index in [`crate::Model::parameters`].
     Parameter(usize),
 }
 

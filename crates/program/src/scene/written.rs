@@ -1,8 +1,8 @@
-//! A scene as it is written to a bundle: its elements in a list, so that reading needs no recursion.
+//! Serialized form of a scene: a list of elements, so that reading needs no recursion.
 
 use super::{Child, Element, Scene, Written, WrittenChild, WrittenElement};
 
-/// How deeply elements may be nested; documents allow less.
+/// Maximum nesting of elements; documents allow less.
 const DEEPEST: usize = 64;
 
 impl From<Scene> for Written {
@@ -15,7 +15,7 @@ impl From<Scene> for Written {
 }
 
 impl Written {
-    /// Adds an element after those that it holds; its number.
+    /// Appends an element after its children and returns its index.
     fn add(&mut self, element: Element) -> u32 {
         let Element { name, attributes, children, drag } = element;
         let children = children.into_iter().map(|child| match child {
@@ -32,7 +32,7 @@ impl TryFrom<Written> for Scene {
     type Error = &'static str;
 
     fn try_from(written: Written) -> Result<Self, Self::Error> {
-        // Each with its depth, until its parent takes it.
+        // Each element with its depth, until its parent takes it.
         let mut built: Vec<Option<(Element, usize)>> = Vec::new();
         for WrittenElement { name, attributes, children, drag } in written.elements {
             let mut depth = 1;

@@ -1,11 +1,11 @@
-//! Numbers on a figure: ticks whose labels are exact, values as finely as the figure resolves them.
+//! Numbers in a figure: exact labels of ticks, and values as fine as the resolution of the figure.
 
 use super::plain::mantissa;
 use super::sign::{dress, place_point};
 use super::{Style, unit_text};
 use crate::Unit;
 
-/// Ten to an integer power; exact where a double can be, to the last digit or so elsewhere.
+/// Ten to an integer power; exact up to 10^22, otherwise to about the last digit.
 fn power_of_ten(exponent: i32) -> f64 {
     const EXACT: [f64; 23] = [
         1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
@@ -17,12 +17,12 @@ fn power_of_ten(exponent: i32) -> f64 {
     }
 }
 
-/// `value * 10^exponent`, rounded once where ten to that power is exact.
+/// `value * 10^exponent`, correctly rounded if that power of ten is exact.
 pub fn scaled_by(value: f64, exponent: i32) -> f64 {
     if exponent < 0 { value / power_of_ten(-exponent) } else { value * power_of_ten(exponent) }
 }
 
-/// The exponent of the leading digit of a positive number.
+/// Decimal exponent of the leading digit of a positive number.
 pub fn leading_exponent(value: f64) -> i32 {
     let guess = libm::floor(libm::log10(value)) as i32;
     if scaled_by(1.0, guess) > value {
@@ -34,7 +34,7 @@ pub fn leading_exponent(value: f64) -> i32 {
     }
 }
 
-/// The power of ten, a multiple of three, that is taken out of numbers of this magnitude; 0 where plain numbers are short.
+/// Power of ten factored out of numbers of this magnitude: a multiple of three, or 0 if plain numbers are short.
 pub fn common_power(magnitude: f64) -> i32 {
     if !magnitude.is_finite() || magnitude == 0.0 || (1e-3..1e5).contains(&magnitude) {
         0
@@ -43,7 +43,7 @@ pub fn common_power(magnitude: f64) -> i32 {
     }
 }
 
-/// The label of a tick, `digits * 10^exponent` exactly, with as many decimals as a negative exponent says; zero is `0`.
+/// Label of a tick: exactly `digits * 10^exponent`, with as many decimals as a negative exponent requires; zero is `0`.
 pub fn tick(digits: i64, exponent: i32, style: Style) -> String {
     if digits == 0 {
         return "0".to_owned();
@@ -52,15 +52,15 @@ pub fn tick(digits: i64, exponent: i32, style: Style) -> String {
     dress(&if digits < 0 { ["-", &text].concat() } else { text }, style)
 }
 
-/// A value over ten to the `power`, as finely as `resolution` asks: its last digit is no coarser than that.
+/// `value` divided by 10^`power`, with its last digit no coarser than `resolution`.
 pub fn resolved(value: f64, resolution: f64, power: i32, style: Style) -> String {
     let finest = if resolution > 0.0 && resolution.is_finite() { leading_exponent(resolution) } else { 0 };
     let decimals = (power - finest).clamp(0, 15);
     mantissa(value, power - decimals, power, style)
 }
 
-/// The unit of numbers from which a power of ten was taken out, and what is left of that power: `mm` and 0 for `m` and -3;
-/// `1/s` and -3 where there is no such prefix.
+/// Unit of numbers from which a power of ten was factored out, and the power that remains: `mm` and 0 for `m` and -3; `1/s`
+/// and -3 because that unit takes no prefix.
 pub fn axis_unit(unit: &str, power: i32) -> (String, i32) {
     let prefixed = Some(unit).filter(|unit| power != 0 && !unit.is_empty());
     let prefixed = prefixed.and_then(|unit| Unit::parse(unit).ok()?.with_power(power));

@@ -1,12 +1,12 @@
-//! A value with its standard error, both to the same digit.
+//! A value with its standard error, both written to the same digit.
 
 use super::digits::is_error;
 use super::plain::{exponent, mantissa, plain, power_shown};
 use super::sign::push_power;
 use super::{Layout, Style};
 
-/// A value and its error: `0.387 ± 0.003`, `0.3867 ± 0.0021`, `(1.20 ± 0.05)×10⁶`. The error has two significant digits if
-/// its first is 1 or 2, else one. Without an error that is positive and finite, the value alone with six digits.
+/// Value and error as text: `0.387 ± 0.003`, `0.3867 ± 0.0021`, `(1.20 ± 0.05)×10⁶`. The error has two significant digits
+/// if its first digit is 1 or 2, otherwise one. Without a positive, finite error: the value with six digits.
 pub fn with_error(value: f64, error: Option<f64>, style: Style) -> String {
     let known = known(value, error).and_then(|error| Some((error, Layout::of_errors([(value, error)])?)));
     match known {
@@ -15,26 +15,26 @@ pub fn with_error(value: f64, error: Option<f64>, style: Style) -> String {
     }
 }
 
-/// A value and its error in the short form that gives the error in units of the value's last digits: `9.6093(21)`,
-/// `−0.0027(12)`, `12.3(4.5)`, `12.35(23)×10³`. The error has two significant digits. Without an error that is positive and
-/// finite, the value alone with six digits.
+/// Value and error in concise form, with the error in units of the last digits of the value: `9.6093(21)`, `−0.0027(12)`,
+/// `12.3(4.5)`, `12.35(23)×10³`. The error has two significant digits. Without a positive, finite error: the value with six
+/// digits.
 ///
-/// The form and the two digits are those of the Guide to the Expression of Uncertainty in Measurement (JCGM 100:2008,
-/// 7.2.2 and 7.2.6).
+/// Form and number of digits follow the Guide to the Expression of Uncertainty in Measurement (JCGM 100:2008, 7.2.2 and
+/// 7.2.6).
 pub fn concise(value: f64, error: Option<f64>, style: Style) -> String {
     let Some(error) = known(value, error) else {
         return plain(value, 6, style);
     };
     let last = exponent(error, 2) - 1;
     let mut power = power_shown(exponent(value.abs().max(error), 3), last, 0);
-    // The digits in parentheses are never left of the decimal sign's place.
+    // The digits in parentheses must not end left of the decimal sign.
     while power < last {
         power += 3;
     }
     let mut text = mantissa(value, last, power, style);
     text.push('(');
     let digits = match power - last {
-        // The decimal sign of the value lies between the digits of the error.
+        // The decimal sign of the value falls between the two digits of the error.
         1 => mantissa(error, last, power, style),
         _ => mantissa(error, last, last, style),
     };
@@ -74,7 +74,7 @@ mod tests {
             (0.6, 12.0, "1 ± 12"),
             (1.5e7, 2e5, "(15.00 ± 0.20)×10⁶"),
             (0.25, 0.0, "0.25"),
-            // What rounding leaves is no error.
+            // Rounding errors do not count as errors.
             (0.3, 4.4e-17, "0.3"),
             (10.471_975_511_965_976, 1.1e-15, "10.472"),
             (-0.5e-15, 0.5e-15, "(−0.5 ± 0.5)×10⁻¹⁵"),

@@ -1,7 +1,7 @@
-//! Numbers as text that reads back exactly: for files and links.
+//! Numbers as text that reads back exactly, for files and links.
 
-/// The fewest digits that read back as the same number; plain from 1e-5 to 1e16, with an exponent elsewhere. What is not
-/// finite is empty.
+/// Fewest digits that read back as the same number; plain from 1e-5 to 1e16, otherwise with an exponent. Empty if the
+/// number is not finite.
 pub fn shortest(value: f64) -> String {
     let magnitude = value.abs();
     if !value.is_finite() {
@@ -13,7 +13,7 @@ pub fn shortest(value: f64) -> String {
     }
 }
 
-/// The same number in the fewest characters: `1e5`, not `100000`. For links.
+/// Fewest characters that read back as the same number, for links: `1e5`, not `100000`.
 pub fn compact(value: f64) -> String {
     let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
     if plain.len() <= scientific.len() { plain } else { scientific }

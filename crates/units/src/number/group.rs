@@ -1,4 +1,4 @@
-//! Numbers that stand together: written with the same unit, power of ten and number of decimals.
+//! Groups of numbers with a common unit, power of ten and number of decimals.
 
 use super::digits::{is_error, last_digit};
 use super::plain::{exponent, mantissa, plain, power_shown, rounded};
@@ -6,17 +6,17 @@ use super::sign::{error_with_unit, push_power, with_unit};
 use super::{Style, unit_text};
 use crate::Unit;
 
-/// Where the digits of a group of numbers end, and what power of ten is taken out of them.
+/// Position of the last digit and power of ten of a group of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
     power: i32,
-    /// The exponent of the last digit.
+    /// Decimal exponent of the last digit.
     last: i32,
 }
 
 impl Layout {
-    /// For numbers up to this size, which is written with so many significant digits; smaller ones have the same decimals.
-    /// A swinging value then keeps its width and its resolution.
+    /// Layout for numbers up to `scale`, which has `digits` significant digits; smaller numbers have the same decimals. An
+    /// oscillating value then keeps its width and resolution.
     pub fn of_scale(scale: f64, digits: usize) -> Self {
         if scale == 0.0 || !scale.is_finite() {
             return Self { power: 0, last: 0 };
@@ -24,18 +24,18 @@ impl Layout {
         let first = exponent(scale, digits);
         let last = first + 1 - digits.clamp(1, 17) as i32;
         let power = power_shown(first, last, digits);
-        // Digits before the decimal sign are written in full.
+        // Digits before the decimal sign are all written.
         Self { power, last: last.min(power) }
     }
 
-    /// For numbers with so many decimals, whatever their size.
+    /// Layout with this number of decimals for numbers of any size.
     pub fn of_decimals(decimals: usize) -> Self {
         Self { power: 0, last: -i32::try_from(decimals.min(400)).unwrap_or(0) }
     }
 
-    /// For values with errors, written as [`super::with_error`] writes them. The smallest error decides where the digits
-    /// end, so that none is rounded to zero. Errors that are not positive and finite, or no more than rounding, count for nothing; `None` without any
-    /// other.
+    /// Layout for values with errors (value, error), as in [`super::with_error`]. The smallest error determines the last
+    /// digit, so that no error is rounded to zero. Errors that are not positive and finite, or not above rounding, are
+    /// ignored; `None` if there is no other.
     pub fn of_errors(measured: impl IntoIterator<Item = (f64, f64)>) -> Option<Self> {
         let known = |(value, error): &(f64, f64)| is_error(*value, *error);
         let (mut size, mut least) = (0.0_f64, f64::INFINITY);
@@ -54,12 +54,12 @@ impl Layout {
         Some(Self { power, last })
     }
 
-    /// One of the numbers.
+    /// A number of the group as text.
     pub fn number(self, value: f64, style: Style) -> String {
         rounded(value, self.last, self.power, style)
     }
 
-    /// One of the values with its error. Without an error that is positive and finite, the value alone.
+    /// A value of the group with its error as text; only the value if the error is not positive and finite.
     pub fn with_error(self, value: f64, error: f64, style: Style) -> String {
         if !is_error(value, error) {
             return self.number(value, style);
@@ -74,28 +74,29 @@ impl Layout {
     }
 }
 
-/// Numbers of one quantity, given in SI, with the unit in which they are written.
+/// Numbers of one quantity, given in SI units, and the unit in which they are written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
     unit: Unit,
-    /// `None` where nothing says how many digits are known of them.
+    /// `None` if the number of significant digits is unknown.
     layout: Option<Layout>,
     style: Style,
 }
 
-/// Significant digits of a number of which nothing says how many are known.
+/// Significant digits if the number of known digits is unknown.
 const DIGITS: usize = 6;
 
 impl Group {
-    /// For values of a size (SI) up to `scale`, which is written with so many significant digits.
+    /// Group of values up to `scale` (SI units), which has `digits` significant digits.
     pub fn of_scale(unit: &Unit, scale: f64, digits: usize, style: Style) -> Self {
         let unit = unit.for_size(unit.from_si(scale).abs());
         let layout = Layout::of_scale(unit.from_si(scale).abs(), digits);
         Self { unit, layout: Some(layout), style }
     }
 
-    /// For residuals and errors (SI): the greatest decides the unit, finer than it would be for a value; all have the
-    /// decimals that the smallest needs for so many significant digits, but no more than three beyond those of the greatest.
+    /// Group of residuals or errors (SI units). The greatest determines the unit, which is finer than for values. All have
+    /// the decimals that the smallest needs for `digits` significant digits, but at most three more than the greatest
+    /// needs.
     pub fn of_residuals(unit: &Unit, sizes: &[f64], digits: usize, style: Style) -> Self {
         let known = sizes.iter().map(|size| size.abs()).filter(|size| size.is_finite() && *size > 0.0);
         let (least, greatest) =
@@ -107,7 +108,7 @@ impl Group {
         Self { unit, layout: Some(Layout { power, last }), style }
     }
 
-    /// For values with errors, both SI.
+    /// Group of values with errors (value, error), both in SI units.
     pub fn of_errors(unit: &Unit, measured: &[(f64, f64)], style: Style) -> Self {
         let known = |(value, error): &&(f64, f64)| is_error(*value, *error);
         let size =
@@ -118,28 +119,28 @@ impl Group {
         Self { unit, layout, style }
     }
 
-    /// The unit in which they are written.
+    /// Unit in which the numbers are written.
     pub fn unit(&self) -> &Unit {
         &self.unit
     }
 
-    /// The same for people; empty for a pure number.
+    /// The unit as displayed; empty for a pure number.
     pub fn unit_text(&self) -> String {
         unit_text(&self.unit.text)
     }
 
-    /// One of the numbers, without its unit.
+    /// A number of the group, given in SI units, without unit.
     pub fn number(&self, si: f64) -> String {
         let value = self.unit.from_si(si);
         self.layout.map_or_else(|| plain(value, DIGITS, self.style), |layout| layout.number(value, self.style))
     }
 
-    /// One of the numbers with its unit.
+    /// A number of the group, given in SI units, with unit.
     pub fn quantity(&self, si: f64) -> String {
         with_unit(&self.number(si), &self.unit)
     }
 
-    /// One of the values with its error, without the unit. Without an error that is positive and finite, the value alone.
+    /// A value and its error, both given in SI units, without unit; only the value if the error is not positive and finite.
     pub fn with_error(&self, value: f64, error: f64) -> String {
         match self.layout {
             Some(layout) => layout.with_error(self.unit.from_si(value), self.unit.from_si(error), self.style),
@@ -147,7 +148,7 @@ impl Group {
         }
     }
 
-    /// The same with the unit, which then holds for both: `(0.5 ± 0.7) mm/s`.
+    /// [`Group::with_error`] with the unit for both: `(0.5 ± 0.7) mm/s`.
     pub fn quantity_with_error(&self, value: f64, error: f64) -> String {
         error_with_unit(&self.with_error(value, error), &self.unit_text())
     }

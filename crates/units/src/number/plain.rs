@@ -1,20 +1,20 @@
-//! Single numbers, to so many digits or decimals.
+//! Single numbers with a given number of digits or decimals.
 
 use super::sign::{dress, place_point, push_power};
 use super::{DASH, Style};
 
-/// The least exponent of a first digit that is written out whatever the number of decimals.
+/// Smallest exponent of the first digit of a number that is written in full with any number of decimals.
 const LEAST: i32 = -3;
 
-/// Below that, so many decimals may be written out.
+/// Maximum number of decimals of smaller numbers written in full.
 const DECIMALS: i32 = 5;
 
-/// The exponent of a first digit from which on a power of ten is taken out, unless more digits are asked for.
+/// Exponent of the first digit from which on a power of ten is factored out, unless more digits are asked for.
 const LARGE: i32 = 6;
 
-/// At most `digits` significant digits, without zeros at the end: for values that stand still.
+/// At most `digits` significant digits, without trailing zeros: for constant values.
 ///
-/// `0.05`, `13534`, `1.2×10⁶`, `−3`; [`DASH`] where `value` is not finite.
+/// Examples: `0.05`, `13534`, `1.2×10⁶`, `−3`; [`DASH`] if `value` is not finite.
 pub fn plain(value: f64, digits: usize, style: Style) -> String {
     significant(value, digits, style, true)
 }
@@ -24,13 +24,13 @@ pub fn steady(value: f64, digits: usize, style: Style) -> String {
     significant(value, digits, style, false)
 }
 
-/// Exactly `decimals` digits after the decimal sign, whatever the size.
+/// Exactly `decimals` digits after the decimal sign, for numbers of any size.
 pub fn fixed(value: f64, decimals: usize, style: Style) -> String {
     let last = -i32::try_from(decimals.min(400)).unwrap_or(0);
     rounded(value, last, 0, style)
 }
 
-/// How many decimals a number has, rounded to so many significant digits: 2 for 0.05, 0 for 20.
+/// Number of decimals of a value rounded to `digits` significant digits, without trailing zeros: 2 for 0.05, 0 for 20.
 pub fn decimals(value: f64, digits: usize) -> usize {
     if value == 0.0 || !value.is_finite() {
         return 0;
@@ -41,15 +41,16 @@ pub fn decimals(value: f64, digits: usize) -> usize {
     usize::try_from(-last - zeros as i32).unwrap_or(0)
 }
 
-/// A number near to one, such as a coefficient of determination, with two digits of what it lacks: `0.99948`.
+/// A number close to one, such as a coefficient of determination, with two significant digits of its difference from 1:
+/// `0.99948`.
 pub fn near_one(value: f64, style: Style) -> String {
     let lack = 1.0 - value;
     let decimals = if lack > 0.0 && lack < 0.1 { (1 - exponent(lack, 2)).clamp(2, 12) } else { 2 };
     rounded(value, -decimals, 0, style)
 }
 
-/// The roundest decimal number between `low` and `high`: the fewest significant digits, then nearest the middle.
-/// For sliders, so that they stop at 50 and not at 49.837.
+/// The roundest decimal number between `low` and `high`: the one with the fewest significant digits, then the one nearest
+/// to the middle. Sliders use it to stop at 50, not at 49.837.
 pub fn roundest(low: f64, high: f64) -> f64 {
     let middle = low + (high - low) / 2.0;
     if low <= 0.0 && high >= 0.0 {
@@ -79,7 +80,7 @@ fn significant(value: f64, digits: usize, style: Style, trim: bool) -> String {
     rounded(value, if power == 0 { last.min(0) } else { last }, power, style)
 }
 
-/// `value` over ten to the `power`, rounded to the digit of 10^`last`, and the power.
+/// `value` divided by 10^`power`, rounded to the digit of 10^`last`, followed by the power.
 pub(super) fn rounded(value: f64, last: i32, power: i32, style: Style) -> String {
     let mut text = mantissa(value, last, power, style);
     if value.is_finite() {
@@ -88,7 +89,7 @@ pub(super) fn rounded(value: f64, last: i32, power: i32, style: Style) -> String
     text
 }
 
-/// The same without the power.
+/// [`rounded`] without the power.
 pub(super) fn mantissa(value: f64, last: i32, power: i32, style: Style) -> String {
     if !value.is_finite() {
         return DASH.to_owned();
@@ -98,31 +99,31 @@ pub(super) fn mantissa(value: f64, last: i32, power: i32, style: Style) -> Strin
     dress(&text, style)
 }
 
-/// The exponent of the first of `digits` significant decimal digits, after rounding.
+/// Decimal exponent of the first digit, after rounding to `digits` significant digits.
 pub(super) fn exponent(value: f64, digits: usize) -> i32 {
     let scientific = format!("{:.*e}", digits.clamp(1, 17) - 1, value.abs());
     scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
 }
 
-/// The power of ten that is taken out of a number whose digits go from 10^`first` to 10^`last`: none where it is easily
-/// read as it is, or where `digits` are asked for and it has no more; else a multiple of three.
+/// Power of ten factored out of a number with digits from 10^`first` to 10^`last`: 0 if the number is easily read as it is
+/// or has at most `digits` digits, otherwise a multiple of three.
 pub(super) fn power_shown(first: i32, last: i32, digits: usize) -> i32 {
     let large = LARGE.max(digits as i32);
     if (LEAST..large).contains(&first) || (first < LEAST && last >= -DECIMALS) { 0 } else { first.div_euclid(3) * 3 }
 }
 
-/// The size of `value` as the nearest whole number of units of 10^`last`, in decimal digits. It is rounded once, in
-/// decimal, to even where it lies in the middle.
+/// Magnitude of `value` in units of 10^`last`, rounded to an integer, as decimal digits. It is rounded once, in decimal,
+/// ties to even.
 fn units_of(value: f64, last: i32) -> String {
     let size = value.abs();
     if size == 0.0 || !size.is_finite() {
         return "0".to_owned();
     }
-    // Eighteen digits tell every double from the power of ten above it.
+    // 18 significant digits distinguish every double from the next power of ten.
     let first = exponent_of(&format!("{size:.17e}"));
     let Ok(digits) = usize::try_from(first - last) else {
         let up = match usize::try_from(-last) {
-            // Exact, which half of a decimal is not.
+            // Exact; half a unit in decimal is not.
             Ok(decimals) => format!("{size:.decimals$}").ends_with('1'),
             Err(_) => place_point("5", last - 1).parse().is_ok_and(|half: f64| size > half),
         };
@@ -131,7 +132,7 @@ fn units_of(value: f64, last: i32) -> String {
     let text = format!("{size:.digits$e}");
     let figures = text.bytes().take_while(|byte| *byte != b'e').filter(u8::is_ascii_digit);
     let mut figures: String = figures.map(char::from).collect();
-    // 9.96 to a tenth is 10.0: a digit more.
+    // 9.96 rounded to a tenth is 10.0: one digit more.
     if exponent_of(&text) > first {
         figures.push('0');
     }

@@ -1,10 +1,11 @@
-//! Numbers as people type them.
+//! Parsing of typed numbers.
 
 use super::Style;
 
-/// A number and the text that follows it, blanks trimmed: `40 cm` is 40 and `cm`, `1,5×10³` is 1500 and nothing.
-/// Accepts a decimal comma or point, a true minus, `e3` and `×10^3`, and blanks between groups of three digits. In a
-/// language with decimal points `13,534` is read with its comma between thousands. `None` when no finite number leads.
+/// Parses a number; returns it with the text after it, both trimmed: `40 cm` gives 40 and `cm`, `1,5×10³` gives 1500 and an
+/// empty text. Accepts decimal comma or point, the minus sign U+2212, `e3` and `×10^3`, and blanks between groups of three
+/// digits. In a style with decimal points the comma of `13,534` separates thousands. `None` if the text does not begin with
+/// a finite number.
 pub fn parse(text: &str, style: Style) -> Option<(f64, &str)> {
     let text = text.trim();
     let mut digits = String::new();
@@ -44,7 +45,7 @@ fn three_digits_follow(text: &str) -> bool {
     digits == 3
 }
 
-/// Digits with at most one decimal point from what was typed.
+/// The typed digits with at most one decimal point; `None` if they are no number.
 fn decimal(typed: &str, style: Style) -> Option<String> {
     let mut text: String = typed.chars().filter(|character| !character.is_whitespace()).collect();
     if !text.bytes().any(|byte| byte.is_ascii_digit()) {
@@ -58,7 +59,7 @@ fn decimal(typed: &str, style: Style) -> Option<String> {
     let rest: Vec<&str> = groups.collect();
     let grouped =
         (1..=3).contains(&first.len()) && !first.starts_with('0') && rest.iter().all(|group| group.len() == 3);
-    // A single point is decimal in every language: half the Spanish-speaking world writes it so.
+    // A single point is always decimal: many Spanish-speaking countries use it.
     let enough = if style.decimal_comma { rest.len() > 1 || text.contains(',') } else { !rest.is_empty() };
     if grouped && enough {
         text = text.replace(thousands, "");
@@ -67,7 +68,7 @@ fn decimal(typed: &str, style: Style) -> Option<String> {
     (text.matches('.').count() <= 1).then_some(text)
 }
 
-/// The exponent of `e3`, `E-3`, `×10³`, `*10^3`, and what follows it.
+/// The exponent of `e3`, `E-3`, `×10³` or `*10^3`, and the text after it; 0 if there is none.
 fn power_of_ten(text: &str) -> (i32, &str) {
     let none = (0, text);
     let plain = text.strip_prefix(['e', 'E']);
@@ -98,7 +99,7 @@ fn power_of_ten(text: &str) -> (i32, &str) {
     }
 }
 
-/// A digit or sign, raised or not, as ASCII.
+/// A digit or sign, superscript or not, as ASCII.
 fn lowered(character: char) -> Option<char> {
     match character {
         '0'..='9' | '-' => Some(character),

@@ -1,9 +1,9 @@
-//! Signs around digits: the true minus, the decimal sign, powers of ten, units with raised exponents.
+//! Typography of numbers: minus sign, decimal sign, powers of ten, units with superscripts.
 
 use super::{DASH, Style};
 use crate::Unit;
 
-/// Digits with a decimal point in the signs of a language. A zero has no minus.
+/// Replaces decimal point and minus by the signs of the style. Zero gets no minus.
 pub(super) fn dress(text: &str, style: Style) -> String {
     let zero = !text.bytes().any(|byte| (b'1'..=b'9').contains(&byte));
     let text = if zero { text.trim_start_matches('-') } else { text };
@@ -11,7 +11,7 @@ pub(super) fn dress(text: &str, style: Style) -> String {
     if style.decimal_comma { text.replace('.', ",") } else { text }
 }
 
-/// `digits * 10^exponent` as decimal digits with a point: `15` and -1 are `1.5`, `15` and 2 are `1500`.
+/// `digits * 10^exponent` as decimal number with a point: `15` and -1 give `1.5`, `15` and 2 give `1500`.
 pub(super) fn place_point(digits: &str, exponent: i32) -> String {
     if exponent >= 0 {
         let zeros = if digits == "0" { 0 } else { exponent as usize };
@@ -31,13 +31,13 @@ pub(super) fn push_power(out: &mut String, exponent: i32) {
     }
 }
 
-/// Writes a power of ten, `10⁻⁶`.
+/// Appends a power of ten, `10⁻⁶`.
 pub fn write_power(out: &mut String, exponent: i32) {
     out.push_str("10");
     out.push_str(&superscript(exponent));
 }
 
-/// A whole number as an exponent, `⁻³`.
+/// An integer as superscript, `⁻³`.
 pub fn superscript(number: i32) -> String {
     number.to_string().chars().map(raise).collect()
 }
@@ -58,12 +58,12 @@ fn raise(character: char) -> char {
     }
 }
 
-/// A symbol that has letters of its own: `deg` as `°`, `kohm` as `kΩ`.
+/// Displayed form of a symbol: `°` for `deg`, `kΩ` for `kohm`.
 pub(crate) fn symbol_text(symbol: &str) -> String {
     if symbol == "deg" { "°".to_owned() } else { symbol.replace("ohm", "Ω") }
 }
 
-/// A unit's text for people: `kg/m^3` as `kg/m³`, `Pa s` as `Pa·s`, `deg/s` as `°/s`.
+/// Displayed form of a unit: `kg/m³` for `kg/m^3`, `Pa·s` for `Pa s`, `°/s` for `deg/s`.
 pub fn unit_text(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
@@ -90,7 +90,7 @@ pub fn unit_text(text: &str) -> String {
     out
 }
 
-/// A number with its unit: `0.05 m²`, `30°`. A dash stands alone.
+/// A number with its unit: `0.05 m²`, `30°`. A dash gets no unit.
 pub fn with_unit(number: &str, unit: &Unit) -> String {
     if unit.text.is_empty() || number == DASH {
         return number.to_owned();
@@ -101,8 +101,7 @@ pub fn with_unit(number: &str, unit: &Unit) -> String {
     }
 }
 
-/// A value and its error, as [`super::with_error`] writes them, with the text of a unit that then holds for both:
-/// `(0.5 ± 0.7) mm/s`.
+/// A value and its error, as written by [`super::with_error`], with a unit for both: `(0.5 ± 0.7) mm/s`.
 pub fn error_with_unit(text: &str, unit: &str) -> String {
     if unit.is_empty() || text == DASH {
         return text.to_owned();

@@ -1,4 +1,4 @@
-//! Columns against single instructions.
+//! Compares columns with single instructions.
 
 use super::*;
 use crate::code::run;
@@ -15,7 +15,7 @@ impl Arbitrary {
 
 const STATES: usize = 50;
 
-/// What repeats and what does not: layers of one operation on neighbours, on one common value and on anything.
+/// A graph with and without repetition: layers of one operation on neighbours, on one common value or on arbitrary nodes.
 fn graph(arbitrary: &mut Arbitrary) -> (Graph, Vec<NodeId>) {
     const UNARY: [Unary; 4] = [Unary::Negate, Unary::Sin, Unary::Absolute, Unary::Exp];
     const BINARY: [Binary; 6] =
@@ -66,7 +66,7 @@ fn values<const ROWS: usize>(code: &mut Code, order: &[u32]) -> Vec<u64> {
     code.registers = registers.iter().map(|values| values[ROWS - 1]).collect();
     let mut out = vec![0.0; code.roots.len()];
     code.copy_roots(&mut out);
-    // The sign and the payload of NaN are nobody's.
+    // Sign and payload of NaN are not specified.
     out.iter().map(|value| if value.is_nan() { 1 } else { value.to_bits() }).collect()
 }
 

@@ -1,59 +1,59 @@
-//! From one point of the grid to the next: steps of the method, events on the way.
+//! Advance from one grid point to the next: steps of the method and events on the way.
 
 use super::{RowWork, Solver, Stepper};
 use crate::events::crossing::Crossing;
 use crate::methods::adaptive::Stalled;
 use crate::{AfterJump, Cause, Method, Record, RunError};
 
-/// How far [`Stepper::advance_within`] got.
+/// Result of [`Stepper::advance_within`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Progress {
-    /// To the next point of the grid, with so many events on the way.
+    /// The next grid point is reached.
     Row {
-        /// The number of events.
+        /// Number of events on the way.
         events: usize,
     },
-    /// Not yet there: the work allowed is done.
+    /// The allowed work is used up before the next grid point.
     Partial,
 }
 
-/// Where a step ends before its time, because something happens.
+/// Early end of a step at an event or switch.
 #[derive(Clone, Copy, Debug)]
 struct Early {
-    /// The last moment before.
+    /// Last moment before it.
     before: f64,
-    /// The first moment behind.
+    /// First moment after it.
     beyond: f64,
-    /// The least time in which the state changes there.
+    /// Shortest time in which the state changes there.
     resolution: f64,
 }
 
 impl Early {
-    /// A crossing in a step that started at `start` and took `size` to `end`.
+    /// Early end at a crossing (relative to `start`) in a step of `size` from `start` to `end`.
     fn new(crossing: Crossing, start: f64, size: f64, end: f64) -> Self {
-        // With rounding, the start and the size do not always give the end.
+        // With rounding, `start + size` may differ from `end`.
         let beyond = if crossing.high == size { end } else { (start + crossing.high).min(end) };
         Self { before: start + crossing.low, beyond, resolution: crossing.high - crossing.low }
     }
 }
 
 impl Stepper {
-    /// Most events within a hundredth of a step; more stop the run, because time would stand still.
+    /// Maximum number of events within a hundredth of a step; more of them stop the run, because time would hardly advance.
     pub const BURST_LIMIT: usize = 1000;
-    /// Most switches of the equations within a step of the grid; more stop the run. Switches need not come together to keep time
-    /// from going on: where a controller acts on a second derivative they grow denser by a constant factor in each step.
+    /// Maximum number of switches of the equations within one step of the grid; more of them stop the run. The switches of a
+    /// relay that acts on a second derivative grow denser by a constant factor from step to step.
     pub const SWITCH_LIMIT: usize = 10_000;
-    /// The part of a step in which they are counted.
+    /// Fraction of a step within which events are counted.
     const BURST_SPAN: f64 = 1e-2;
-    /// So many steps of an adaptive method between two grid points stop the run.
+    /// Maximum number of steps of an adaptive method between two grid points; more of them stop the run.
     pub const STEP_LIMIT: usize = 100_000;
 
-    /// Goes to the next point of the grid; `record` receives every row on the way: time, state, and whether the state
-    /// jumped there from the row before. The result is the number of events.
+    /// Advances to the next grid point. `record` receives every row on the way: time, state, and true if the state jumped
+    /// there from the row before. Returns the number of events.
     ///
     /// # Errors
-    /// A state that is no longer finite, too many events, a step that has become too small or too many of them. The state
-    /// is then the last finite one, and every further try gives the same error until parameters change.
+    /// A state that is no longer finite, too many events or steps, or a step size that became too small. The state is then
+    /// the last finite one, and every further call returns the same error until parameters change.
     pub fn advance(&mut self, mut record: impl FnMut(f64, &[f64], bool)) -> Result<usize, RunError> {
         loop {
             if let Progress::Row { events } = self.advance_within(u64::MAX, &mut record)? {
@@ -62,9 +62,8 @@ impl Stepper {
         }
     }
 
-    /// [`Stepper::advance`], but with no more than about `work` floating-point operations ([`Stepper::work`]); where these
-    /// are not enough the next call goes on. At least one step is made. The bits of the rows are the same however the work
-    /// is divided.
+    /// [`Stepper::advance`] with at most about `work` floating-point operations ([`Stepper::work`]), but at least one step.
+    /// If they are not enough, the next call continues. The bits of the rows do not depend on the division of the work.
     ///
     /// # Errors
     /// As [`Stepper::advance`].
@@ -79,18 +78,18 @@ impl Stepper {
         Ok(Progress::Row { events: std::mem::take(&mut self.row).events })
     }
 
-    /// Whether it stands between two points of the grid after [`Progress::Partial`]: not after an error.
+    /// True if the stepper is between two grid points after [`Progress::Partial`]; false after an error.
     pub fn is_between_rows(&self) -> bool {
         self.row.steps > 0 && self.stopped.is_none()
     }
 
-    /// Goes on beyond an event that has ended the run.
+    /// Continues after an event that ended the run.
     pub fn go_on(&mut self) {
         self.stopped.take_if(|error| error.is_end());
     }
 
-    /// Goes to any later time, which need not be on the grid, without a record and beyond events that end a run; the result
-    /// is the number of events.
+    /// Advances to any later time (SI units), which need not be on the grid, without a record. Events that end a run act
+    /// but do not end it. Returns the number of events.
     ///
     /// # Errors
     /// As [`Stepper::advance`].
@@ -104,7 +103,7 @@ impl Stepper {
         result.map(|_| std::mem::take(&mut self.row).events)
     }
 
-    /// [`Stepper::advance_until`]; after an error every further try gives the same one.
+    /// [`Stepper::advance_until`]; after an error every further call returns the same error.
     fn try_until(&mut self, target: f64, work: u64, record: &mut impl Record) -> Result<bool, RunError> {
         if let Some(error) = &self.stopped {
             return Err(error.clone());
@@ -116,7 +115,7 @@ impl Stepper {
         result
     }
 
-    /// Goes towards a time; whether it is reached.
+    /// Advances towards `target`. True if it is reached.
     fn advance_until(&mut self, target: f64, work: u64, record: &mut impl Record) -> Result<bool, RunError> {
         if self.counts {
             return self.count_until(target, work, record);
@@ -131,7 +130,7 @@ impl Stepper {
         Ok(true)
     }
 
-    /// Lets a press act, or makes one step towards `target`, to where something happens or to the next press.
+    /// Lets a press act, or makes one step towards `target`, which ends early at an event, a switch or the next press.
     pub(super) fn advance_once(&mut self, target: f64, record: &mut impl Record) -> Result<(), RunError> {
         if self.press(record)? {
             return Ok(());
@@ -155,8 +154,8 @@ impl Stepper {
         Ok(())
     }
 
-    /// One step to `target`, or to where something happens before.
-    // Not inlined: `advance` is compiled with its caller, which in the page is optimised for size.
+    /// Makes one step to `target`, or to an earlier event or switch.
+    // Not inlined: `advance` is compiled with its caller, which is optimized for size on the page.
     fn fixed(&mut self, target: f64) -> Result<Option<Early>, RunError> {
         let Solver::Fixed(method) = &mut self.solver else {
             return Ok(None);
@@ -188,7 +187,7 @@ impl Stepper {
         Ok(None)
     }
 
-    /// Goes on to `target` or to the end of the method's own step, whichever is first, or to where something happens before.
+    /// Advances to `target` or to the end of the step of the method, whichever is first, or to an earlier event or switch.
     fn adaptive(&mut self, target: f64) -> Result<Option<Early>, RunError> {
         let Solver::Adaptive(method) = &mut self.solver else {
             return Ok(None);
@@ -206,7 +205,7 @@ impl Stepper {
         let until = target.min(method.end());
         let expected = self.surfaces.timetable.next(self.time, until, &self.state);
         let until = expected.map_or(until, |expected| expected.high);
-        // A row of the grid is the same whether something is pressed there or not.
+        // A grid row must not depend on whether a button is pressed there.
         let on_grid = until == (self.index + 1) as f64 * self.step;
         if until == method.end() {
             self.next.copy_from_slice(method.end_state());
@@ -234,12 +233,12 @@ impl Stepper {
         Ok(None)
     }
 
-    /// An error at the present time.
+    /// An error at the current time.
     fn error(&self, cause: Cause) -> RunError {
         RunError { cause, time: self.time }
     }
 
-    /// Lets the next press act if it is of the present moment. What it changes leaves a row.
+    /// Lets the next press act if it is due now. Its changes add a row. True if a press acted.
     pub(super) fn press(&mut self, record: &mut impl Record) -> Result<bool, RunError> {
         if self.presses.next().is_none_or(|next| next > self.time) {
             return Ok(false);
@@ -250,7 +249,7 @@ impl Stepper {
         Ok(true)
     }
 
-    /// Goes on behind a switch of the equations. Where they jump, the moment leaves two rows, before and behind it.
+    /// Continues after a switch of the equations. If the rates jump, two rows are recorded, before and after it.
     fn switch(&mut self, early: Early, record: &mut impl Record) -> Result<(), RunError> {
         let began = self.time;
         self.surfaces.approach(&mut self.equations, early.before);
@@ -279,7 +278,7 @@ impl Stepper {
         Ok(())
     }
 
-    /// Lets the located events act.
+    /// Runs the actions of the located events.
     fn jump(&mut self, early: Early, record: &mut impl Record) -> Result<(), RunError> {
         self.time = early.before;
         self.state.copy_from_slice(self.surfaces.before());
@@ -288,8 +287,8 @@ impl Stepper {
         self.act(fired, early.resolution, record)
     }
 
-    /// Goes on behind the events that have `fired` and behind those that become due by them. `resolution` is the least time in
-    /// which the state changes.
+    /// Continues after events of which `fired` have acted, and runs those that become due by them. `resolution` is the
+    /// shortest time in which the state changes.
     pub(super) fn act(&mut self, mut fired: usize, resolution: f64, record: &mut impl Record) -> Result<(), RunError> {
         self.on_grid = false;
         loop {
@@ -323,7 +322,7 @@ impl Stepper {
     }
 }
 
-/// Why a state that a step has given cannot be taken.
+/// Cause of an error for a state that is not finite.
 pub(super) fn not_finite(state: &[f64], singular: bool, method: Method) -> Cause {
     let first = state.iter().position(|value| !value.is_finite()).unwrap_or_default();
     if singular {

@@ -1,11 +1,12 @@
-//! Runs whose independent variable counts: nothing happens between two counts, and each leaves one row, that after its events.
+//! Runs with a counting independent variable (discrete time): nothing happens between two counts, and each count gives one
+//! row, recorded after its events.
 
 use super::advance::not_finite;
 use super::{Solver, Stepper};
 use crate::{AfterJump, Cause, Record, RunError};
 
 impl Stepper {
-    /// Goes towards a count, or to a time between two of them; whether it is reached.
+    /// Advances towards a count or a time between two counts. True if it is reached.
     pub(super) fn count_until(&mut self, target: f64, work: u64, record: &mut impl Record) -> Result<bool, RunError> {
         let begun = self.work();
         loop {
@@ -25,9 +26,9 @@ impl Stepper {
         }
     }
 
-    /// Goes on to the next count and lets the events of that moment act.
+    /// Advances to the next count and runs its events.
     fn count(&mut self, next: f64, record: &mut impl Record) -> Result<(), RunError> {
-        // What the run sums up so far is all that has rates.
+        // Only running sums of the model have rates.
         if let Solver::Fixed(method) = &mut self.solver {
             method.step(&mut self.equations, self.time, next - self.time, &self.state, &mut self.next);
         }

@@ -1,13 +1,13 @@
-//! The end of a run: what happens there happens, as it would in a longer run.
+//! End of a run: processes everything up to the end time, as a longer run would.
 
 use super::Stepper;
 use crate::{AfterJump, Record, RunError};
 
-/// Upper bound of the rounding of a time, relative to it. Moments are products and sums, so an event that is meant for the end
-/// of a run can lie a little behind it.
+/// Upper bound of the rounding of a time, relative to it. Times are products and sums, so an event meant for the end of a
+/// run can be slightly after it.
 pub const ROUNDING: f64 = 1e-12;
 
-/// Rows that may have to be given up.
+/// Rows of a trial that may be discarded.
 #[derive(Default)]
 struct Rows(Vec<(f64, Vec<f64>, bool, Option<AfterJump>)>);
 
@@ -24,11 +24,11 @@ impl Record for Rows {
 }
 
 impl Stepper {
-    /// Lets everything happen that happens at `end` or before it, where it stands less than a row before `end` or there: events,
-    /// presses and switches. Every row is one that a longer run has, too, and going on from here gives the bits of that run.
+    /// Processes the events, presses and switches up to `end` (SI units) if the stepper is less than a row before `end`.
+    /// Every row is also one of a longer run, and continuing from here gives the bits of that run.
     ///
     /// # Errors
-    /// An event that ends the run. Other errors lie behind the end.
+    /// An event that ends the run. Other errors concern times after the end and are ignored.
     pub fn finish(&mut self, end: f64, record: &mut impl Record) -> Result<(), RunError> {
         if self.stopped.is_some() || (self.surfaces.events.is_empty() && self.presses.next().is_none()) {
             return Ok(());

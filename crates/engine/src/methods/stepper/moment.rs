@@ -1,10 +1,10 @@
-//! Moments: what decides how a stepper goes on, and how it goes on from there.
+//! Moments of a stepper: saving and restoring its state.
 
 use super::{RowWork, Solver, Stepper};
 use crate::methods::adaptive::LastStep;
 use crate::{AfterJump, Press};
 
-/// Everything that decides how a stepper goes on, besides its model and setup.
+/// Everything that determines how a stepper continues, besides its model and setup.
 #[derive(Clone, Debug)]
 pub(crate) struct Moment {
     time: f64,
@@ -16,7 +16,7 @@ pub(crate) struct Moment {
 }
 
 impl Moment {
-    /// The memory it takes.
+    /// Memory, in bytes.
     pub fn bytes(&self) -> usize {
         let numbers = size_of::<f64>() * (self.state.len() + self.parameters.len());
         numbers + self.armed.len() + size_of::<Self>() + self.last_step.as_ref().map_or(0, LastStep::bytes)
@@ -24,7 +24,7 @@ impl Moment {
 }
 
 impl Stepper {
-    /// Begins a new run at 0 with other parameters and another initial state, as if it were a new stepper.
+    /// Begins a new run at 0 with other parameters and another initial state (SI units), as a new stepper would.
     pub fn begin(&mut self, parameters: Vec<f64>, initial: &[f64]) {
         self.initial.copy_from_slice(initial);
         if let Solver::Adaptive(adaptive) = &mut self.solver {
@@ -33,7 +33,7 @@ impl Stepper {
         self.resume(0.0, initial, parameters, None);
     }
 
-    /// Goes on from another moment. Where the state has just jumped, `after` is known besides.
+    /// Continues from another moment. `after` has the additional data if the state has just jumped.
     pub(crate) fn resume(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, after: Option<&AfterJump>) {
         self.stand_at(time, state, parameters, after.map(|after| after.presses));
         self.restart();
@@ -46,17 +46,17 @@ impl Stepper {
         }
     }
 
-    /// Follows these presses; those that have acted are the first of them.
+    /// Replaces the presses; those that have acted must be the first ones of the list.
     pub(crate) fn set_presses(&mut self, presses: &[Press]) {
         self.presses.replace(presses);
     }
 
-    /// The moment of the next press.
+    /// Time of the next press, SI units.
     pub(crate) fn next_press(&self) -> Option<f64> {
         self.presses.next()
     }
 
-    /// What has to be known to go on from here with the same bits.
+    /// The current moment, to continue from here later with the same bits.
     pub(crate) fn moment(&self) -> Moment {
         Moment {
             time: self.time,
@@ -71,7 +71,7 @@ impl Stepper {
         }
     }
 
-    /// Goes on from a moment, with the bits with which it went on then.
+    /// Continues from a saved moment with the same bits.
     pub(crate) fn go_on_from(&mut self, moment: &Moment) {
         self.stand_at(moment.time, &moment.state, moment.parameters.clone(), Some(moment.presses));
         self.surfaces.events.set_armed(&moment.armed);
@@ -92,14 +92,14 @@ impl Stepper {
         self.prepare();
     }
 
-    /// Finds the last grid point at or before the present time.
+    /// Finds the last grid point at or before the current time.
     pub(super) fn find_grid(&mut self) {
         self.index = grid_index(self.time, self.step);
         self.on_grid = self.index as f64 * self.step == self.time;
     }
 }
 
-/// The number of the last grid point at or before a time.
+/// Index of the last grid point at or before `time`; `time` and `step` in the same unit.
 pub(crate) fn grid_index(time: f64, step: f64) -> u64 {
     let mut index = (time / step) as u64;
     while index > 0 && index as f64 * step > time {

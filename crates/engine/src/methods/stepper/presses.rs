@@ -1,16 +1,16 @@
-//! Presses of buttons: a step ends where one is, and there its event acts.
+//! Presses of buttons: a step ends at each press, and its event acts there.
 
 use crate::Press;
 use program::Model;
 
-/// The presses that a stepper follows.
+/// The presses of a run.
 #[derive(Clone, Debug)]
 pub(super) struct Presses {
-    /// For each button its event.
+    /// Index of the event of each button.
     events: Vec<usize>,
-    /// In the order of time.
+    /// Ascending in time.
     list: Vec<Press>,
-    /// How many have acted.
+    /// Number of presses that have acted.
     acted: usize,
 }
 
@@ -20,30 +20,30 @@ impl Presses {
         Self { events, list: list.to_vec(), acted: 0 }
     }
 
-    /// How many have acted.
+    /// Number of presses that have acted.
     pub fn acted(&self) -> usize {
         self.acted
     }
 
-    /// Goes back or on to a moment at which so many have acted; those before `time` where it is not known.
+    /// Moves to a moment at which `acted` presses have acted; `None`: all presses before `time`.
     pub fn stand_at(&mut self, time: f64, acted: Option<usize>) {
         let before = || self.list.partition_point(|press| press.time < time);
         self.acted = acted.unwrap_or_else(before).min(self.list.len());
     }
 
-    /// The moment of the next one.
+    /// Time of the next press, SI units.
     pub fn next(&self) -> Option<f64> {
         self.list.get(self.acted).map(|press| press.time)
     }
 
-    /// Another list, of which those that have acted are the first.
+    /// Replaces the list; presses that have acted must be its first ones.
     pub fn replace(&mut self, list: &[Press]) {
         self.list.clear();
         self.list.extend_from_slice(list);
         self.acted = self.acted.min(list.len());
     }
 
-    /// The event of the next one, which acts now.
+    /// Marks the next press as acted and returns the index of its event.
     pub fn take(&mut self) -> Option<usize> {
         let press = self.list.get(self.acted)?;
         self.acted += 1;

@@ -9,7 +9,7 @@ impl Table {
     /// Writes the headings: `t [s],y [m],y' [m/s]`.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write_head(&self, dialect: Dialect, out: &mut impl Write) -> fmt::Result {
         out.write_str(dialect.start())?;
         for (index, column) in self.columns.iter().enumerate() {
@@ -22,7 +22,7 @@ impl Table {
     /// Writes one row.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write_row(&mut self, dialect: Dialect, history: &History, row: usize, out: &mut impl Write) -> fmt::Result {
         for (index, cell) in self.row(history, row).iter().enumerate() {
             separate(index, dialect, out)?;

@@ -1,8 +1,8 @@
-//! What the tests of the engine share.
+//! Helpers shared by the tests of the engine.
 use engine::{Method, Readings, Run, Setup};
 use program::Model;
 
-/// The model that `text` states.
+/// The model described by `text`.
 pub fn model(text: &str) -> Model {
     let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));
     let model = model.map(|checked| checked.model);

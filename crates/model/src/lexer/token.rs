@@ -96,8 +96,8 @@ pub(super) const KEYWORDS: &[(&str, Keyword)] = &[
 /// Bytes that can stand second in a symbol of the language or of another tool.
 pub(super) const JOINED: &[u8] = b"=<>*/";
 
-/// The symbol that a character is unless one of [`JOINED`] follows: nearly all symbols of a model are found so, without going through
-/// the lists.
+/// Symbol of a single character, valid unless one of [`JOINED`] follows. Finds nearly all symbols of a model without
+/// searching the lists.
 pub(super) fn lone(character: char) -> Option<Symbol> {
     Some(match character {
         '+' => Symbol::Plus,

@@ -241,8 +241,8 @@ fn power(dimension: Dimension, order: u32) -> Dimension {
     Exponent::new(i64::from(order), 1).and_then(|order| dimension.power(order)).unwrap_or(Dimension::NONE)
 }
 
-/// Lowers an event. A crossing becomes two events, one per direction; at equality on the start both conditions are already
-/// true.
+/// Lowers an event. A crossing becomes two events, one per direction. If the two sides are equal at the start, both
+/// conditions are already true.
 fn lower_event(
     lowering: &mut Lowering,
     declarations: &Declarations,

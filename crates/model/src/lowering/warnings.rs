@@ -96,7 +96,7 @@ fn set_twice(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Dia
     }
 }
 
-/// Warns of friction written with `sign`: near rest the sign reverses in every step (chattering).
+/// Warns of friction written with `sign`: near rest both signs drive the speed back to 0 (chattering).
 fn friction_by_sign(model: &Model, declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) {
     let Some(held) = model.held(false) else { return };
     let mut moving = model.clone();

@@ -97,9 +97,9 @@ pub enum ExpressionKind {
 pub struct Over {
     /// The index.
     pub index: Name,
-    /// Its least value.
+    /// Least value.
     pub low: Expression,
-    /// Its greatest value; if that is less than the least, it takes none.
+    /// Greatest value; there are no values if it is less than the least one.
     pub high: Expression,
 }
 

@@ -227,7 +227,7 @@ pub struct ChosenValue {
 /// `b = 2*m*omega_0 in [kg/s]`, for example in a preset.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assignment {
-    /// What gets the value.
+    /// Name of the parameter.
     pub name: Name,
     /// The value.
     pub value: Expression,

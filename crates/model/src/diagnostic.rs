@@ -43,7 +43,7 @@ impl Span {
 /// Severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// The document runs, but the reader should know.
+    /// The document runs, but the author should know.
     Warning,
     /// The document does not run.
     Error,
@@ -103,7 +103,7 @@ pub struct Diagnostic {
     pub notes: Vec<Words>,
     /// Remedies.
     pub hints: Vec<Words>,
-    /// Those remedies that an editor can apply.
+    /// Remedies that an editor can apply.
     pub fixes: Vec<Fix>,
 }
 

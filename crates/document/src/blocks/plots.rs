@@ -1,5 +1,6 @@
 //! Figures: `"Phase portrait": y' against y`, `"Orbits": y_1 against x_1, y_2 against x_2, equal axes`,
-//! `"Section": points theta' against theta every 2*pi/Omega`, `... at drive`, `"Resonance": A against omega in 1..12 [rad/s]`, `"Bifurcations": points x from 50 against r in 2.5..4`.
+//! `"Section": points theta' against theta every 2*pi/Omega`, `... at drive`,
+//! `"Resonance": A against omega in 1..12 [rad/s]`, `"Bifurcations": points x from 50 against r in 2.5..4`.
 
 use super::curves;
 use super::curves::Placed;

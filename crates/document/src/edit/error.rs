@@ -50,7 +50,7 @@ pub enum EditError {
     NewName(String),
     /// Not all places of this name could be found.
     Incomplete(String),
-    /// Where `old` stands, `new` is an argument, an index or another local name.
+    /// At a place of `old`, `new` is an argument, an index or another local name.
     Captured {
         /// Name to be changed.
         old: String,

@@ -49,7 +49,8 @@
 //!
 //! A statement ends with its line, unless a parenthesis is open or the line ends in an operator; see `layout.rs`. `#`
 //! begins a comment. UNIT is `[` ... `]` and is read by the `units` crate; TEXT stands in quotation marks; RAISED are
-//! characters such as ²; AXIS is `.x`, `.y` or `.z` without a blank before it; PRIMES follow their name without a blank, and so do INDICES: `[` expression { "," expression } `]`.
+//! characters such as ²; AXIS is `.x`, `.y` or `.z` without a blank before it; PRIMES follow their name without a blank,
+//! and so do INDICES: `[` expression { "," expression } `]`.
 //!
 //! The parser never fails. It returns what it could parse, with [`ExpressionKind::Error`] for the rest, and reports the
 //! reasons. After an error it continues with the next statement, so that each mistake is reported once. Nesting depth is

@@ -144,7 +144,7 @@ mod tests {
         assert_eq!(find_any_word("within é", 0..9, "within"), Some(0..6));
     }
 
-    /// Each word that connects expressions may be the name of a quantity, too.
+    /// Each connecting word can also be the name of a quantity.
     #[test]
     fn names_are_no_connecting_words() {
         for word in CONNECTING {

@@ -185,7 +185,7 @@ fn written(graph: &mut Graph, mut products: Vec<(NodeId, Option<NodeId>)>) -> No
 mod tests {
     use super::*;
 
-    /// How many nodes vary, which is what a step has to compute.
+    /// Number of nodes that vary, which must be evaluated in each step.
     fn work(graph: &Graph, root: NodeId) -> usize {
         let mut variation = Variation::default();
         let operations = graph

@@ -48,7 +48,7 @@ pub enum Cause {
     TooManyEvents(usize, Option<usize>),
     /// This event has ended the run, as the document wants it.
     Ended(usize),
-    /// The equations have switched more than so many times in a hundredth of a step.
+    /// The equations have switched more than this number of times within one step of the grid.
     TooManySwitches(usize),
 }
 
@@ -211,8 +211,8 @@ impl RunError {
                 }
             },
             Cause::TooManySwitches(limit) => words!(
-                "the equations switch to and fro without end: more than {limit} times in a hundredth of a step, at {moment}",
-                "las ecuaciones conmutan sin fin de un lado a otro: más de {limit} veces en una centésima de paso, en {moment}",
+                "the equations switch to and fro without end: more than {limit} times in one step, at {moment}",
+                "las ecuaciones conmutan sin fin de un lado a otro: más de {limit} veces en un paso, en {moment}",
                 moment = moment
             ),
         }
@@ -267,9 +267,10 @@ impl RunError {
             ),
             Cause::Ended(_) => words("press Play to go on from there", "pulsa Reproducir para seguir desde ahí"),
             Cause::TooManySwitches(_) => words(
-                "both sides of a condition or of `sign` lead back to it; if it is dry friction, write `coulomb(v, F)`",
+                "both sides of a condition or of `sign` lead back to it; if it is dry friction, write `coulomb(v, F)`; if it is a \
+                 controller, let it switch on and off at different values",
                 "ambos lados de una condición o de `sign` llevan de vuelta a ella; si es un rozamiento seco, escribe \
-                 `coulomb(v, F)`",
+                 `coulomb(v, F)`; si es un regulador, haz que conecte y desconecte con valores distintos",
             ),
         }
     }

@@ -6,6 +6,7 @@
 
 pub mod calibration;
 pub mod camera;
+pub mod capacity;
 pub mod containers;
 mod plane;
 pub mod table;

@@ -4,8 +4,8 @@
 use crate::app::App;
 use crate::{film, tabs};
 use desk::{Desk, Gathering, LONGEST_RECORD, RecordProgress, Refusal};
-use view::browser;
 use view::views::*;
+use view::{browser, messages};
 use web_sys::File;
 
 /// A slice of work takes so many milliseconds.
@@ -49,6 +49,7 @@ pub fn read(app: App, files: Vec<File>) {
         !lab.files.is_empty() && !std::mem::replace(&mut lab.reading, true)
     });
     if begins.unwrap_or_default() {
+        messages::forget_errors(app.page);
         wasm_bindgen_futures::spawn_local(async move {
             while let Some(file) = app.with(|lab| lab.files.pop_front()).flatten() {
                 let refusal = read_file(app, &file).await;

@@ -1,6 +1,6 @@
 //! Expressions of the document (scene, plots, presets, answers) against a checked model.
 
-use crate::dimensions::{Form, Inference, Solver, Type, Types};
+use crate::dimensions::{Alike, Form, Inference, Solver, Type, Types};
 use crate::families::{Bindings, expression_without_families, whole_number};
 use crate::functions::{Budget, Functions};
 use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
@@ -157,6 +157,7 @@ impl<'a> Compiler<'a> {
             scope: &self.scope,
             types: &mut self.types,
             solver: Solver::default(),
+            alike: Alike::default(),
             diagnostics: Vec::new(),
         };
         let mut found = inference.expression(expression);

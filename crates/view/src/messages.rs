@@ -11,6 +11,11 @@ pub fn leave_document(app: App) {
     app.messages.update(|messages| messages.retain(|message| message.is_error));
 }
 
+/// Takes away errors that refer to an earlier file.
+pub fn forget_errors(app: App) {
+    app.messages.update(|messages| messages.retain(|message| !message.is_error));
+}
+
 /// Undoes what the line offers to undo.
 pub fn undo(app: App) -> bool {
     let offered = app.messages.with_untracked(|messages| {

@@ -108,8 +108,8 @@ impl TrackerError {
                 "marca una masa puntual en varios fotogramas en Tracker y guarda el proyecto; no nombra ningún vídeo que se pueda seguir aquí",
             ),
             Self::NoMass { film: true } | Self::OneFrame { film: true } => (
-                "mark a point mass in Tracker and save the project, or track its film here",
-                "marca una masa puntual en Tracker y guarda el proyecto, o sigue aquí su vídeo",
+                "mark a point mass in Tracker and save the project, or track its film: with Open film in the page, or with `meniscus track`",
+                "marca una masa puntual en Tracker y guarda el proyecto, o sigue su vídeo: con Abrir un vídeo en la página, o con «meniscus track»",
             ),
             Self::Entities | Self::Damaged => (
                 "open it in Tracker and save it again, or export the table there: File > Export > Data File",

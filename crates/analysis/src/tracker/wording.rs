@@ -39,10 +39,10 @@ impl Remark {
                 times
                     + &say(
                         format!(
-                            "; the film{place}, `{film}`, has a time for each frame, which is better: `meniscus track` reads it"
+                            "; the film{place}, `{film}`, has a time for each frame, which is better: track it, with Open film in the page or with `meniscus track`"
                         ),
                         format!(
-                            "; el vídeo{place}, «{film}», tiene un tiempo para cada fotograma, que es mejor: «meniscus track» lo lee"
+                            "; el vídeo{place}, «{film}», tiene un tiempo para cada fotograma, que es mejor: síguelo, con Abrir un vídeo en la página o con «meniscus track»"
                         ),
                     )
             }
@@ -74,8 +74,8 @@ impl Remark {
                 );
                 let remedy = match film {
                     Some(film) => say(
-                        format!("; the film, `{film}`, has a time for each frame: `meniscus track` reads it"),
-                        format!("; el vídeo, «{film}», tiene un tiempo para cada fotograma: «meniscus track» lo lee"),
+                        format!("; the film, `{film}`, has a time for each frame: track it, with Open film in the page or with `meniscus track`"),
+                        format!("; el vídeo, «{film}», tiene un tiempo para cada fotograma: síguelo, con Abrir un vídeo en la página o con «meniscus track»"),
                     ),
                     None => say(
                         "; set the frame rate in Tracker and save the project".to_owned(),

@@ -1,14 +1,14 @@
 //! From pixels to tracks.
 
 use super::arguments::{Body, Given, Place, Track as Arguments};
-use super::clock::Clock;
+use super::clock::{Clock, displayed};
 use super::decoding::Decoding;
-use super::opened::{Opened, refused};
+use super::opened::{Opened, refused, refused_with};
 use crate::failure::Failure;
-use film::Plane;
 use film::tracking::body;
 use film::tracking::column::{Click, Settings, SpaceTimePicture};
 use film::tracking::{Following, Known, Plan, Refusal, Surface, Track};
+use film::{Plane, capacity};
 use indicatif::ProgressBar;
 use units::{Words, words};
 
@@ -31,7 +31,9 @@ pub struct Followed {
 /// Tracks what was clicked. Frames that repeat the picture before are left out in a second reading: their times are wrong.
 pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &ProgressBar) -> Result<Followed, Failure> {
     let refusal = |refusal: Refusal| refused(&film.path, refusal.words());
-    let mut following = Following::new(plan(film, clock, arguments)?).map_err(refusal)?;
+    let plan = plan(film, clock, arguments)?;
+    capacity::check(&plan, film.size).map_err(|refusal| too_long(film, clock, &refusal))?;
+    let mut following = Following::new(plan).map_err(refusal)?;
     let mut still = None;
     while following.wanted().is_some() {
         // Surfaces are found by grey values.
@@ -50,6 +52,25 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     Ok(Followed { tracks: following.tracks().into_iter().cloned().collect(), notes, still, pictures })
 }
 
+/// A part with more frames than fit into memory, and how to end it in time.
+fn too_long(film: &Opened, clock: &Clock, refusal: &Refusal) -> Failure {
+    let last = match refusal {
+        Refusal::Long { frames } => clock.frames.get(frames.saturating_sub(1)),
+        _ => None,
+    };
+    let Some(time) = last.and_then(|frame| film.times.get(*frame)) else {
+        return refused(&film.path, refusal.words());
+    };
+    let count = clock.frames.len();
+    let hint = words!(
+        "the part has {count} frames; end it with --until {until}, and track the rest from there with --from",
+        "la parte tiene {count} fotogramas; termínala con --until {until} y sigue el resto desde ahí con --from",
+        count = Words::same(count.to_string()),
+        until = Words::same(displayed(*time).english.into_owned())
+    );
+    refused_with(&film.path, refusal.words(), hint)
+}
+
 /// Reads the film once, with the frames that are wanted. The first of them is kept.
 fn read(
     film: &Opened,
@@ -58,11 +79,20 @@ fn read(
     (bar, coloured): (&ProgressBar, bool),
 ) -> Result<(), Failure> {
     let count = following.frames().last().map_or(0, |last| last.0 + 1);
-    let whole = count == film.times.len();
+    let whole = count == film.times.len() && !film.cut;
     let mut decoding = Decoding::begin(film, if whole { None } else { Some(count) }, coloured)?;
     bar.set_length(count as u64);
     for frame in 0..count {
         let Some(plane) = decoding.next()? else {
+            if frame == 0 {
+                let why = words!(
+                    "none of its {count} frames could be decoded, which are coded in {coding}",
+                    "no se pudo decodificar ninguno de sus {count} fotogramas, codificados en {coding}",
+                    count = Words::same(count.to_string()),
+                    coding = Words::same(film.coding.clone())
+                );
+                return Err(decoding.failure(film, why));
+            }
             let why = words!(
                 "the file lists {count} frames, and only {frame} could be decoded, so that their times are not certain; copy the film again, or end before the damage with --until",
                 "el archivo enumera {count} fotogramas y solo se pudieron decodificar {frame}, de modo que sus tiempos no son seguros; copia de nuevo el vídeo o termina antes del daño con --until"

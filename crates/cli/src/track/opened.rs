@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use film::calibration::Rotation;
-use film::containers::{Film, FilmError, MOST_SAMPLES, Opening};
+use film::containers::{Film, FilmError, MOST_SAMPLES, Notice, Opening};
 use film::y4m;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
@@ -21,6 +21,8 @@ pub struct Opened {
     pub path: PathBuf,
     /// Its size in bytes.
     pub bytes: u64,
+    /// The name of its coding.
+    pub coding: String,
     /// Where its pixels come from.
     pub pixels: Pixels,
     /// Width and height of the picture as it is stored, with square pixels.
@@ -35,6 +37,8 @@ pub struct Opened {
     pub stated_rate: Option<f64>,
     /// Frames that the camera took in a second, if the file says so.
     pub capture_rate: Option<f64>,
+    /// Whether the file is cut or damaged: `ffmpeg` may decode more frames than are there as a whole.
+    pub cut: bool,
     /// What a person should know about the file.
     pub notes: Vec<Words>,
 }
@@ -92,12 +96,13 @@ impl Opened {
             2 => Rotation::Half,
             _ => Rotation::ThreeQuarters,
         };
-        let mut notes: Vec<Words> = film.notices.iter().map(film::containers::Notice::words).collect();
-        let ([width, height], coding) = (upright.map(f64::round), film.codec.coding.name());
+        let mut notes: Vec<Words> = film.notices.iter().map(Notice::words).collect();
+        let ([width, height], coding) = (upright.map(f64::round), film.codec.label().to_owned());
         notes.insert(0, words!("{coding}, {width} x {height} pixels", "{coding}, {width} x {height} píxeles"));
         Self {
             path: path.to_owned(),
             bytes,
+            coding,
             pixels: Pixels::Coded,
             size: stored.map(|side| side.round() as usize),
             rotation,
@@ -105,6 +110,7 @@ impl Opened {
             times: film.times(),
             stated_rate: film.stated_rate,
             capture_rate: film.capture_rate,
+            cut: film.notices.iter().any(|notice| matches!(notice, Notice::Truncated { .. } | Notice::Broken { .. })),
             notes,
         }
     }
@@ -138,6 +144,7 @@ impl Opened {
         Ok(Self {
             path: path.to_owned(),
             bytes,
+            coding: "Y4M".to_owned(),
             pixels: Pixels::Plain,
             size: [width, height],
             rotation: Rotation::None,
@@ -146,6 +153,7 @@ impl Opened {
             times: (0..count).map(|frame| frame as f64 / rate).collect(),
             stated_rate: None,
             capture_rate: None,
+            cut: false,
             notes: vec![words!("Y4M, {width} x {height} pixels", "Y4M, {width} x {height} píxeles")],
         })
     }

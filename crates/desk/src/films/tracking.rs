@@ -5,9 +5,9 @@ use crate::films::record::Kept;
 use crate::films::state::Still;
 use crate::films::subject::{Subject, inside};
 use crate::{Announcement, Desk, Refusal};
-use film::Plane;
 use film::tracking::Following;
 use film::tracking::column::Click;
+use film::{Plane, capacity};
 
 /// How far a tracking is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,7 +89,8 @@ impl Desk {
         if !work.subject.needs_tracking() {
             return Err(self.film_refusal(&nothing_followed()));
         }
-        match Following::new(plan(&open.clip, work)) {
+        let plan = plan(&open.clip, work);
+        match capacity::check(&plan, open.clip.plane_size()).and_then(|()| Following::new(plan)) {
             Ok(following) => {
                 (open.following, open.running, open.reading, open.finished) = (Some(following), true, reading, reading);
                 open.pictures.clear();

@@ -57,7 +57,8 @@ struct RowWork {
     steps: usize,
     events: usize,
     event_burst: Burst,
-    switch_burst: Burst,
+    /// Switches of the equations.
+    switches: usize,
 }
 
 /// How many happenings there have been within a short time.

@@ -201,6 +201,28 @@ fn to_and_fro_without_end_is_said() {
     }
 }
 
+/// A relay that acts on a second derivative switches ever more often: its swings about the wanted value become shorter without end.
+#[test]
+fn a_relay_that_switches_ever_faster_is_said() {
+    for relay in ["sign(3 - w)", "(if w < 3 then 1 else -1)"] {
+        for method in [Method::RungeKutta4, Method::DormandPrince] {
+            let model = model(&format!(
+                "i' = 20 [1/s]*{relay} - 10 [1/s]*i - 1 [1/s]*w\nw' = 10 [1/s]*i - 2 [1/s]*w\ni(0) = 0\nw(0) = 0"
+            ));
+            let mut run = Run::start(&model, setup(&model, method, 0.05)).expect("starts");
+            let error = loop {
+                if let Err(error) = run.advance() {
+                    break error;
+                }
+                assert!(run.time() < 4.0, "{method} {relay}");
+            };
+            assert_eq!(error.code(), "too-many-switches", "{method} {relay}");
+            let w = run.history().column(1).last().copied().unwrap_or(f64::NAN);
+            assert!((w - 3.0).abs() < 1e-3, "{method} {relay}: {w}");
+        }
+    }
+}
+
 /// Crossings that depend on time alone are all seen, also when they follow one another faster than rows.
 #[test]
 fn no_event_in_time_is_skipped() {

@@ -18,22 +18,36 @@ pub enum Coding {
     Av1,
     /// A JPEG picture for each frame (Motion JPEG).
     Jpeg,
+    /// MPEG-4 Part 2, as XVID and DivX have it. No browser decodes it.
+    Mpeg4,
+    /// Apple ProRes. No browser decodes it.
+    ProRes,
     /// Grey values as they are.
     Raw,
+    /// Another one, which no browser decodes.
+    Other,
 }
 
 impl Coding {
-    /// Its name for people.
-    pub fn name(self) -> &'static str {
-        match self {
+    /// True if some browsers decode it.
+    pub fn is_in_browsers(self) -> bool {
+        !matches!(self, Self::Mpeg4 | Self::ProRes | Self::Other)
+    }
+
+    /// Its name for people; `None` for one that is known by the name in its file alone.
+    fn name(self) -> Option<&'static str> {
+        Some(match self {
             Self::H264 => "H.264",
             Self::Hevc => "HEVC (H.265)",
             Self::Vp8 => "VP8",
             Self::Vp9 => "VP9",
             Self::Av1 => "AV1",
             Self::Jpeg => "Motion JPEG",
+            Self::Mpeg4 => "MPEG-4 Part 2 (XVID, DivX)",
+            Self::ProRes => "Apple ProRes",
             Self::Raw => "Y8",
-        }
+            Self::Other => return None,
+        })
     }
 }
 
@@ -42,7 +56,8 @@ impl Coding {
 pub struct Codec {
     /// The way of coding.
     pub coding: Coding,
-    /// The codec string, such as `avc1.64001f`; for Motion JPEG, which has an image decoder, the type `image/jpeg`.
+    /// The codec string, such as `avc1.64001f`; for Motion JPEG, which has an image decoder, the type `image/jpeg`; for codings that
+    /// no browser decodes the name in the file.
     pub name: String,
     /// The `description` of WebCodecs: the record `avcC` or `hvcC`; empty for codings without one.
     pub description: Vec<u8>,
@@ -51,6 +66,29 @@ pub struct Codec {
 impl Codec {
     fn of(coding: Coding, name: impl Into<String>) -> Self {
         Self { coding, name: name.into(), description: Vec::new() }
+    }
+
+    /// The name of the coding for people.
+    pub fn label(&self) -> &str {
+        self.coding.name().unwrap_or(&self.name)
+    }
+
+    /// By the four characters of AVI, QuickTime and the headers of Windows in Matroska (fourcc.org; the table of RIFF tags of ffmpeg).
+    pub(super) fn of_four(four: [u8; 4]) -> Self {
+        match &four.map(|byte| byte.to_ascii_uppercase()) {
+            b"MJPG" | b"JPEG" | b"DMB1" => Self::jpeg(),
+            b"XVID" | b"DIVX" | b"DX50" | b"FMP4" | b"MP4V" | b"MP4S" | b"M4S2" | b"3IV2" | b"\x04\0\0\0" => {
+                Self::of(Coding::Mpeg4, printable(&four))
+            }
+            b"APCO" | b"APCS" | b"APCN" | b"APCH" | b"AP4H" | b"AP4X" => Self::of(Coding::ProRes, printable(&four)),
+            [0, 0, 0, 0] => Self::other(b"RGB"),
+            _ => Self::other(&four),
+        }
+    }
+
+    /// A coding that is known by its name in the file alone.
+    pub(super) fn other(name: &[u8]) -> Self {
+        Self::of(Coding::Other, printable(name))
     }
 
     /// Motion JPEG.
@@ -151,6 +189,12 @@ impl Codec {
         };
         Some(Self::of(Coding::Av1, format!("av01.{}.{:02}{tier}.{bits:02}", sequence >> 5, sequence & 0x1f)))
     }
+}
+
+/// A name in a file, of which 40 characters are enough.
+fn printable(name: &[u8]) -> String {
+    let printable = |&byte: &u8| if byte.is_ascii_graphic() { char::from(byte) } else { '?' };
+    name.iter().take(40).map(printable).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Why a file is not opened as a film, and what to do.
 
-use super::codec::Coding;
+use super::codec::{Codec, Coding};
 use super::limits::MOST_SAMPLES;
 use units::number::fixed;
 use units::{Language, Words, words};
@@ -24,10 +24,8 @@ pub enum FilmError {
     NoFrames,
     /// The frames are encrypted.
     Encrypted,
-    /// The frames are coded in a way that is not read, by the name that the file gives it.
-    UnknownCodec(String),
-    /// The program at hand has no decoder for this coding. The readers never return it; whoever decodes does.
-    NoDecoder(Coding),
+    /// This browser has no decoder for the coding. The readers never return it; whoever decodes does.
+    NoDecoder(Codec),
     /// The file ends before the list of its frames.
     Truncated {
         /// The size of the file in bytes.
@@ -46,8 +44,8 @@ pub enum FilmError {
 
 /// How to make a film that opens.
 const CONVERT: Words = words(
-    "convert it to MP4 with H.264 without changing its times, for instance with `ffmpeg -i FILM -fps_mode passthrough -c:v libx264 FILM.mp4`",
-    "conviértelo a MP4 con H.264 sin cambiar sus tiempos, por ejemplo con `ffmpeg -i VIDEO -fps_mode passthrough -c:v libx264 VIDEO.mp4`",
+    "convert it to MP4 with H.264 without changing its times, for instance with `ffmpeg -i FILM -fps_mode passthrough -c:v libx264 -pix_fmt yuv420p FILM.mp4`",
+    "conviértelo a MP4 con H.264 sin cambiar sus tiempos, por ejemplo con `ffmpeg -i VIDEO -fps_mode passthrough -c:v libx264 -pix_fmt yuv420p VIDEO.mp4`",
 );
 
 /// Bytes for people: `1.5 MB`.
@@ -60,12 +58,6 @@ pub(super) fn size(bytes: u64) -> String {
 }
 
 impl FilmError {
-    /// A coding by the name in the file, of which 40 characters are enough.
-    pub(super) fn unknown_codec(name: &[u8]) -> Self {
-        let printable = |&byte: &u8| if byte.is_ascii_graphic() { char::from(byte) } else { '?' };
-        Self::UnknownCodec(name.iter().take(40).map(printable).collect())
-    }
-
     /// What is wrong and what to do.
     pub fn words(&self) -> Words {
         match self {
@@ -102,20 +94,14 @@ impl FilmError {
                 "the film is encrypted and cannot be read; use a film of your own camera",
                 "el vídeo está cifrado y no se puede leer; usa uno de tu propia cámara",
             ),
-            Self::UnknownCodec(name) => words!(
-                "the frames are coded as `{name}`, which is not read; {convert}",
-                "los fotogramas están codificados como «{name}», que no se lee; {convert}",
-                name = Words::same(name.clone()),
-                convert = CONVERT
-            ),
-            Self::NoDecoder(Coding::Hevc) => words(
+            Self::NoDecoder(Codec { coding: Coding::Hevc, .. }) => words(
                 "the film is coded in HEVC (H.265), which this browser cannot decode. iPhones film in HEVC unless Settings > Camera > Formats is set to Most Compatible: set it so and film again, or convert the film to MP4 with H.264",
                 "el vídeo está codificado en HEVC (H.265), que este navegador no puede decodificar. Los iPhone graban en HEVC salvo que en Ajustes > Cámara > Formatos se elija «Más compatible»: elígelo y graba de nuevo, o convierte el vídeo a MP4 con H.264",
             ),
-            Self::NoDecoder(coding) => words!(
-                "the film is coded in {name}, which this browser cannot decode; {convert}",
-                "el vídeo está codificado en {name}, que este navegador no puede decodificar; {convert}",
-                name = Words::same(coding.name()),
+            Self::NoDecoder(codec) => words!(
+                "the film is coded in {name}, which this browser cannot decode; the program `meniscus track` reads it with ffmpeg, or {convert}",
+                "el vídeo está codificado en {name}, que este navegador no puede decodificar; el programa `meniscus track` lo lee con ffmpeg, o {convert}",
+                name = Words::same(codec.label().to_owned()),
                 convert = CONVERT
             ),
             Self::Truncated { bytes } => words!(

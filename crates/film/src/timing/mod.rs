@@ -1,5 +1,6 @@
 //! When the frames of a film were taken: how regular their times are, and what slow motion and converted films do to them.
 
+mod cadence;
 mod finding;
 mod intervals;
 mod repeats;

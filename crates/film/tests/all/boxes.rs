@@ -1,7 +1,7 @@
 //! MP4 files made here box by box: what no encoder at hand writes.
 
 use crate::support::open;
-use film::containers::{Container, FilmError, Notice};
+use film::containers::{Coding, Container, FilmError, Notice};
 
 /// A box.
 fn boxed(kind: &[u8; 4], parts: &[&[u8]]) -> Vec<u8> {
@@ -202,9 +202,28 @@ fn capture_rates() {
 fn what_is_not_read_is_named() {
     let coded = |entry: &[u8; 4]| open(&Made { entry: *entry, ..Made::new() }.file()).unwrap_err();
     assert_eq!(coded(b"encv"), FilmError::Encrypted);
-    assert_eq!(coded(b"apcn"), FilmError::UnknownCodec("apcn".into()));
-    assert_eq!(coded(b"\xa9\x00sv"), FilmError::UnknownCodec("??sv".into()));
     assert_eq!(coded(b"hvc1"), FilmError::Damaged { part: "stsd" }, "without its record");
+}
+
+/// Codings that browsers do not decode are read for the program, and named for the page.
+#[test]
+fn codings_without_a_decoder_in_browsers_are_named() {
+    for (entry, coding, label) in [
+        (b"mp4v", Coding::Mpeg4, "MPEG-4 Part 2 (XVID, DivX)"),
+        (b"XVID", Coding::Mpeg4, "MPEG-4 Part 2 (XVID, DivX)"),
+        (b"apcn", Coding::ProRes, "Apple ProRes"),
+        (b"ap4x", Coding::ProRes, "Apple ProRes"),
+        (b"AVdh", Coding::Other, "AVdh"),
+        (b"\xa9\x00sv", Coding::Other, "??sv"),
+    ] {
+        let film = open(&Made { entry: *entry, ..Made::new() }.file()).unwrap();
+        assert_eq!((film.codec.coding, film.codec.label()), (coding, label));
+        assert!(!coding.is_in_browsers());
+        let refusal = FilmError::NoDecoder(film.codec).words();
+        for text in [&refusal.english, &refusal.spanish] {
+            assert!(text.contains(label) && text.contains("ffmpeg -i") && text.contains("`meniscus track`"), "{text}");
+        }
+    }
 }
 
 /// Tables that promise more than they hold, before anything is allocated for them.

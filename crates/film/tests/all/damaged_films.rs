@@ -110,7 +110,7 @@ fn what_is_no_film_says_what_to_do() {
         assert_eq!(open(file), Err(error.clone()));
         assert!(error.words().english.contains(word), "{error:?}");
     }
-    let hevc = FilmError::NoDecoder(film::containers::Coding::Hevc).words();
+    let hevc = FilmError::NoDecoder(open(&bytes("hevc.mp4")).unwrap().codec).words();
     assert!(hevc.english.contains("Settings > Camera > Formats") && hevc.english.contains("Most Compatible"));
     assert!(hevc.spanish.contains("Ajustes > Cámara > Formatos"));
 }

@@ -1,7 +1,7 @@
 //! Matroska and AVI files made here: live ones, groups of blocks, indexes.
 
 use crate::support::{bytes, open, open_of_size};
-use film::containers::{Container, FilmError, Notice};
+use film::containers::{Coding, Container, FilmError, Notice};
 
 /// A part of the content of an element.
 enum Part {
@@ -135,10 +135,26 @@ fn what_is_not_read_is_named() {
     assert_eq!(error(track(VP9, encoded(0), vec![]), one_block()), FilmError::Packed);
     let laced = vec![Known(0x1f43_b675, vec![Bytes(0xe7, vec![0]), Bytes(0xa3, block(0, 0x86))])];
     assert_eq!(error(track(VP9, vec![], vec![]), laced), FilmError::Packed);
-    assert_eq!(error(track(b"V_THEORA", vec![], vec![]), one_block()), FilmError::UnknownCodec("V_THEORA".into()));
     assert_eq!(error(track(b"V_AV1", vec![], vec![]), one_block()), FilmError::Damaged { part: "CodecPrivate" });
     assert_eq!(error(track(VP9, vec![], vec![]), vec![]), FilmError::NoFrames);
     assert_eq!(error(Known(0x1654_ae6b, vec![]), one_block()), FilmError::NoVideo);
+}
+
+/// Codings that browsers do not decode: by the name of Matroska, and by the four characters in a header of Windows.
+#[test]
+fn codings_for_the_program_are_named() {
+    let header = |four: &[u8; 4]| vec![Bytes(0x63a2, [&[0; 16][..], four, &[0; 20]].concat())];
+    for (name, parts, coding, label) in [
+        (&b"V_THEORA"[..], vec![], Coding::Other, "V_THEORA"),
+        (b"V_MPEG4/ISO/ASP", vec![], Coding::Mpeg4, "MPEG-4 Part 2 (XVID, DivX)"),
+        (b"V_MS/VFW/FOURCC", header(b"DX50"), Coding::Mpeg4, "MPEG-4 Part 2 (XVID, DivX)"),
+        (b"V_MS/VFW/FOURCC", header(b"HFYU"), Coding::Other, "HFYU"),
+        (b"V_MS/VFW/FOURCC", header(b"MJPG"), Coding::Jpeg, "Motion JPEG"),
+        (b"V_PRORES", vec![], Coding::ProRes, "Apple ProRes"),
+    ] {
+        let film = open(&film(track(name, parts, vec![]), one_block())).unwrap();
+        assert_eq!((film.codec.coding, film.codec.label()), (coding, label));
+    }
 }
 
 #[test]

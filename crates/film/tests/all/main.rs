@@ -8,11 +8,14 @@ mod bodies;
 mod boxes;
 mod calibration;
 mod camera;
+mod capacity;
 mod columns;
 mod containers;
+mod cut_avi;
 mod damaged_films;
 mod disturbed_columns;
 mod elements;
+mod repeats;
 mod scenes;
 #[expect(dead_code, reason = "the example `bodies` draws all kinds")]
 mod stage;

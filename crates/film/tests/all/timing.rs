@@ -1,7 +1,7 @@
-//! Times of frames: rates, gaps, doubled times, slow motion, repeated pictures.
+//! Times of frames: rates, gaps, doubled times, slow motion.
 
 use crate::support::{bytes, open};
-use film::timing::{Finding, Intervals, TimeBase, repeats, slow_motion};
+use film::timing::{Finding, Intervals, TimeBase, slow_motion};
 
 /// Every finding on a list of times, in English.
 fn english(times: &[f64], stated: Option<f64>) -> Vec<String> {
@@ -125,24 +125,4 @@ fn slow_motion_divides_times() {
     for factor in [0.0, -2.0, f64::NAN, f64::INFINITY, 1e-9] {
         assert_eq!(TimeBase::new(&[0.0, 1.0], factor), None);
     }
-}
-
-/// Differences of a swing with noise: about 0.9 grey values at rest, 3 at its fastest; repeated frames differ by 0.05.
-#[test]
-fn repeated_pictures_are_found() {
-    let motion = |n: usize| 0.9 + 2.1 * libm::sin(n as f64 * 0.3).abs();
-    let film = |again: &dyn Fn(usize) -> bool| -> Vec<f64> {
-        (1..200).map(|n| if again(n) { 0.05 } else { motion(n) }).collect()
-    };
-    let expected = |again: &dyn Fn(usize) -> bool| -> Vec<usize> { (1..200).filter(|&n| again(n)).collect() };
-    let patterns: [&dyn Fn(usize) -> bool; 5] =
-        [&|n| n % 5 == 4, &|n| n % 2 == 1, &|n| n % 3 != 0, &|n| n % 6 == 0, &|n| n % 5 == 1 || n % 5 == 3];
-    for again in patterns {
-        assert_eq!(repeats(&film(again)), expected(again));
-    }
-    assert_eq!(repeats(&film(&|_| false)), [0; 0], "none");
-    assert_eq!(repeats(&film(&|n| n == 57)), [0; 0], "a single one");
-    assert_eq!(repeats(&film(&|n| n > 120)), [0; 0], "at rest from frame 121 on");
-    assert_eq!(repeats(&[0.0; 50]), [0; 0], "a still picture");
-    assert_eq!(repeats(&[]), [0; 0]);
 }

@@ -11,8 +11,8 @@ use desk::{Desk, FilmIdentity, FilmOpening, FilmRecipe, FilmTruth, LengthsForm, 
 use film::Plane;
 use film::containers::Film;
 use std::rc::Rc;
-use view::browser;
 use view::views::*;
+use view::{browser, messages};
 use web_sys::File;
 
 /// Endings of the names of films, and of what is taken for one.
@@ -42,8 +42,7 @@ pub fn open(app: App, file: File) {
     if !app.read(|_| true) {
         return app.complain(words::of(app).no_document.to_owned());
     }
-    // What was said of another file would stand over this one.
-    app.messages.set(Vec::new());
+    forget_errors(app);
     app.films.opening.set(Some(name.clone()));
     app.tab.set(tabs::MEASURE);
     wasm_bindgen_futures::spawn_local(async move {
@@ -57,6 +56,12 @@ pub fn open(app: App, file: File) {
             Ok(FilmOpening::SameName) => app.notify(words.same_name),
         }
     });
+}
+
+/// Takes away what was said of another file, which would stand over this film.
+fn forget_errors(app: App) {
+    messages::forget_errors(app.page);
+    app.record_refusal.set(None);
 }
 
 /// Opens a film by what the desk does with its identity and what its file says. Why that was not possible, in words.
@@ -81,6 +86,7 @@ pub async fn take(
 /// # Errors
 /// Why it could not be opened, in words.
 pub fn open_filmed(app: App, recipe: FilmRecipe, planes: Vec<Plane>, truth: FilmTruth) -> Result<FilmOpening, String> {
+    forget_errors(app);
     let opened = app.act_on_desk(|desk| {
         let opening = desk.open_filmed(recipe, planes.len(), truth).map_err(|why| desk.refusal_text(&why));
         Some(opening.map(|opening| (opening, desk.film().map(|film| film.clip().container().clone()))))

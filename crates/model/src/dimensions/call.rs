@@ -22,6 +22,12 @@ impl Inference<'_> {
             return Type::Unknown;
         };
         let user = || Words::same(format!("`{}`", function.name));
+        if let [first, ..] = arguments
+            && function.dimensions == Rule::Same
+            && self.are_alike(arguments)
+        {
+            return self.number(first, &user).map_or(Type::Unknown, Type::Number);
+        }
         let forms: Vec<Option<Form>> = arguments.iter().map(|argument| self.number(argument, &user)).collect();
         match function.dimensions {
             Rule::Pure | Rule::Whole => {

@@ -5,6 +5,7 @@
 //! there, not in the equations that use it. Initial values that are bare numbers come after the equations, because their
 //! unit was probably forgotten.
 
+use super::alike::{Alike, Part};
 use super::describe::with_article;
 use super::form::{Conflict, Form, Solver};
 use super::infer::Inference;
@@ -38,26 +39,35 @@ pub(crate) fn check_dimensions(
         unknowns: unknowns.iter().map(|_| solver.fresh()).collect(),
         unknown_names: unknowns.iter().map(|unknown| unknown.name.to_owned()).collect(),
     };
-    let mut inference = Inference { scope: &declarations.scope, types: &mut types, solver, diagnostics: Vec::new() };
+    let alike = Alike::of(unknowns);
+    let mut inference =
+        Inference { scope: &declarations.scope, types: &mut types, solver, alike, diagnostics: Vec::new() };
     inference.families(unknowns);
     inference.stated_initial_values(unknowns);
     inference.definitions(declarations, order);
     inference.initial_values(unknowns, |entry| !is_bare(entry.value));
     for equation in &declarations.equations {
-        let reported = inference.diagnostics.len();
-        inference.equation(equation);
-        if inference.diagnostics.len() == reported {
-            inference.confirm(&[equation.left, equation.right], declarations);
-        }
+        let sides = [equation.left, equation.right];
+        inference.check_once(inference.parts(&sides), |inference| {
+            let reported = inference.diagnostics.len();
+            inference.equation(equation);
+            if inference.diagnostics.len() == reported {
+                inference.confirm(&sides, declarations);
+            }
+        });
     }
     inference.initial_values(unknowns, |entry| is_bare(entry.value));
     for definition in &declarations.definitions {
         if let Some(stated) = definition.unit {
-            let reported = inference.diagnostics.len();
-            inference.stated(definition.value, stated);
-            if inference.diagnostics.len() == reported {
-                inference.confirm(&[definition.value], declarations);
-            }
+            let mut parts = inference.parts(&[definition.value]);
+            parts.push(Part::Number(Some(stated.unit.dimension), None));
+            inference.check_once(parts, |inference| {
+                let reported = inference.diagnostics.len();
+                inference.stated(definition.value, stated);
+                if inference.diagnostics.len() == reported {
+                    inference.confirm(&[definition.value], declarations);
+                }
+            });
         }
     }
     for event in &declarations.events {
@@ -125,7 +135,7 @@ impl Inference<'_> {
             self.types.numbers[index] = if definition.unit.is_none() { self.constant(definition.value) } else { None };
             self.types.definitions[index] = match definition.unit {
                 Some(stated) => Type::Number(stated.unit.dimension.into()),
-                None => self.expression(definition.value),
+                None => self.defined(index, definition.value),
             };
         }
     }
@@ -134,12 +144,19 @@ impl Inference<'_> {
     fn initial_values(&mut self, unknowns: &[Unknown], wanted: impl Fn(&InitialEntry) -> bool) {
         for (index, unknown) in unknowns.iter().enumerate() {
             for entry in unknown.initial.iter().flatten().filter(|entry| wanted(entry)) {
-                if let Some(stated) = entry.unit {
-                    self.stated(entry.value, stated);
-                } else if let Some(own) = self.state(index, entry.order) {
-                    let written = primed(unknown.name, entry.order);
-                    self.assigned(entry.value, &written, &own, entry.name.span);
-                }
+                let mut parts = self.parts(&[entry.value]);
+                parts.push(match entry.unit {
+                    Some(stated) => Part::Number(Some(stated.unit.dimension), None),
+                    None => Part::Name(Meaning::Variable(self.alike.first(index)), entry.order, None),
+                });
+                self.check_once(parts, |own| {
+                    if let Some(stated) = entry.unit {
+                        own.stated(entry.value, stated);
+                    } else if let Some(form) = own.state(index, entry.order) {
+                        let written = primed(unknown.name, entry.order);
+                        own.assigned(entry.value, &written, &form, entry.name.span);
+                    }
+                });
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Infers types and dimensions of expressions.
 
+use super::alike::Alike;
 use super::form::{Conflict, Form, Solver};
 use super::terms::{Place, Term};
 use super::types::{Type, Types};
@@ -12,18 +13,27 @@ use units::{Exponent, Words, words};
 const ARITHMETIC: Words = words("an arithmetic operation", "una operación aritmética");
 const POWER: Words = words("a power", "una potencia");
 
+#[cfg(test)]
+thread_local! {
+    /// Number of expressions whose type was inferred.
+    pub(super) static INFERRED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+}
+
 /// Infers the types of expressions and collects mismatches.
 #[derive(Debug)]
 pub(crate) struct Inference<'a> {
     pub scope: &'a Scope,
     pub types: &'a mut Types,
     pub solver: Solver,
+    pub alike: Alike,
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl Inference<'_> {
     /// The type of an expression.
     pub fn expression(&mut self, expression: &Expression) -> Type {
+        #[cfg(test)]
+        INFERRED.set(INFERRED.get() + 1);
         match &expression.kind {
             ExpressionKind::Number { unit: Some(unit), .. } => Type::Number(unit.dimension.into()),
             ExpressionKind::Number { value: 0.0, unit: None } => Type::Number(self.solver.fresh()),

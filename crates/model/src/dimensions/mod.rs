@@ -1,5 +1,6 @@
 //! Dimensions of expressions: inferred where not stated, and checked everywhere.
 
+mod alike;
 mod call;
 mod check;
 mod describe;
@@ -7,11 +8,15 @@ mod expansion;
 mod form;
 mod infer;
 mod mismatch;
+mod once;
 mod remedy;
 mod terms;
+#[cfg(test)]
+mod tests;
 mod tuple;
 mod types;
 
+pub(crate) use alike::Alike;
 pub(crate) use check::check_dimensions;
 pub(crate) use form::{Form, Solver};
 pub(crate) use infer::Inference;

@@ -7,7 +7,7 @@ use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
 use super::rank::is_singular;
 use crate::matching::{blocks, match_equations};
 use crate::names::{Declarations, Equation, Meaning, Unknown, for_each_name};
-use crate::{Diagnostic, Span};
+use crate::{Diagnostic, Span, limits};
 use program::{Graph, LinearSystem, Node, NodeId};
 use std::collections::HashMap;
 use units::words;
@@ -127,11 +127,15 @@ fn linear_equations(
 
 /// Error for a model with too many nodes.
 pub(crate) fn too_many_nodes(span: Span) -> Diagnostic {
-    let message = words(
-        "the model becomes too large here: the expressions it stands for have too many operations",
-        "el modelo se hace aquí demasiado grande: las expresiones que representa tienen demasiadas operaciones",
+    let most = limits::NODES;
+    let message = words!(
+        "the model becomes too large here: the expressions it stands for have too many operations, more than {most}",
+        "el modelo se hace aquí demasiado grande: las expresiones que representa tienen demasiadas operaciones, más de {most}"
     );
-    Diagnostic::error("model-too-large", message, span)
+    Diagnostic::error("model-too-large", message, span).with_hint(words(
+        "make families smaller, or define what their members share as a quantity of its own",
+        "haz más pequeñas las familias, o define lo que comparten sus miembros como una magnitud propia",
+    ))
 }
 
 /// Definitions that the equations use, in evaluation order.

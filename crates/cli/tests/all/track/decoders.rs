@@ -2,7 +2,7 @@
 
 use super::deviation;
 use super::scenes::{level, narrow, noisy, y4m};
-use super::{folder_with, tracked, tubes_film};
+use super::{folder_with, track, tracked, tubes_film};
 use crate::common::{Done, done, numbers, program};
 use crate::fit::word;
 use std::path::{Path, PathBuf};
@@ -98,20 +98,79 @@ fn has_ffmpeg() -> bool {
     std::process::Command::new("ffmpeg").arg("-version").output().is_ok_and(|output| output.status.success())
 }
 
+/// Codings and containers: those that browsers decode, and those that they do not.
 #[test]
 fn where_ffmpeg_is_installed_a_coded_film_gives_the_same_track() {
     if !has_ffmpeg() {
         return;
     }
     let (folder, film) = tubes_film();
-    let coded = folder.path().join("tubes.mov");
-    let words = ["-v", "error", "-i", word(&film), "-c:v", "mjpeg", "-q:v", "2", "-pix_fmt", "yuvj420p", word(&coded)];
-    let made = std::process::Command::new("ffmpeg").args(words).status().expect("it starts");
-    assert!(made.success());
     let plain = tracked(&film, &["--surface", "50,42"]).1;
-    let rows = tracked(&coded, &["--surface", "50,42"]).1;
-    assert_eq!(rows.len(), plain.len());
-    for (row, plain) in rows.iter().zip(&plain) {
-        assert!((row[0] - plain[0]).abs() < 1e-6 && (row[1] - plain[1]).abs() < 0.15, "{row:?} {plain:?}");
+    for (name, codec, pixels, options) in [
+        ("mjpeg.mov", "mjpeg", "yuvj420p", &["-q:v", "2"][..]),
+        ("asp.avi", "mpeg4", "yuv420p", &["-q:v", "2", "-vtag", "XVID"]),
+        ("reordered.avi", "mpeg4", "yuv420p", &["-q:v", "2", "-vtag", "DX50", "-bf", "2"]),
+        ("asp.mp4", "mpeg4", "yuv420p", &["-q:v", "2", "-bf", "2"]),
+        ("asp.mov", "mpeg4", "yuv420p", &["-q:v", "2"]),
+        ("prores.mov", "prores_ks", "yuv422p10le", &["-profile:v", "3"]),
+        ("prores.mkv", "prores_ks", "yuv422p10le", &[]),
+        ("lossless.avi", "ffvhuff", "yuv420p", &[]),
+    ] {
+        let coded = folder.path().join(name);
+        let words = [&["-v", "error", "-i", word(&film), "-c:v", codec, "-pix_fmt", pixels], options, &[word(&coded)]];
+        let made = std::process::Command::new("ffmpeg").args(words.concat()).status().expect("it starts");
+        assert!(made.success(), "{name}");
+        let rows = tracked(&coded, &["--surface", "50,42"]).1;
+        assert_eq!(rows.len(), plain.len(), "{name}");
+        for (row, plain) in rows.iter().zip(&plain) {
+            // Matroska keeps times in milliseconds.
+            assert!((row[0] - plain[0]).abs() < 6e-4 && (row[1] - plain[1]).abs() < 0.2, "{name}: {row:?} {plain:?}");
+        }
+    }
+    // Cut in the middle of a frame, which ffmpeg decodes as far as it is there.
+    let file = std::fs::read(folder.path().join("asp.avi")).expect("it was made");
+    let cut = folder.path().join("cut.avi");
+    std::fs::write(&cut, &file[..file.len() / 2]).expect("it can be written");
+    let done = track(&cut, &["--surface", "50,42"]);
+    assert_eq!(done.code, 0, "{}", done.stderr);
+    let rows = numbers(&done.stdout);
+    assert!((20..plain.len() - 20).contains(&rows.len()), "{}", rows.len());
+    let note = format!("of {} frames, {} are in its", plain.len(), rows.len());
+    assert!(done.stderr.contains(&note), "lacks «{note}»: {}", done.stderr);
+}
+
+/// More frames may be decoded of a cut film than are there as a whole: those are not used.
+#[test]
+fn a_cut_film_gives_the_frames_that_are_there() {
+    let file = std::fs::read(coded("mjpeg.avi")).expect("it is there");
+    let (_folder, film) = folder_with("cut.avi", &file[..file.len() * 2 / 3]);
+    let grey = |x: usize, y: usize, frame: u32| noisy(narrow(x as f64, y as f64, frame), x, y, frame);
+    let done = with_decoder(&film, &y4m([96, 64], 12, grey), &["--surface", "32,60"]);
+    assert_eq!(done.code, 0, "{}", done.stderr);
+    let rows = numbers(&done.stdout).len();
+    assert!(
+        (5..12).contains(&rows) && done.stderr.contains(&format!("of 12 frames, {rows} are in its")),
+        "{}",
+        done.stderr
+    );
+}
+
+/// The limit is known from the file: no decoder is started.
+#[test]
+fn too_many_frames_are_refused_before_they_are_decoded() {
+    let little = |numbers: &[u32]| numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<u8>>();
+    let chunk = |id: &[u8], content: &[u8]| [id, &little(&[content.len() as u32]), content].concat();
+    let header = [&b"vidsXVID"[..], &little(&[0, 0, 0, 1, 25, 0, 30_000, 0, 0, 0])].concat();
+    let format = [&little(&[40, 160, 120, 0x18_0001])[..], b"XVID", &[0; 20]].concat();
+    let stream = [&b"strl"[..], &chunk(b"strh", &header), &chunk(b"strf", &format)].concat();
+    let headers = chunk(b"LIST", &[&b"hdrl"[..], &chunk(b"LIST", &stream)].concat());
+    let frames = chunk(b"LIST", &[&b"movi"[..], &chunk(b"00dc", &[1, 2]).repeat(30_000)].concat());
+    let file = chunk(b"RIFF", &[&b"AVI "[..], &headers, &frames].concat());
+    let (folder, film) = folder_with("long.avi", &file);
+    let words = ["track", word(&film), "--surface", "50,42"];
+    let done = done(program().args(words).env("PATH", folder.path()).output().expect("the program starts"));
+    assert_eq!((done.code, done.stdout.as_str()), (2, ""));
+    for part in ["at most 27962 frames", "the part has 30000 frames", "--until 1118.44"] {
+        assert!(done.stderr.contains(part), "lacks «{part}»: {}", done.stderr);
     }
 }

@@ -132,3 +132,15 @@ fn stored_work_is_not_trusted() {
         assert_eq!(film.subject().is_nothing(), to.contains("1e9"));
     }
 }
+
+/// The limit follows from the container: no frame is decoded for it.
+#[test]
+fn a_film_that_is_too_long_is_refused_before_a_frame_is_asked_for() {
+    let mut desk = laboratory();
+    desk.open_film(identity("long.mp4"), container(30_000)).unwrap();
+    desk.follow_in_film(surface()).unwrap();
+    let refusal = desk.begin_tracking().unwrap_err();
+    let text = desk.refusal_text(&refusal);
+    assert!(text.contains("at most 10485 frames"), "{text}");
+    assert_eq!((desk.wanted_frame(), desk.is_tracking()), (None, false));
+}

@@ -38,8 +38,11 @@ impl Early {
 }
 
 impl Stepper {
-    /// So many events, or switches of the equations, within a hundredth of a step stop the run: time would stand still.
+    /// Most events within a hundredth of a step; more stop the run, because time would stand still.
     pub const BURST_LIMIT: usize = 1000;
+    /// Most switches of the equations within a step of the grid; more stop the run. Switches need not come together to keep time
+    /// from going on: where a controller acts on a second derivative they grow denser by a constant factor in each step.
+    pub const SWITCH_LIMIT: usize = 10_000;
     /// The part of a step in which they are counted.
     const BURST_SPAN: f64 = 1e-2;
     /// So many steps of an adaptive method between two grid points stop the run.
@@ -268,8 +271,9 @@ impl Stepper {
             self.surfaces.events.pass();
         }
         self.on_grid = self.time == target;
-        if self.row.switch_burst.add(1, self.time, self.step * Self::BURST_SPAN) > Self::BURST_LIMIT {
-            return Err(self.error(Cause::TooManySwitches(Self::BURST_LIMIT)));
+        self.row.switches += 1;
+        if self.row.switches > Self::SWITCH_LIMIT {
+            return Err(self.error(Cause::TooManySwitches(Self::SWITCH_LIMIT)));
         }
         self.restart();
         Ok(())

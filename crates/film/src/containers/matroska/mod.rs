@@ -119,7 +119,9 @@ impl Matroska {
                 let tracks = tracks(content()?);
                 self.further = tracks.len().saturating_sub(1);
                 let failed = tracks.iter().find_map(|track| track.as_ref().err().cloned());
-                let found = tracks.into_iter().find_map(Result::ok);
+                let mut found: Vec<_> = tracks.into_iter().filter_map(Result::ok).collect();
+                found.sort_by_key(|track| !track.codec.coding.is_in_browsers());
+                let found = found.into_iter().next();
                 self.track = Some(found.ok_or(failed.unwrap_or(FilmError::NoVideo))?);
             }
             TIMESTAMP => self.cluster = unsigned(content()?).unwrap_or(0),

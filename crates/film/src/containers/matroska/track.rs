@@ -56,9 +56,13 @@ fn track(content: &[u8]) -> Result<Track, FilmError> {
         }
         (b"V_AV1", Some(record)) => Codec::av1(record),
         (b"V_MJPEG", _) => Some(Codec::jpeg()),
-        (b"V_MS/VFW/FOURCC", Some(header)) if header.get(16..20) == Some(b"MJPG") => Some(Codec::jpeg()),
+        (b"V_MS/VFW/FOURCC", Some(header)) => {
+            header.get(16..).and_then(|rest| rest.first_chunk()).copied().map(Codec::of_four)
+        }
+        (b"V_MPEG4/ISO/SP" | b"V_MPEG4/ISO/ASP" | b"V_MPEG4/ISO/AP", _) => Some(Codec::of_four(*b"mp4v")),
+        (b"V_PRORES", _) => Some(Codec::of_four(*b"apcn")),
         (b"V_MPEGH/ISO/HEVC" | b"V_AV1", None) => None,
-        _ => return Err(FilmError::unknown_codec(name)),
+        _ => Some(Codec::other(name)),
     };
     let codec = codec.ok_or(FilmError::Damaged { part: "CodecPrivate" })?;
     let pixels = |id| find(video, id).and_then(unsigned).and_then(|value| u32::try_from(value).ok());

@@ -35,10 +35,9 @@ pub(super) fn entry(content: &[u8]) -> Result<Entry, FilmError> {
         b"vp08" => Some(Codec::vp8()),
         b"vp09" => find(boxes, b"vpcC").and_then(Codec::vp9_of_box),
         b"av01" => find(boxes, b"av1C").and_then(Codec::av1),
-        b"jpeg" | b"mjpg" => Some(Codec::jpeg()),
         b"mp4v" if find(boxes, b"esds").and_then(object_type) == Some(OBJECT_JPEG) => Some(Codec::jpeg()),
         b"encv" | b"drmi" => return Err(FilmError::Encrypted),
-        _ => return Err(FilmError::unknown_codec(&kind)),
+        _ => Some(Codec::of_four(kind)),
     };
     let pixel_aspect = find(boxes, b"pasp").and_then(|content| {
         let mut content = Bytes(content);

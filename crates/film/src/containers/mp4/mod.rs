@@ -141,7 +141,8 @@ impl Movie {
         let tracks: Vec<Track<'_>> = tracks.collect::<Result<_, _>>()?;
         let further = tracks.len().saturating_sub(1);
         // The longest that can be read: others are pictures of covers, or previews. The first of equal ones.
-        let track = tracks.into_iter().rev().max_by_key(|track| (track.entry.is_ok(), track.count));
+        let ease = |track: &Track<'_>| track.entry.as_ref().ok().map(|entry| entry.codec.coding.is_in_browsers());
+        let track = tracks.into_iter().rev().max_by_key(|track| (ease(track), track.count));
         let Some(track) = track else { return Err(FilmError::NoVideo) };
         let entry = track.entry?;
         let (samples, decoding) = table::samples(track.tables, file)?;

@@ -97,8 +97,12 @@ impl Source {
     /// Whether the browser has a decoder.
     async fn check(&self) -> Result<(), Trouble> {
         let coding = self.film.codec.coding;
+        let no_decoder = || FilmError::NoDecoder(self.film.codec.clone()).into();
         if coding == Coding::Jpeg {
             return Ok(());
+        }
+        if !coding.is_in_browsers() {
+            return Err(no_decoder());
         }
         if !codecs::are_offered() {
             return Err(Trouble::Insecure);
@@ -108,11 +112,7 @@ impl Source {
             Err(_) => None,
         };
         let supported = supported.and_then(|answer| Reflect::get(&answer, &"supported".into()).ok());
-        if supported.is_some_and(|supported| supported.is_truthy()) {
-            Ok(())
-        } else {
-            Err(FilmError::NoDecoder(coding).into())
-        }
+        if supported.is_some_and(|supported| supported.is_truthy()) { Ok(()) } else { Err(no_decoder()) }
     }
 
     /// What a decoder is configured with.

@@ -1,18 +1,23 @@
-//! AVI with a JPEG picture for each frame (Microsoft, AVI RIFF File Reference; OpenDML AVI File Format Extensions 1.02).
+//! AVI (Microsoft, AVI RIFF File Reference; OpenDML AVI File Format Extensions 1.02).
 //!
 //! Frames are found by the index of OpenDML, else by `idx1`, else by walking the chunks. A frame has no time of its own: it is
 //! its number times the interval that the header states. An empty chunk stands for a frame that was missed.
 
+mod headers;
+
 use super::FilmError;
 use super::bytes::Bytes;
-use super::codec::Codec;
+use super::codec::Coding;
 use super::film::{Container, Film, Orientation, Sample, Samples};
 use super::limits::{MOST_PARTS, MOST_SAMPLES, MOST_TABLE};
 use super::notice::Notice;
 use super::piece::{Piece, Reader, Stop};
+use headers::{Chunk, Stream, standard_index, stream};
 
 /// What is read from the start of a chunk on.
 const AHEAD: u64 = 4 << 10;
+/// The flag of key frames in `idx1`.
+const KEY: u32 = 0x10;
 
 /// Reads the chunks of a file.
 #[derive(Debug, Default)]
@@ -23,6 +28,8 @@ pub(super) struct Avi {
     stream: Option<Stream>,
     /// Where the list of frames begins: at its type, `movi`.
     frames_at: Option<u64>,
+    /// Where the file ends at the earliest, by the sizes of its lists and the offsets of its index.
+    least_end: u64,
     samples: Samples,
     /// The number of the next frame, missed ones counted.
     number: u32,
@@ -37,43 +44,6 @@ enum Stage {
     Index(usize),
     /// From chunk to chunk.
     Walk,
-}
-
-/// The stream of video, as its headers have it.
-#[derive(Debug)]
-struct Stream {
-    /// The characters with which its chunks begin.
-    number: [u8; 2],
-    codec: Codec,
-    size: [u32; 2],
-    /// A frame lasts `scale / rate` seconds.
-    scale: u32,
-    rate: u32,
-    length: u32,
-    further: usize,
-    /// The parts of its index: offset and size.
-    index: Vec<(u64, u32)>,
-}
-
-/// The header of a chunk.
-struct Chunk {
-    id: [u8; 4],
-    size: u64,
-    /// The type of a list.
-    kind: Option<[u8; 4]>,
-}
-
-impl Chunk {
-    fn read(bytes: &[u8]) -> Option<Self> {
-        let mut bytes = Bytes(bytes);
-        let (id, size) = (bytes.four()?, bytes.u32_le()?.into());
-        Some(Self { id, size, kind: if [*b"LIST", *b"RIFF"].contains(&id) { bytes.four() } else { None } })
-    }
-
-    /// Where the next one begins, if this one begins at `at`. Chunks begin at even offsets.
-    fn next(&self, at: u64) -> u64 {
-        at.saturating_add(8 + self.size + self.size % 2)
-    }
 }
 
 impl Reader for Avi {
@@ -100,6 +70,9 @@ impl Avi {
     fn headers(&mut self, piece: &Piece) -> Result<Option<Option<Notice>>, Stop> {
         let chunk = Chunk::read(piece.get(self.at, 12, AHEAD)?);
         let Some(chunk) = chunk else { return self.begin_walk(piece) };
+        if chunk.kind.is_some() {
+            self.least_end = self.least_end.max(chunk.least_end(self.at));
+        }
         let content = |from: u64| {
             if chunk.size > MOST_TABLE { Err(FilmError::TooLarge.into()) } else { piece.get(from, chunk.size, 0) }
         };
@@ -116,7 +89,7 @@ impl Avi {
                 }
             }
             (b"idx1", _)
-                if next.saturating_sub(1) <= piece.size && self.old_index(content(self.at + 8)?, piece.size)? =>
+                if self.at + 8 + chunk.size <= piece.size && self.old_index(content(self.at + 8)?, piece.size)? =>
             {
                 return Ok(Some(None));
             }
@@ -135,14 +108,16 @@ impl Avi {
     }
 
     /// Takes the next frame, or passes over one that was missed.
-    fn add(&mut self, offset: u64, size: u32, file: u64) -> Result<(), FilmError> {
-        let scale = self.stream.as_ref().map_or(0, |stream| stream.scale);
+    fn add(&mut self, offset: u64, size: u32, key: bool, file: u64) -> Result<(), FilmError> {
+        let (scale, coding) =
+            self.stream.as_ref().map_or((0, Coding::Jpeg), |stream| (stream.scale, stream.codec.coding));
         let ticks = i64::from(self.number) * i64::from(scale);
+        let key = key || coding == Coding::Jpeg;
         self.number += 1;
         if self.number as usize > MOST_SAMPLES {
             return Err(FilmError::TooLarge);
         }
-        self.samples.add(Sample { offset, size, ticks, key: true, shown: true }, file);
+        self.samples.add(Sample { offset, size, ticks, key, shown: true }, file);
         Ok(())
     }
 
@@ -158,11 +133,11 @@ impl Avi {
         for row in content.chunks_exact(16) {
             let mut row = Bytes(row);
             let fields = || Some((row.four()?, row.u32_le()?, row.u32_le()?, row.u32_le()?));
-            let Some((id, _, offset, size)) = { fields }() else { break };
+            let Some((id, flags, offset, size)) = { fields }() else { break };
             // Offsets count from the list of frames, or with some writers from the start of the file.
             let base = *base.get_or_insert(if u64::from(offset) < frames_at { frames_at } else { 0 });
             if self.is_frame(id) {
-                self.add(base + u64::from(offset) + 8, size, file)?;
+                self.add(base + u64::from(offset) + 8, size, flags & KEY != 0, file)?;
             }
         }
         Ok(!self.samples.list.is_empty())
@@ -177,13 +152,14 @@ impl Avi {
         if u64::from(size) > MOST_TABLE {
             return Err(FilmError::TooLarge.into());
         }
+        self.least_end = self.least_end.max(offset.saturating_add(size.into()));
         let content = piece.get(offset, size.into(), 0)?;
         let Some((base, rows)) = standard_index(content) else { return self.begin_walk(piece) };
         for row in rows.chunks_exact(8) {
             let mut row = Bytes(row);
             let (offset, size) = (row.u32_le().unwrap_or(0), row.u32_le().unwrap_or(0));
-            // The highest bit of the size marks a frame that is no key frame; each JPEG is one.
-            self.add(base.saturating_add(offset.into()), size & 0x7fff_ffff, piece.size)?;
+            // The highest bit of the size marks a frame that is no key frame.
+            self.add(base.saturating_add(offset.into()), size & 0x7fff_ffff, size >> 31 == 0, piece.size)?;
         }
         self.stage = Stage::Index(part + 1);
         Ok(None)
@@ -193,25 +169,36 @@ impl Avi {
     fn walk(&mut self, piece: &Piece) -> Result<Option<Option<Notice>>, Stop> {
         let start = piece.get(self.at, 12, AHEAD)?;
         let Some(chunk) = Chunk::read(start) else {
-            let cut = Notice::Truncated { present: self.samples.list.len(), lost: 0, bytes: piece.size };
-            return Ok(Some((!start.is_empty()).then_some(cut)));
+            let cut = !start.is_empty() || self.least_end > piece.size;
+            return Ok(Some(if cut { self.truncated(piece) } else { None }));
         };
         if !chunk.id.iter().all(|byte| byte.is_ascii_graphic() || *byte == b' ') {
             return Ok(Some(Some(Notice::Broken { at: self.at })));
         }
         if chunk.kind.is_some() {
+            self.least_end = self.least_end.max(chunk.least_end(self.at));
             self.at += 12;
             return Ok(None);
         }
         let next = chunk.next(self.at);
-        if next.saturating_sub(1) > piece.size {
-            return Ok(Some(Some(Notice::Truncated { present: self.samples.list.len(), lost: 0, bytes: piece.size })));
+        if next.saturating_sub(chunk.size % 2) > piece.size {
+            return Ok(Some(self.truncated(piece)));
         }
         if self.is_frame(chunk.id) {
-            self.add(self.at + 8, u32::try_from(chunk.size).unwrap_or(0), piece.size)?;
+            let key = self.samples.list.is_empty();
+            self.add(self.at + 8, u32::try_from(chunk.size).unwrap_or(0), key, piece.size)?;
         }
         self.at = next;
         Ok(None)
+    }
+
+    /// The file is cut here; how many frames are missing follows from the number that the headers state. `None` if it is none: only
+    /// the index is cut.
+    fn truncated(&self, piece: &Piece) -> Option<Notice> {
+        let stated = self.stream.as_ref().map_or(0, |stream| stream.length);
+        let lost = stated.saturating_sub(self.number) as usize;
+        let cut = Notice::Truncated { present: self.samples.list.len(), lost, bytes: piece.size };
+        (self.number != stated).then_some(cut)
     }
 
     fn finish(&mut self, notice: Option<Notice>, piece: &Piece) -> Result<Film, Stop> {
@@ -242,80 +229,4 @@ impl Avi {
             notices,
         })
     }
-}
-
-/// The chunks in a list.
-fn chunks(mut content: &[u8]) -> impl Iterator<Item = ([u8; 4], Option<[u8; 4]>, &[u8])> {
-    std::iter::from_fn(move || {
-        let chunk = Chunk::read(content)?;
-        let (_, rest) = content.split_at_checked(8)?;
-        let (this, after) = rest.split_at_checked(usize::try_from(chunk.size).ok()?)?;
-        content = after.get(this.len() % 2..).unwrap_or_default();
-        Some((chunk.id, chunk.kind, if chunk.kind.is_some() { this.get(4..)? } else { this }))
-    })
-}
-
-/// The base of the offsets in a part of the index, `ix00`, and its rows.
-fn standard_index(content: &[u8]) -> Option<(u64, &[u8])> {
-    let mut bytes = Bytes(content);
-    bytes.take(8)?;
-    (bytes.u16_le()? == 2 && bytes.u16()? == 0x0001).then_some(())?;
-    let count = usize::try_from(bytes.u32_le()?).ok()?;
-    bytes.four()?;
-    let base = bytes.u64_le()?;
-    bytes.take(4)?;
-    Some((base, bytes.take(count.checked_mul(8)?)?))
-}
-
-/// The stream of video in the content of `hdrl`.
-fn stream(content: &[u8]) -> Result<Stream, FilmError> {
-    let lists = chunks(content).filter(|(_, kind, _)| *kind == Some(*b"strl")).map(|(_, _, list)| list);
-    let videos: Vec<_> = lists.enumerate().filter_map(|(number, list)| read_stream(number, list)).collect();
-    let further = videos.len().saturating_sub(1);
-    let failed = videos.iter().find_map(|video| video.as_ref().err().cloned());
-    let found = videos.into_iter().find_map(Result::ok);
-    let stream = found.ok_or(failed.unwrap_or(FilmError::NoVideo))?;
-    Ok(Stream { further, ..stream })
-}
-
-/// Reads `strl`; `None` if it is no video.
-fn read_stream(number: usize, list: &[u8]) -> Option<Result<Stream, FilmError>> {
-    let part = |id: &[u8; 4]| chunks(list).find(|(other, _, _)| other == id).map(|(_, _, content)| content);
-    let header = part(b"strh")?;
-    header.starts_with(b"vids").then_some(())?;
-    let read = || {
-        let digit = |value: usize| u8::try_from(value).ok().filter(|value| *value < 10).map(|value| b'0' + value);
-        let mut header = Bytes(header.get(20..)?);
-        let (scale, rate) = (header.u32_le()?, header.u32_le()?);
-        header.take(4)?;
-        let length = header.u32_le()?;
-        let mut format = Bytes(part(b"strf")?.get(4..)?);
-        let size = [format.u32_le()?, format.u32_le()?.cast_signed().unsigned_abs()];
-        format.take(4)?;
-        let coding = format.four()?;
-        let index = part(b"indx").and_then(super_index).unwrap_or_default();
-        (scale > 0 && rate > 0).then_some(())?;
-        let number = [digit(number / 10)?, digit(number % 10)?];
-        Some((coding, Stream { number, codec: Codec::jpeg(), size, scale, rate, length, further: 0, index }))
-    };
-    let jpeg = |coding: [u8; 4]| [b"MJPG", b"JPEG", b"DMB1"].contains(&&coding.map(|byte| byte.to_ascii_uppercase()));
-    Some(match read() {
-        Some((coding, stream)) if jpeg(coding) => Ok(stream),
-        Some((coding, _)) => Err(FilmError::unknown_codec(&coding)),
-        None => Err(FilmError::Damaged { part: "strl" }),
-    })
-}
-
-/// The parts of the index of OpenDML, in the content of `indx`.
-fn super_index(content: &[u8]) -> Option<Vec<(u64, u32)>> {
-    let mut bytes = Bytes(content);
-    (bytes.u16_le()? == 4 && bytes.u16()? == 0).then_some(())?;
-    let count = bytes.u32_le()?;
-    bytes.take(16)?;
-    let mut rows = bytes.take(usize::try_from(count).ok()?.checked_mul(16)?)?.chunks_exact(16);
-    rows.try_fold(Vec::new(), |mut parts, row| {
-        let mut row = Bytes(row);
-        parts.push((row.u64_le()?, row.u32_le()?));
-        Some(parts)
-    })
 }

@@ -33,7 +33,7 @@ pub struct Card {
     pub topics: Vec<String>,
 }
 
-/// Card of a document or of a translation. Always succeeds; errors are reported by [`crate::open`]. Empty for a text of
+/// Card of a document or of a translation. Always succeeds; errors are reported by [`crate::open()`]. Empty for a text of
 /// more than 1 MB.
 pub fn card(source: &str) -> Card {
     let source = if source.len() > LENGTH { "" } else { source };

@@ -9,7 +9,7 @@ use crate::text::source::{Line, lines, trim};
 use model::{Edit, Form, Span};
 use std::ops::Range;
 
-/// Result of [`format`].
+/// Result of [`format()`].
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Formatted {
     /// Changes for [`crate::edit::apply`], in text order.

@@ -1,7 +1,7 @@
 //! The simulation document: one Markdown file with prose, equations, scene, plots, presets, questions and checks, and further
 //! files that translate it.
 //!
-//! [`read`] gives the structure of a text, even with errors. [`open`] also checks it and gives a program if the model has
+//! [`read`] gives the structure of a text, even with errors. [`open()`] also checks it and gives a program if the model has
 //! no errors. Neither fails: errors are [`model::Diagnostic`]s with their places. [`edit`] changes a text by its structure,
 //! [`format()`] its layout.
 

@@ -10,7 +10,7 @@ use crate::text::outline::{Outline, read};
 use model::Span;
 
 /// Replaces the text of a cell of the statement with this index in the [form](crate::form::Form). An empty text removes a
-/// unit, range, step or label. The text may contain errors, which [`crate::open`] then reports in the cell; it is refused
+/// unit, range, step or label. The text may contain errors, which [`crate::open()`] then reports in the cell; it is refused
 /// only if it would not be parsed as this one cell. The name of a parameter or state is changed in the whole document.
 ///
 /// # Errors

@@ -25,7 +25,7 @@ pub struct NewPlot {
 
 /// Replaces the text of a cell of the plot with this index in [`plots`]. An empty text removes `against`, the keyword of a
 /// kind, or `equal axes`. A change of kind adds the parts that the new kind needs and removes those that it cannot have:
-/// `every` of points, the abscissa of a histogram. The text may contain errors, which [`crate::open`] then reports in the
+/// `every` of points, the abscissa of a histogram. The text may contain errors, which [`crate::open()`] then reports in the
 /// plot; it is refused only if it would not be parsed as this one cell.
 ///
 /// # Errors

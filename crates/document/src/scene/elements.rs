@@ -67,8 +67,8 @@ impl Builder<'_, '_> {
         self.repeating -= 1;
     }
 
-    /// Builds an element with attributes and content. The coordinate system of a frame, or of a group in a frame, is valid
-    /// inside only.
+    /// Builds an element with attributes and content. After a frame, or a group in a frame, [`Self::space`] is the inner
+    /// coordinate system; the caller restores the outer one.
     fn placed(&mut self, name: String, raw: RawElement) -> Option<Element> {
         let is_frame = name == "frame";
         let mut element = Element {

@@ -60,7 +60,7 @@ impl SceneText {
     }
 }
 
-/// The scene in another language: the same drawing with the same values. `words`: the texts returned by [`super::build`].
+/// The scene in another language: the same drawing with the same values. `words`: the texts returned by [`super::build()`].
 pub fn translated(scene: &Scene, words: &[SceneText], texts: &mut Texts, language: Language) -> Scene {
     let mut scene = scene.clone();
     translate(&mut scene.root, &mut words.iter(), texts, language);

@@ -92,7 +92,7 @@ impl<'a> Outline<'a> {
     }
 
     /// Errors in the structure and in the syntax of the model, in text order. Errors in names, units and everything else
-    /// are found by [`crate::open`].
+    /// are found by [`crate::open()`].
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
         limited(self.layout.iter().chain(&self.syntax).cloned().collect())
     }

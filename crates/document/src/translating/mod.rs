@@ -14,7 +14,7 @@ pub(crate) use values::{entry_in, prose_at, question_at, values};
 use crate::{FrontMatter, Outline};
 use units::Language;
 
-/// Texts of a document in text order, with their translations. `short`: the [`short_texts`] of the document.
+/// Texts of a document in text order, with their translations. `short`: the [`short_texts()`] of the document.
 pub fn pairs(document: &Outline, short: &[String], translation: &Outline) -> Vec<Pair> {
     let translated = values(translation);
     let pair = |(key, original): (TextKey, String)| {

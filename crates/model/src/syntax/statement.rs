@@ -64,7 +64,7 @@ pub enum StatementKind {
     Members {
         /// Kind of the members.
         what: Members,
-        /// Left side: an [`ExpressionKind::Member`], without primes except in an initial value.
+        /// Left side: an [`crate::ExpressionKind::Member`], without primes except in an initial value.
         left: Expression,
         /// Value of each member.
         value: Expression,
@@ -86,7 +86,8 @@ pub enum StatementKind {
     Function(FunctionStatement),
     /// `table eta(T) in [mPa s] { 273 [K] 1.792  293 1.002 }`
     Table(TableStatement),
-    /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`. Two [`ExpressionKind::Error`] stand for an unreadable statement of any kind.
+    /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`. Two [`crate::ExpressionKind::Error`] stand for an unreadable statement of
+    /// any kind.
     Equation {
         /// The left side.
         left: Expression,

@@ -45,7 +45,7 @@ impl Builder<'_, '_> {
         Some(self.along_way(way, &[("fill", "none"), ("stroke", TEXT), ("stroke-width", "2")], children))
     }
 
-    /// The arm of a switch: horizontal if it is closed.
+    /// The arm of a switch: in line with the wires if it is closed, otherwise raised.
     fn contact(&mut self, given: &Given) -> Option<program::Element> {
         let degrees: NodeId = match given.get("closed") {
             Some(range) => {

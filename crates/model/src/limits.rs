@@ -9,7 +9,7 @@ pub(crate) const STATEMENTS: usize = 20_000;
 pub(crate) const MEMBERS: u32 = 10_000;
 /// Operations of all expressions after the members of families are expanded.
 pub(crate) const MEMBER_OPERATIONS: usize = 1_000_000;
-/// Primes of one name.
+/// Derivative order of a name: its primes.
 pub(crate) const ORDER: u32 = 16;
 /// States of a model.
 pub(crate) const STATES: usize = 4096;

@@ -1,4 +1,4 @@
-//! Whole blocks.
+//! Edits of whole blocks.
 
 use super::layout::{Layout, begin_line, line_end, with_line_ends_of};
 use super::{Edit, EditError};

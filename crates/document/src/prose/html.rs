@@ -13,13 +13,13 @@ use units::words;
 /// Maximum nesting depth of lists and quotations; deeper ones are flattened.
 const DEPTH: usize = 24;
 
-/// A part of the result.
+/// A part of the rendered HTML.
 pub enum Piece {
     /// HTML elements below a heading.
     Html(String),
     /// A heading that is not inside a list or quotation.
     Heading {
-        /// 1 to 6.
+        /// Level, 1 to 6.
         level: u8,
         /// Title as plain text.
         title: String,

@@ -56,7 +56,7 @@ pub enum ExpressionKind {
         function: Name,
         /// Value for each index.
         body: Box<Expression>,
-        /// The indices.
+        /// Indices with their ranges.
         over: Vec<Over>,
     },
     /// `(1, 0) [au]`: a vector given by its components.

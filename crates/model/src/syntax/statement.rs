@@ -273,17 +273,17 @@ pub struct TableStatement {
 /// Range of the curve that the reader may draw instead of a table. The numbers are in the units of the columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnRange {
-    /// Least and greatest value.
+    /// Least and greatest value, in the unit of the value column.
     pub bounds: Bounds,
-    /// The least argument.
+    /// The least argument, in the unit of the argument column.
     pub from: f64,
-    /// The greatest argument.
+    /// The greatest argument, in the unit of the argument column.
     pub until: f64,
     /// Place of the greatest argument.
     pub until_span: Span,
 }
 
-/// A point of a table.
+/// A point of a table. Both numbers are in the units of their columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// The argument.
@@ -294,7 +294,7 @@ pub struct Point {
     pub span: Span,
 }
 
-/// `LOW..HIGH` and its place.
+/// `LOW..HIGH` and its place. Both numbers are in the unit that the statement declares.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
     /// The least value.

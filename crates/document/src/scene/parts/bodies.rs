@@ -31,7 +31,7 @@ impl Builder<'_, '_> {
         Some(Drawn { defaults: BODY.to_vec(), children: vec![child], anchor: at })
     }
 
-    /// A ball.
+    /// A ball, given by its centre; the default radius is [`super::BOB_RADIUS`].
     pub fn bob(&mut self, given: &Given) -> Option<Drawn> {
         let at = self.point_of(given, "at")?;
         let radius = self.extent_or(given, "r", super::BOB_RADIUS)?;

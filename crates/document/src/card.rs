@@ -1,5 +1,5 @@
-//! What a list of documents shows of a file: its title, a sentence and its topics. They are read without the model, so that
-//! a long list is quick.
+//! Entry of a file in a list of documents: title, one sentence and topics. The model is not read, so that long lists are
+//! fast.
 
 use crate::blocks::front_matter::{FrontMatter, Value, read};
 use crate::prose::Prose;
@@ -11,30 +11,30 @@ use program::Block;
 use units::markup::escaped;
 use units::words;
 
-/// The longest summary, in characters.
+/// Maximum length of a summary, in characters.
 const SUMMARY: usize = 200;
-/// As many topics may a document have.
+/// Maximum number of topics of a document.
 const TOPICS: usize = 6;
-/// The longest topic, in characters.
+/// Maximum length of a topic, in characters.
 const TOPIC: usize = 40;
 
-/// What a list of documents shows of a document or of a translation.
+/// Entry of a document or of a translation in a list.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Card {
-    /// The title; empty without one.
+    /// Title; empty without one.
     pub title: String,
-    /// The language; `en` unless stated.
+    /// Language tag; `en` by default.
     pub language: String,
-    /// The file that this one translates, if it is a translation.
+    /// Name of the translated file, if this is a translation.
     pub translates: Option<String>,
-    /// What it is about, as HTML that is safe to show: the `summary` of the front matter, else the first sentence of the prose.
+    /// Summary as safe HTML: the `summary` of the front matter, or else the first sentence of the prose.
     pub summary: String,
-    /// The topics, as they are written.
+    /// Topics as written.
     pub topics: Vec<String>,
 }
 
-/// The card of a document or of a translation. Always succeeds; [`crate::open`] says what is wrong. A text of more than 1 MB
-/// has an empty one.
+/// Card of a document or of a translation. Always succeeds; errors are reported by [`crate::open()`]. Empty for a text of
+/// more than 1 MB.
 pub fn card(source: &str) -> Card {
     let source = if source.len() > LENGTH { "" } else { source };
     let matter = read(source, &mut Vec::new());
@@ -53,7 +53,7 @@ fn is_short(text: &str, most: usize) -> bool {
     text.chars().nth(most).is_none()
 }
 
-/// The topics that can be shown, each with its place.
+/// Topics with their places.
 fn placed(value: &Value) -> impl Iterator<Item = (&str, Span)> {
     let is_quoted = value.span.range().len() > value.text.len();
     let mut at = value.span.start + usize::from(is_quoted);
@@ -65,7 +65,7 @@ fn placed(value: &Value) -> impl Iterator<Item = (&str, Span)> {
     })
 }
 
-/// The topics without those that are refused.
+/// Valid topics, each once.
 fn topics(value: &Value) -> Vec<String> {
     let mut topics: Vec<String> = Vec::new();
     for (topic, _) in placed(value) {
@@ -80,7 +80,7 @@ fn topics(value: &Value) -> Vec<String> {
     topics
 }
 
-/// Reports what is wrong with `summary` and `topics`.
+/// Reports errors in `summary` and `topics`.
 pub(crate) fn check(matter: &FrontMatter, diagnostics: &mut Vec<Diagnostic>) {
     if let Some(summary) = matter.get("summary").filter(|summary| !is_short(&summary.text, SUMMARY)) {
         let message =
@@ -115,7 +115,7 @@ pub(crate) fn check(matter: &FrontMatter, diagnostics: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Reports what of a document's card its translation lacks. `language` is where the translation says its language.
+/// Reports parts of the document's card that the translation lacks. `language` is the place of the translation's language.
 pub(crate) fn check_translated(
     original: &str,
     translation: &FrontMatter,
@@ -136,7 +136,7 @@ pub(crate) fn check_translated(
     }
 }
 
-/// The first sentence of the prose, as HTML.
+/// First sentence of the prose, as HTML.
 fn first_sentence(source: &str, matter: &FrontMatter) -> String {
     let blocks = fences::split(source, matter.span.end..source.len(), &mut Vec::new());
     let paragraph = |html: &str| {
@@ -156,7 +156,7 @@ fn first_sentence(source: &str, matter: &FrontMatter) -> String {
     sentences.next().unwrap_or_default()
 }
 
-/// Up to a full stop that stands in no element and before no small letter, as that of *e.g.* does.
+/// Text up to the first full stop that is outside all elements and not followed by a lower-case letter, as in *e.g.*
 fn sentence(html: &str) -> &str {
     let (mut depth, mut in_tag) = (0_i32, false);
     for (at, letter) in html.char_indices() {

@@ -1,26 +1,26 @@
-//! What an opened document is: its text, and the program that was understood of it.
+//! An opened document: its text and its program.
 
 use model::{Diagnostic, Places, Span};
 use program::Program;
 
-/// What came of opening a document.
+/// Result of opening a document.
 #[derive(Clone, Debug)]
 pub struct Opened {
-    /// The document, unless its model has errors.
+    /// The document; `None` if its model has errors.
     pub document: Option<Document>,
-    /// What was found, each with the number of its file: 0 is the source, 1 the first translation and so on. In the
-    /// order of files and places.
+    /// Diagnostics, each with the index of its file: 0 is the source, 1 the first translation and so on. Sorted by file and
+    /// place.
     pub diagnostics: Vec<(usize, Diagnostic)>,
 }
 
 impl Opened {
-    /// The document, if no finding is an error.
+    /// Returns the document if there are no errors.
     pub fn sound(self) -> Option<Document> {
         let refused = self.has_errors();
         self.document.filter(|_| !refused)
     }
 
-    /// Whether any finding, in any file, is an error.
+    /// True if there is an error in any file.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|(_, diagnostic)| diagnostic.severity == model::Severity::Error)
     }
@@ -29,14 +29,14 @@ impl Opened {
 /// A simulation document and its translations.
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// The Markdown text.
+    /// Markdown text.
     pub source: String,
-    /// The Markdown texts of the translations.
+    /// Markdown texts of the translations.
     pub translations: Vec<String>,
-    /// Where the parts of the model stand in the source.
+    /// Places of the parts of the model in the source.
     pub places: Places,
-    /// Where the claims of the checks stand in the source, in the order of [`Program::checks`].
+    /// Places of the claims of the checks in the source, in the order of [`Program::checks`].
     pub claims: Vec<Span>,
-    /// What runs.
+    /// The program made from the document.
     pub program: Program,
 }

@@ -1,4 +1,4 @@
-//! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
+//! Expressions outside the model: parsed, completed with the local names of the scene, and compiled against the model.
 
 use crate::extent::Extent;
 use model::{Compiler, Diagnostic, Expression, ExpressionKind, Functions, Places, Span, StatedUnit, StatementKind};
@@ -7,32 +7,32 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use units::{QuantityName, Words, words};
 
-/// How many nodes an expression may have, and how deep they may be nested, when the scene's own names have been replaced
-/// by what they stand for. What walks an expression relies on the depth that the parser allows.
+/// Limits of the number of nodes and of the nesting depth of an expression after local names are replaced. Recursive
+/// functions rely on the nesting depth that the parser allows.
 const NODES: usize = 5_000;
 const DEPTH: usize = 64;
 
-/// An expression that was compiled, and where it stands.
+/// A compiled expression and its place.
 pub struct Placed {
-    /// What runs.
+    /// The compiled value.
     pub value: Compiled,
-    /// Where it stands in the document.
+    /// Place in the document.
     pub span: Span,
 }
 
-/// Reads and compiles expressions of one document.
+/// Compiler of the expressions of one document.
 pub struct Expressions<'a> {
-    /// The document.
+    /// Text of the document.
     pub source: &'a str,
-    /// Adds them to the model's graph.
+    /// Compiler that adds nodes to the graph of the model.
     pub compiler: Compiler<'a>,
-    /// Where the parts of the model stand.
+    /// Places of the parts of the model.
     pub places: &'a Places,
-    /// What was found.
+    /// Diagnostics found so far.
     pub diagnostics: Vec<Diagnostic>,
-    /// Names that mean an expression.
+    /// Local names and their expressions.
     local: BTreeMap<String, Expression>,
-    /// The document, in which what is not read of a point is covered meanwhile.
+    /// Copy of the document in which text that does not belong to a point is temporarily blanked.
     pub covered: Option<String>,
 }
 
@@ -49,17 +49,17 @@ impl<'a> Expressions<'a> {
         self.compiler.model()
     }
 
-    /// The model's graph, for what is computed from compiled values.
+    /// Graph of the model, for operations on compiled values.
     pub fn graph(&mut self) -> &mut Graph {
         self.compiler.graph()
     }
 
-    /// The expression that fills `range`. None if it has an error.
+    /// Compiles the expression in the byte range `range`. `None` after an error.
     pub fn compile(&mut self, range: Range<usize>) -> Option<Placed> {
         self.read(range).map(|(placed, _)| placed)
     }
 
-    /// The expression that fills `range`, for what takes bare numbers: in the unit that is stated, otherwise in SI units.
+    /// Compiles the expression in `range` as a bare number: in the stated unit, or else in SI units.
     pub fn bare(&mut self, range: Range<usize>) -> Option<Placed> {
         let (mut placed, stated) = self.read(range)?;
         if stated {
@@ -68,7 +68,7 @@ impl<'a> Expressions<'a> {
         Some(placed)
     }
 
-    /// The expression that fills `range`, and whether its unit is stated.
+    /// Compiles the expression in `range`. The flag is true if its unit is stated.
     fn read(&mut self, range: Range<usize>) -> Option<(Placed, bool)> {
         let (expression, unit, diagnostics) = model::parse_expression(self.source, range);
         let failed = model::has_errors(&diagnostics);
@@ -77,26 +77,26 @@ impl<'a> Expressions<'a> {
         Some((placed, unit.is_some()))
     }
 
-    /// The name that fills `range`, with its primes; of a member of a family, the name with its numbers.
+    /// The name in `range`, with its primes; a member of a family with its numbers. `None` if the text is not a name.
     pub fn name(&self, range: Range<usize>) -> Option<String> {
         let (mut expression, _, _) = model::parse_expression(self.source, range);
         self.replace(&mut expression, &mut 0);
         self.compiler.name_of(&expression)
     }
 
-    /// The number that fills `range`.
+    /// Compiles the expression in `range`, which must be a number.
     pub fn number(&mut self, range: Range<usize>) -> Option<Placed> {
         let compiled = self.compile(range)?;
         self.expect_number(compiled)
     }
 
-    /// The number that fills `range` and stays the same during a run.
+    /// Compiles the number in `range`, which must be constant during a run.
     pub fn constant(&mut self, range: Range<usize>, what: &Words) -> Option<Placed> {
         let compiled = self.number(range)?;
         self.expect_constant(compiled, what)
     }
 
-    /// `rho = 13534 [kg/m^3], b = 2*m*omega_0`
+    /// Parses and compiles assignments: `rho = 13534 [kg/m^3], b = 2*m*omega_0`.
     pub fn assignments(&mut self, range: Range<usize>) -> Vec<Assignment> {
         let (assignments, diagnostics) = model::parse_assignments(self.source, range);
         self.diagnostics.extend(diagnostics);
@@ -142,13 +142,13 @@ impl<'a> Expressions<'a> {
         result
     }
 
-    /// A value for a parameter, in whose unit a bare number is.
+    /// The value for a parameter; a bare number gets the parameter's unit.
     fn in_declared_unit(&mut self, parameter: usize, value: Expression) -> Expression {
         let own = &self.compiler.model().parameters[parameter];
         model::in_declared_unit(&own.name, value, &own.unit, &mut self.diagnostics)
     }
 
-    /// The value of a switch, `on` or `off`, or of a choice, one of its texts.
+    /// Value of a switch, `on` or `off`, or of a choice, one of its texts.
     fn chosen(&mut self, parameter: usize, value: &Expression) -> Option<Compiled> {
         let model = self.model();
         let own = &model.parameters[parameter];
@@ -175,7 +175,7 @@ impl<'a> Expressions<'a> {
         None
     }
 
-    /// Whether a parameter can have a value: of its dimension and, as far as that is known before the run, in its range.
+    /// True if the value has the dimension of the parameter and lies in its range, as far as it is known before the run.
     fn fits(&mut self, parameter: usize, Placed { value, span }: &Placed) -> bool {
         let declared = self.places.parameters.get(parameter).copied().unwrap_or_default();
         let parameter = &self.model().parameters[parameter];
@@ -203,7 +203,7 @@ impl<'a> Expressions<'a> {
         false
     }
 
-    /// Which parameter a name is.
+    /// Index of the parameter with this name. Reports other names.
     pub fn parameter(&mut self, name: &model::Name) -> Option<usize> {
         let found = self.model().parameters.iter().position(|parameter| parameter.name == name.text);
         if found.is_none() {
@@ -224,7 +224,7 @@ impl<'a> Expressions<'a> {
         found
     }
 
-    /// Reads definitions `name = expression`, which later expressions may use.
+    /// Parses definitions `name = expression`, which later expressions may use.
     pub fn define(&mut self, range: Range<usize>) {
         let (statements, diagnostics) = model::parse(self.source, &[range]);
         self.diagnostics.extend(diagnostics);
@@ -255,7 +255,7 @@ impl<'a> Expressions<'a> {
             } else {
                 let whole = value.clone();
                 if self.place(whole, unit.as_ref()).is_none() {
-                    // Said once, here; what uses the name is passed over.
+                    // Reported once, here; expressions that use the name are skipped.
                     value.kind = ExpressionKind::Error;
                 } else {
                     self.replace(&mut value, &mut 0);
@@ -265,7 +265,7 @@ impl<'a> Expressions<'a> {
         }
     }
 
-    /// Lets a name stand for an expression, or for nothing.
+    /// Binds a name to an expression, or removes it with `None`.
     pub fn bind(&mut self, name: String, meaning: Option<Expression>) {
         match meaning {
             Some(meaning) => drop(self.local.insert(name, meaning)),
@@ -273,17 +273,17 @@ impl<'a> Expressions<'a> {
         }
     }
 
-    /// Whether a name means something already.
+    /// True if a name is already defined.
     pub fn is_taken(&self, name: &str) -> bool {
         self.model().lookup(name, 0).is_some() || self.local.contains_key(name)
     }
 
-    /// Forgets the names that [`Self::define`] has read.
+    /// Removes the names defined by [`Self::define`].
     pub fn forget(&mut self) {
         self.local.clear();
     }
 
-    /// An expression that was read, completed and compiled.
+    /// Completes and compiles a parsed expression.
     pub fn place(&mut self, expression: Expression, unit: Option<&StatedUnit>) -> Option<Placed> {
         let expression = self.completed(expression)?;
         match self.compiler.compile(&expression, unit) {
@@ -295,7 +295,7 @@ impl<'a> Expressions<'a> {
         }
     }
 
-    /// The components of a vector; a number is its only one.
+    /// Compiles the components of a vector; a number is its own single component.
     pub fn components(&mut self, expression: Expression) -> Option<Vec<Placed>> {
         let expression = self.completed(expression)?;
         let components = self.compiler.compile_components(&expression);
@@ -303,7 +303,7 @@ impl<'a> Expressions<'a> {
         Some(components.into_iter().map(|value| Placed { value, span: expression.span }).collect())
     }
 
-    /// An expression with the scene's own names put in. None if something in it could not be read, or it is too large.
+    /// Replaces the local names in an expression. `None` if part of it could not be parsed, or if it is too large.
     pub fn completed(&mut self, mut expression: Expression) -> Option<Expression> {
         let mut nodes = 0;
         if !self.local.is_empty() {
@@ -324,7 +324,7 @@ impl<'a> Expressions<'a> {
         (!extent.has_gap).then_some(expression)
     }
 
-    /// Puts expressions in the place of the scene's own names, counting nodes; stops when there are too many.
+    /// Replaces local names by their expressions and counts nodes; stops at the limit.
     fn replace(&self, expression: &mut Expression, nodes: &mut usize) {
         *nodes += 1;
         if *nodes > NODES {
@@ -343,7 +343,7 @@ impl<'a> Expressions<'a> {
         }
     }
 
-    /// What was compiled, if it is a number.
+    /// Requires a number.
     pub fn expect_number(&mut self, compiled: Placed) -> Option<Placed> {
         let what = match compiled.value.kind {
             Kind::Number => return Some(compiled),
@@ -389,7 +389,7 @@ impl<'a> Expressions<'a> {
     }
 }
 
-/// An error that shows the dimension there is and the one there should be.
+/// Error that shows the dimension found and the one expected.
 pub fn dimension_error(
     message: Words,
     found: (Span, units::Dimension),

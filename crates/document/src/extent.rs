@@ -1,27 +1,27 @@
-//! How large an expression is, in one pass over it.
+//! Size of an expression, determined in one pass.
 
 use model::{Expression, ExpressionKind};
 
-/// How large an expression is.
+/// Size of an expression.
 #[derive(Default)]
 pub struct Extent {
-    /// How many expressions it consists of, itself included.
+    /// Number of nodes, including the root.
     pub nodes: usize,
-    /// How many levels it has.
+    /// Height of the tree.
     pub depth: usize,
-    /// Whether something in it could not be read.
+    /// True if part of it could not be parsed.
     pub has_gap: bool,
 }
 
 impl Extent {
-    /// That of an expression.
+    /// Measures an expression.
     pub fn of(expression: &Expression) -> Self {
         let mut extent = Self::default();
         extent.add(expression, 1);
         extent
     }
 
-    /// Counts what stands at this level and below.
+    /// Adds an expression at level `level` and all below it.
     fn add(&mut self, expression: &Expression, level: usize) {
         self.nodes += 1;
         self.depth = self.depth.max(level);

@@ -1,4 +1,4 @@
-//! One layout for documents, whoever wrote them.
+//! Formatter for documents.
 
 use crate::blocks::questions;
 use crate::prose;
@@ -9,20 +9,20 @@ use crate::text::source::{Line, lines, trim};
 use model::{Edit, Form, Span};
 use std::ops::Range;
 
-/// What [`format`] found.
+/// Result of [`format()`].
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Formatted {
-    /// What changes, for [`crate::edit::apply`], in the order of the text.
+    /// Changes for [`crate::edit::apply`], in text order.
     pub edits: Vec<Edit>,
-    /// The first lines of the parts that stay as they are because they have errors.
+    /// First lines of the parts that stay unchanged because they have errors.
     pub left: Vec<Span>,
 }
 
-/// The edits that give a document its layout: blanks around operators and between words, indentation, blank lines, fences. What
-/// stands in columns stays in columns. Line breaks, comments, spellings and the order of everything stay; of prose only blanks at
-/// the ends of lines go. A block with errors of syntax stays as it is.
+/// Edits that format a document: blanks around operators and between words, indentation, blank lines, fences. Columns stay
+/// aligned. Line breaks, comments, spelling and order are kept; in prose only trailing blanks are removed. A block with
+/// syntax errors stays unchanged.
 ///
-/// The document means the same afterwards, and formatting it once more changes nothing.
+/// The meaning of the document is unchanged, and formatting is idempotent.
 pub fn format(outline: &Outline) -> Formatted {
     let source = outline.source();
     let mut formatted = Formatted::default();
@@ -45,7 +45,7 @@ pub fn format(outline: &Outline) -> Formatted {
     formatted
 }
 
-/// The edits of a block. None if it cannot be read.
+/// Edits of a block. `None` if it cannot be parsed.
 fn edits(source: &str, block: &Block) -> Option<Vec<Edit>> {
     let content = block.content.range();
     let mut edits = match block.kind {
@@ -61,7 +61,7 @@ fn edits(source: &str, block: &Block) -> Option<Vec<Edit>> {
     Some(edits)
 }
 
-/// `key: value` with one blank, and no blank lines. A front matter without an end stays as it is.
+/// `key: value` with one blank, and no blank lines. An unclosed front matter stays unchanged.
 fn front_matter(outline: &Outline, formatted: &mut Formatted) {
     let (source, matter) = (outline.source(), outline.front_matter());
     let Some(closing) = matter.closing else {
@@ -91,7 +91,7 @@ fn front_matter(outline: &Outline, formatted: &mut Formatted) {
     }
 }
 
-/// Three backquotes or as many as the content needs, and the words after them.
+/// Formats a fence: three backquotes, or more if the content needs them, and the words after them.
 fn fences(source: &str, block: &Block, edits: &mut Vec<Edit>) -> Option<()> {
     let Some(fence) = block.fence else { return Some(()) };
     let closing = fence.closing?;
@@ -107,7 +107,7 @@ fn fences(source: &str, block: &Block, edits: &mut Vec<Edit>) -> Option<()> {
     Some(())
 }
 
-/// The words of a question are prose; what is computed has the layout of expressions.
+/// Formats a question: its texts as prose, its computed parts as expressions.
 fn question(source: &str, content: Range<usize>) -> Option<Vec<Edit>> {
     let parts = questions::split(source, content.clone(), &mut Vec::new());
     let mut edits = prose::without_trailing_blanks(source, parts.prompt());
@@ -132,7 +132,7 @@ fn question(source: &str, content: Range<usize>) -> Option<Vec<Edit>> {
     Some(edits)
 }
 
-/// Blanks behind tags. What stands between them is text, and stays.
+/// Removes blanks after tags. Text between tags is kept.
 fn scene(source: &str, content: Range<usize>) -> Vec<Edit> {
     let mut edits = Vec::new();
     for line in lines(source, content).filter(|line| line.text(source).trim_end().ends_with('>')) {
@@ -152,7 +152,7 @@ fn without_blanks(source: &str, line: &Line) -> Vec<Edit> {
     edits
 }
 
-/// One line end at the end of the text, and no blank lines before it.
+/// One line end at the end of the text, without blank lines before it.
 fn end_of_text(outline: &Outline, formatted: &mut Formatted) {
     let source = outline.source();
     let Some(last) = outline.blocks().last() else { return };

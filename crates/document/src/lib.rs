@@ -1,9 +1,9 @@
 //! The simulation document: one Markdown file with prose, equations, scene, plots, presets, questions and checks, and further
 //! files that translate it.
 //!
-//! [`read`] gives the structure of a text, whatever is wrong in it. [`open`] also checks it and gives a program if the
-//! model has no errors. Neither fails: what cannot be read is a [`model::Diagnostic`] with its
-//! place. [`edit`] changes a text by its structure, [`format()`] its layout.
+//! [`read`] gives the structure of a text, even with errors. [`open()`] also checks it and gives a program if the model has
+//! no errors. Neither fails: errors are [`model::Diagnostic`]s with their places. [`edit`] changes a text by its structure,
+//! [`format()`] its layout.
 
 pub mod assist;
 mod blocks;

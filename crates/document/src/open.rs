@@ -1,4 +1,4 @@
-//! From text to document.
+//! Opens a document: from text to program.
 
 use crate::blocks::questions;
 use crate::blocks::questions::{QUESTIONS, RawQuestion};
@@ -19,8 +19,8 @@ use program::{Edition, Program, Question, QuestionText};
 use std::collections::BTreeMap;
 use units::{Language, words};
 
-/// Reads a document and its translations and checks everything in them. There is no document if its model has errors;
-/// any other faulty part is left out of it.
+/// Reads and checks a document and its translations. The document is `None` if its model has errors; other faulty parts are
+/// left out.
 pub fn open(source: &str, translations: &[&str]) -> Opened {
     let mut file = File::new(source);
     if let Some(base) = file.outline.front_matter().get("translates") {
@@ -54,19 +54,19 @@ pub fn open(source: &str, translations: &[&str]) -> Opened {
     }
 }
 
-/// A document, and what its translations need of it.
+/// A document, and the data that its translations need.
 pub(crate) struct Read {
     pub(crate) document: Document,
-    /// The statements of the model.
+    /// Statements of the model.
     pub(crate) statements: Vec<Statement>,
-    /// Which question of the document each question as written is, if it is any.
+    /// For each question as written, its index in the document, or `None` if it is invalid.
     pub(crate) questions: Vec<Option<usize>>,
-    /// What the texts of the scene say.
+    /// Texts of the scene.
     pub(crate) scene_words: Vec<SceneText>,
 }
 
-/// A file, and what was found in it. The syntax of its model counts only if the model is checked: that of a translation
-/// means nothing.
+/// A file and its diagnostics. Syntax errors of its model are added only when the model is checked, because the model of a
+/// translation is ignored.
 pub(crate) struct File<'a> {
     pub(crate) outline: Outline<'a>,
     pub(crate) diagnostics: Vec<Diagnostic>,
@@ -103,7 +103,7 @@ impl<'a> File<'a> {
         checked
     }
 
-    /// Everything else.
+    /// Everything except the model.
     pub(crate) fn document(&mut self, checked: Checked) -> Read {
         let Checked { mut model, statements, places, functions } = checked;
         let settings = settings::read(self.outline.front_matter(), &model, &mut self.diagnostics);
@@ -190,8 +190,8 @@ impl<'a> File<'a> {
         Read { document, statements, questions, scene_words: scene_words.unwrap_or_default() }
     }
 
-    /// The prose with its questions. `place` says which question one as written is, if it is any. Also the words of the
-    /// questions by that number, and the number of each question as written.
+    /// The prose with its questions. `place` returns the index of a question in the document, or `None`. Also returns the
+    /// texts of the questions by that index, and the index of each question as written.
     pub(crate) fn prose(
         &self,
         diagnostics: &mut Vec<Diagnostic>,

@@ -1,4 +1,4 @@
-//! Documents inside a page: an exported page carries its source.
+//! Documents inside a page: an exported page contains its source.
 
 use base64::Engine as _;
 use program::Program;
@@ -9,50 +9,50 @@ use std::io::{self, Write};
 /// A file of a document.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
-    /// Its file name, such as `utube.es.md`.
+    /// File name, such as `utube.es.md`.
     pub name: String,
-    /// Its text.
+    /// Text of the file.
     pub text: String,
 }
 
-/// What of the page is adapted to its documents.
+/// Properties of a page that depend on its documents.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The content of `<title>`.
+    /// Content of `<title>`.
     pub title: Option<String>,
-    /// The `lang` of `<html>`.
+    /// Attribute `lang` of `<html>`.
     pub language: Option<String>,
-    /// The simulation of a page that plays one: its bundle, gzipped.
+    /// For a page that plays a simulation: its bundle, gzipped.
     pub bundle: Option<Vec<u8>>,
 }
 
-/// The page's content security policy: it makes no request, and what is not in the file does not exist for it.
+/// Content security policy of the page: no requests, and no resources outside the file.
 pub const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; \
                           img-src data: blob:; font-src data:; base-uri 'none'; form-action 'none'";
 
-/// Opens the element with the editor of the laboratory: a script, deflated, in base64.
+/// Opening tag of the element with the editor of the laboratory: a deflated script in base64.
 pub const EDITOR: &str = "<script type=\"application/octet-stream\" id=\"editor\">";
 
-/// Opens the element with the page that [`played`] fills, for documents that are published from the laboratory: deflated, in
-/// base64.
+/// Opening tag of the element with the page template for [`played`], used to publish documents from the laboratory:
+/// deflated, in base64.
 pub const PLAYER: &str = "<script type=\"application/octet-stream\" id=\"player\">";
 
-/// The place in a page where the documents go.
+/// Marker for the place of the documents in a page.
 pub const MARKER: &str = "<!--documents-->";
 
 const OPENING: &str = "<script type=\"application/json\" id=\"documents\">";
 const CLOSING: &str = "</script>";
 const BUNDLE: &str = "<script type=\"application/octet-stream\" id=\"bundle\">";
 
-/// The page that plays a simulation: `player` with the program's bundle (`program::bundle::write`), gzipped, and with the
-/// sources that it was made from beside it. None where `player` has no place for them.
+/// Page that plays a simulation: `player` with the bundle of the program (`program::bundle::write`), gzipped, and its
+/// sources. `None` if `player` has no place for them.
 pub fn played(player: &str, sources: &[Source], program: &Program, gzipped_bundle: Vec<u8>) -> Option<String> {
     let (title, language) = (Some(program.title.clone()), Some(program.language.clone()));
     embed(player, sources, &Options { title, language, bundle: Some(gzipped_bundle) })
 }
 
-/// Puts `documents` into `template`, in the place of [`MARKER`] or of the documents it has already. None where the
-/// template has no such place.
+/// Inserts `documents` into `template` at [`MARKER`], or replaces the documents that it contains. `None` if the template
+/// has neither.
 pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<String> {
     let (before, after) = match template.split_once(MARKER) {
         Some(around) => around,
@@ -75,27 +75,27 @@ pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<
     Some(format!("{head}{bundle}{OPENING}{}{CLOSING}{after}", write_list(documents)))
 }
 
-/// Documents as a list in JSON that can stand in a `script` element: nothing in it can end the element or begin a comment.
+/// Documents as a JSON list that is safe inside a `script` element: it cannot end the element or begin a comment.
 pub fn write_list(documents: &[Source]) -> String {
     let mut bytes = Vec::new();
-    // A list of texts can be written, and to memory.
+    // Serializing texts to memory cannot fail.
     let _ = documents.serialize(&mut serde_json::Serializer::with_formatter(&mut bytes, ForScript));
     String::from_utf8(bytes).unwrap_or_default()
 }
 
-/// The documents in a page that [`embed`] made. None where it holds none.
+/// Documents in a page made by [`embed`]. `None` if it contains none.
 pub fn read(page: &str) -> Option<Vec<Source>> {
     let (start, end) = embedded(page)?;
     read_list(&page[start..end])
 }
 
-/// The documents of a list that [`write_list`] made. None where it is none, or empty.
+/// Documents of a list made by [`write_list`]. `None` if it is invalid or empty.
 pub fn read_list(list: &str) -> Option<Vec<Source>> {
     serde_json::from_str(list).ok().filter(|documents: &Vec<Source>| !documents.is_empty())
 }
 
-/// Where the embedded JSON stands. It is the last such element: no document can contain its opening tag, encoded as
-/// they are, but what stands before may.
+/// Byte range of the embedded JSON. It is in the last such element: an encoded document cannot contain the opening tag, but
+/// the text before it may.
 fn embedded(page: &str) -> Option<(usize, usize)> {
     let start = page.rfind(OPENING)? + OPENING.len();
     let end = start + page[start..].find(CLOSING)?;
@@ -111,8 +111,8 @@ fn replace_between(text: &mut String, before: &str, after: &str, new: &str) {
     }
 }
 
-/// JSON without the characters that mean something in HTML or end a line in JavaScript: they are escaped by their numbers.
-/// Each document begins a line.
+/// JSON formatter that escapes the characters with a meaning in HTML and the line separators of JavaScript as `\uXXXX`.
+/// Each document begins on a new line.
 struct ForScript;
 
 impl Formatter for ForScript {

@@ -1,4 +1,4 @@
-//! A project: one file with a document, its translations, its state, and what was measured with it.
+//! A project: one file with a document, its translations, its state, and the data measured with it.
 //!
 //! ```json
 //! {"meniscus project":1,
@@ -7,51 +7,50 @@
 //!  "items":[{"name":"4f1c…","item":{"meniscus":3,"since":1763812800000,"item":{"record":{}}}}]}
 //! ```
 //!
-//! Readers ignore fields that they do not know. The items are those of the storage of the laboratory; this file does not look into
-//! them.
+//! Unknown fields are ignored. The items are those of the laboratory's storage and are not interpreted here.
 
 use crate::page::Source;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use units::{Words, words};
 
-/// The version of the format.
+/// Version of the format.
 const VERSION: u32 = 1;
 
-/// The longest project that is read, in bytes: records of 50 MiB, and what describes them.
+/// Maximum size of a project, in bytes: 50 MiB of records and their descriptions.
 pub const LONGEST_PROJECT: usize = 64 << 20;
 
-/// More documents or items than these are not read.
+/// Maximum numbers of documents and items.
 const MOST_DOCUMENTS: usize = 100;
 const MOST_ITEMS: usize = 10_000;
 
-/// The ending of the names of projects.
+/// Extension of project files.
 pub const PROJECT_ENDING: &str = ".meniscus";
 
-/// What a project holds.
+/// Content of a project.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Project {
-    /// The document, and its translations.
+    /// The document and its translations.
     pub documents: Vec<Source>,
-    /// The state of the simulation, as a link has it; may be empty.
+    /// State of the simulation in the form of a link; may be empty.
     pub state: String,
-    /// Records, fits, work on films, and answers: names, and texts in JSON.
+    /// Records, fits, film analyses and answers: pairs of a name and a JSON text.
     pub items: Vec<(String, String)>,
 }
 
-/// Why a file is no project.
+/// Reason why a file cannot be read as a project.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProjectError {
-    /// It is longer than [`LONGEST_PROJECT`], or holds too many parts.
+    /// Longer than [`LONGEST_PROJECT`], or too many parts.
     TooLarge,
-    /// Another version of the program has written it.
+    /// Written by a later version of the program.
     LaterVersion,
-    /// It is damaged, or something else.
+    /// Damaged, or not a project.
     Unreadable,
 }
 
 impl ProjectError {
-    /// In words.
+    /// Description for the user.
     pub fn words(self) -> Words {
         match self {
             Self::TooLarge => words("is too large for a project", "es demasiado grande para ser un proyecto"),
@@ -92,21 +91,21 @@ struct Version {
 }
 
 impl Project {
-    /// The content of the file. An item that is no JSON is left out.
+    /// Content of the file. Items that are not JSON are left out.
     pub fn write(&self) -> String {
         let item = |(name, text): &(String, String)| {
             Some(WrittenItem { name: name.clone(), item: RawValue::from_string(text.clone()).ok()? })
         };
         let items = self.items.iter().filter_map(item).collect();
         let written = Written { version: VERSION, documents: self.documents.clone(), state: self.state.clone(), items };
-        // Texts and one number: there is nothing in it that could not be written.
+        // Texts and a number can always be serialized.
         serde_json::to_string(&written).unwrap_or_default()
     }
 
     /// Reads the content of a file.
     ///
     /// # Errors
-    /// What cannot be read as a project, or is too large.
+    /// If the text is not a project, or is too large.
     pub fn read(text: &str) -> Result<Self, ProjectError> {
         if text.len() > LONGEST_PROJECT {
             return Err(ProjectError::TooLarge);

@@ -1,4 +1,4 @@
-//! A document with other sizes of its families: another size makes other equations, so the model is built again.
+//! A document with other sizes of families. Another size gives other equations, so the model is built again.
 
 use crate::document::Document;
 use crate::edit::{EditError, apply, set_parameter};
@@ -6,12 +6,13 @@ use crate::open::open;
 use model::Severity;
 use units::Words;
 
-/// The document as it is opened when its text gives some sizes other values, `("N", "50")`. What sizes the text states stays known
-/// ([`program::Size::stated`]).
+/// The document with the values of some sizes replaced in its text, for example `("N", "50")`. The sizes of the original
+/// text remain available ([`program::Size::stated`]).
 ///
 /// # Errors
 ///
-/// A name that is no size, a value outside its range, or a model that has errors with this size, as one that is too large has.
+/// An unknown size, a value outside its range, or a model that has errors with this size, for example because it is too
+/// large.
 pub fn resized(document: &Document, sizes: &[(&str, &str)]) -> Result<Document, Words> {
     let mut source = document.source.clone();
     for (name, value) in sizes {

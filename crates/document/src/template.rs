@@ -1,28 +1,28 @@
-//! What a new document can begin with.
+//! Templates for new documents.
 
 use units::Language;
 
-/// A short document to begin with.
+/// A short document to start from.
 #[derive(Clone, Copy, Debug)]
 pub struct Template {
-    /// What its file is called, without an ending.
+    /// File name without extension.
     pub name: &'static str,
     english: &'static str,
     spanish: &'static str,
 }
 
 impl Template {
-    /// Its text in a language.
+    /// Text in a language.
     pub fn text(&self, language: Language) -> &'static str {
         language.pick(self.english, self.spanish)
     }
 
-    /// Whether it says no more than where things go.
+    /// True for the template that contains only the structure.
     pub fn is_empty(&self) -> bool {
         self.name == TEMPLATES[0].name
     }
 
-    /// Its title in a language.
+    /// Title in a language.
     pub fn title(&self, language: Language) -> String {
         crate::card(self.text(language)).title
     }
@@ -38,14 +38,15 @@ macro_rules! templates {
     };
 }
 
-/// The templates, the shortest first.
+/// All templates, the shortest first.
 pub const TEMPLATES: [Template; 7] =
     templates!["empty", "oscillator", "coupled-bodies", "circuit", "projectile", "formula", "map"];
 
-/// The longest name made of a title, in characters.
+/// Maximum length of a file name made from a title, in characters.
 const LONGEST_NAME: usize = 60;
 
-/// What the file of a document is called. One that still has the name of a template gets that of its title: `a-mass-on-a-spring.md`.
+/// File name of a document. A document that still has the name of a template is named after its title:
+/// `a-mass-on-a-spring.md`.
 pub fn file_name(name: &str, text: &str) -> String {
     let (stem, ending) = name.split_once('.').unwrap_or((name, "md"));
     if !TEMPLATES.iter().any(|template| template.name == stem) {

@@ -1,4 +1,5 @@
-//! A bare number that is given to a quantity is in the unit in which that is declared, as in its range and on the command line.
+//! A bare number that is assigned to a quantity is in the declared unit of the quantity, as in its range and on the command
+//! line.
 
 use crate::{Diagnostic, Expression, ExpressionKind, Span, Statement, StatementKind, UnaryOperator};
 use std::borrow::Cow;
@@ -6,8 +7,8 @@ use std::collections::HashMap;
 use units::number::shortest;
 use units::{Unit, words};
 
-/// The expression that a value given to `name` stands for: a bare number gets the declared unit. Where a number in that unit is no
-/// SI value, a remark gives both meanings.
+/// Returns `value` with the declared unit of `name` if it is a bare number, or else unchanged. If the unit is not the
+/// coherent SI unit, a warning shows both readings of the number.
 pub fn in_declared_unit(
     name: &str,
     mut value: Expression,
@@ -50,7 +51,7 @@ fn remark(name: &str, value: &Expression, number: f64, unit: &Unit) -> Diagnosti
     .with_fix(span, coherent)
 }
 
-/// A number as an SI value with its unit: in radians for an angle, in the declared unit for another pure number.
+/// A number in `unit` as text in SI units: in radians for an angle, in the declared unit for another dimensionless number.
 fn si(number: f64, unit: &Unit) -> String {
     if !unit.dimension.is_none() {
         return format!("{} [{}]", shortest(number), Unit::si(unit.dimension));
@@ -61,13 +62,13 @@ fn si(number: f64, unit: &Unit) -> String {
     format!("{} [{unit}]", shortest(unit.from_si(number)))
 }
 
-/// True for degrees, however they are written.
+/// True for degrees, in either spelling.
 fn is_degree(unit: &Unit) -> bool {
     matches!(unit.text.as_str(), "deg" | "°")
 }
 
-/// The statements in which each bare number that an event or a button gives to a pure number is in the unit that this is declared
-/// in: `theta = 90` where `theta(0) = 0 in [deg]`.
+/// Gives the declared unit to each bare number that an event or a button assigns to a dimensionless quantity: `theta = 90`
+/// after `theta(0) = 0 in [deg]`. Borrows the statements if nothing changes.
 pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
     let declared: HashMap<(&str, u32), &Unit> = statements.iter().filter_map(declared).collect();
     let is_given = |statement: &Statement| match &statement.kind {
@@ -92,7 +93,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
     Cow::Owned(written)
 }
 
-/// Returns the name, the order and the unit that a statement declares, if that is a unit of pure numbers other than 1.
+/// Name, derivative order and unit that a statement declares, if the unit is dimensionless and not 1.
 fn declared(statement: &Statement) -> Option<((&str, u32), &Unit)> {
     let (name, order, unit) = match &statement.kind {
         StatementKind::InitialValue { name, order, unit, .. } => (name, *order, unit.as_ref()?),

@@ -1,8 +1,8 @@
 //! Random draws: `x = x + normal(0, 1 [m])` in an event, `v(0) = normal(0, s)` at the start.
 //!
-//! Every draw gets a stream of its own, a definition that mixes the seed, the name of what is set, which of the draws for it
-//! this is in the order of the text, and how often the event has happened. So a draw does not depend on what was drawn
-//! before: going back in the run, another step and another event change nothing of it.
+//! Every draw gets a random stream of its own. The stream is a definition that mixes the seed, the name of the target
+//! quantity, the number of the draw among those of this target in text order, and the number of firings of the event. So a
+//! draw does not depend on earlier draws: stepping back in the run, another step size or another event does not change it.
 
 use crate::names::for_each;
 use crate::syntax::expressions;
@@ -16,24 +16,24 @@ use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use units::words;
 
-/// One of several values by chance.
+/// Name of the function that returns one of its arguments at random.
 const PICK: &str = "pick";
 
-/// How the names of streams begin; no text can give them.
+/// Prefix of the names of streams. It contains a space, so it cannot occur in source text.
 const STREAM: &str = "draw ";
 
-/// Whether these are the arguments of a draw that has its stream.
+/// True if the first of `arguments` is the stream of a draw.
 pub(crate) fn has_stream(arguments: &[Expression]) -> bool {
     let name = arguments.first().map(|first| &first.kind);
     matches!(name, Some(ExpressionKind::Name { name, .. }) if name.starts_with(STREAM))
 }
 
-/// Whether a name is that of a function that draws.
+/// True if `name` is a function that draws at random.
 pub(crate) fn draws(name: &str) -> bool {
     name == PICK || Function::named(name).is_some_and(Function::draws)
 }
 
-/// What is said of a draw in a place where nothing may be drawn.
+/// Error for a draw in a place where draws are not allowed.
 pub(crate) fn out_of_place(name: &Name) -> Diagnostic {
     let message = words!(
         "`{}` draws at random, and here the value would be another one at each look",
@@ -46,7 +46,7 @@ pub(crate) fn out_of_place(name: &Name) -> Diagnostic {
     ))
 }
 
-/// The statements with a stream in each draw that is in its place.
+/// Adds a stream to every draw that stands in an allowed place.
 pub(crate) fn write_out<'a>(
     statements: Cow<'a, [Statement]>,
     diagnostics: &mut Vec<Diagnostic>,
@@ -110,16 +110,16 @@ fn seed(statement: &Statement) -> Option<&Name> {
     }
 }
 
-/// Writes streams into draws.
+/// Adds streams to draws.
 #[derive(Debug)]
 struct Writer {
     seed: Option<String>,
-    /// The author's functions, which may have these names.
+    /// User-defined functions; they may have the names of drawing functions.
     functions: HashSet<String>,
-    /// How many draws there are for each quantity.
+    /// Number of draws per target quantity.
     drawn: HashMap<String, u32>,
     added: Vec<Statement>,
-    /// The first draw.
+    /// Place of the first draw.
     first: Option<Span>,
     diagnostics: Vec<Diagnostic>,
 }
@@ -155,9 +155,10 @@ impl Writer {
         }
     }
 
-    /// Writes streams into the draws of a value; `counter` counts how often the event has happened.
+    /// Adds streams to the draws of a value. `counter` is the quantity that counts the firings of the event, `None` for a
+    /// value at the start.
     fn value(&mut self, target: &str, counter: Option<&str>, value: &mut Expression) {
-        // From the left to the right, as they are read.
+        // From left to right, the order of the text.
         let mut waiting = vec![value];
         while let Some(next) = waiting.pop() {
             let span = next.span;
@@ -184,7 +185,7 @@ impl Writer {
         }
     }
 
-    /// Whether a draw has as many arguments as it takes; if not, says so.
+    /// True if a draw has the right number of arguments; reports an error if not.
     fn counts(&mut self, function: &Name, given: usize) -> bool {
         let (takes, form) = match function.text.as_str() {
             PICK => (given.max(1), "pick(a, b, c)"),
@@ -204,7 +205,7 @@ impl Writer {
         takes == given
     }
 
-    /// A new definition, which is the stream of a draw for `target`.
+    /// Adds a definition for the stream of the next draw for `target` and returns its name as an expression.
     fn stream(&mut self, target: &str, counter: Option<&str>, span: Span) -> Expression {
         let number = self.drawn.entry(target.to_owned()).or_default();
         *number += 1;
@@ -221,7 +222,7 @@ impl Writer {
     }
 }
 
-/// A whole number for a text, the same for ever: FNV-1a with 64 bits, of which the highest 53 are taken.
+/// Stable integer hash of a text: 64-bit FNV-1a, of which the highest 53 bits are kept to fit an `f64`.
 fn site(text: &str) -> f64 {
     let hash = text
         .bytes()
@@ -229,7 +230,7 @@ fn site(text: &str) -> f64 {
     (hash >> 11) as f64
 }
 
-/// `if u < 1/3 then a else if u < 2/3 then b else c`, where u lies evenly between 0 and 1.
+/// `if u < 1/3 then a else if u < 2/3 then b else c`, where u is uniform between 0 and 1.
 fn picked(values: Vec<Expression>, stream: &Expression, span: Span) -> Expression {
     let count = values.len() as f64;
     let part = || {

@@ -1,5 +1,5 @@
-//! Choices: a parameter whose value is a text, and for each name that the alternatives define one definition that selects
-//! by it.
+//! Choices: a parameter whose value is a text. Each name that the alternatives define becomes one definition that selects
+//! by the parameter.
 
 use crate::{
     BinaryOperator, ChoiceStatement, ChosenValue, Diagnostic, Expression, ExpressionKind, ParameterForm,
@@ -8,7 +8,7 @@ use crate::{
 use std::collections::BTreeMap;
 use units::words;
 
-/// The statements with the parameters and definitions that choices stand for, if there are any.
+/// Replaces each choice by its parameter and definitions. `None` if there are no choices.
 pub(crate) fn spread(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Statement>> {
     if !statements.iter().any(|statement| matches!(statement.kind, StatementKind::Choice(_))) {
         return None;
@@ -41,8 +41,8 @@ fn parameter(choice: &ChoiceStatement) -> ParameterStatement {
     }
 }
 
-/// What a choice defines: `rho = if liquid == "Water" then ... else ...`. A stated unit of the first alternative, or that of
-/// its number, is the unit of all.
+/// The definitions of a choice: `rho = if liquid == "Water" then ... else ...`. The unit stated in the first alternative,
+/// or else the unit of its number, holds for all alternatives.
 pub(crate) fn definitions(choice: &ChoiceStatement) -> impl Iterator<Item = Statement> {
     let first = choice.alternatives.first().into_iter();
     first.flat_map(|first| &first.values).map(|value| definition(choice, value))
@@ -79,7 +79,7 @@ fn definition(choice: &ChoiceStatement, first: &ChosenValue) -> Statement {
     }
 }
 
-/// Labels that are not those that an earlier alternative gives the same quantity, and the earlier ones.
+/// Pairs of a label that differs from an earlier label of the same quantity, and that earlier label.
 fn differing_labels(choice: &ChoiceStatement) -> Vec<(&Quoted, &Quoted)> {
     let mut labels: BTreeMap<&str, &Quoted> = BTreeMap::new();
     let mut differing = Vec::new();
@@ -94,7 +94,7 @@ fn differing_labels(choice: &ChoiceStatement) -> Vec<(&Quoted, &Quoted)> {
     differing
 }
 
-/// Whether every alternative defines the same names, each once.
+/// True if every alternative defines the same names, each once. Reports errors.
 fn check(choice: &ChoiceStatement, diagnostics: &mut Vec<Diagnostic>) -> bool {
     let before = diagnostics.len();
     let Some((first, others)) = choice.alternatives.split_first() else { return false };

@@ -18,21 +18,21 @@ use std::collections::HashSet;
 use std::ops::Range;
 use units::words;
 
-/// A model without errors, and what its author wrote.
+/// A model without errors, together with its source statements.
 #[derive(Clone, Debug)]
 pub struct Checked {
     /// The model.
     pub model: Model,
-    /// What the author wrote, for typesetting.
+    /// The statements of the source, for typesetting.
     pub statements: Vec<Statement>,
-    /// Where the parts of the model stand.
+    /// Source places of the parts of the model.
     pub places: Places,
-    /// The author's functions, for the expressions of the document.
+    /// User-defined functions, for the expressions of the document.
     pub functions: Functions,
 }
 
-/// Compiles the model that stands in `parts` of a document's `source`, which may be several fences. Places in the
-/// diagnostics count bytes of `source`. There is no model if there are errors; there may be warnings beside one.
+/// Compiles the model in `parts` of a document's `source`: one range of bytes per fence. Spans of diagnostics are byte
+/// ranges of `source`. The model is `None` if there are errors; warnings do not prevent one.
 pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Checked>, Vec<Diagnostic>) {
     if let Some(refusal) = refuse_length(parts) {
         return (None, vec![refusal]);
@@ -41,7 +41,7 @@ pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Checked>, Vec<Di
     check(statements, diagnostics)
 }
 
-/// The error of a model that is too long to be parsed; its text stands in `parts` of a document.
+/// Error for a model that is too long to be parsed, or `None`. `parts` are the byte ranges of the model in the document.
 pub fn refuse_length(parts: &[Range<usize>]) -> Option<Diagnostic> {
     let length: usize = parts.iter().map(Range::len).sum();
     if length <= limits::SOURCE {
@@ -56,17 +56,17 @@ pub fn refuse_length(parts: &[Range<usize>]) -> Option<Diagnostic> {
     Some(Diagnostic::error("model-too-large", message, Span::new(start, start)))
 }
 
-/// Checks the statements of a model, of which [`parse`] found `diagnostics`, and compiles them. All diagnostics, in the
-/// order of their places. There is no model if there are errors.
+/// Checks and compiles the statements of a model. `diagnostics` are the findings of [`parse`]. Returns all diagnostics in
+/// source order, and no model if there are errors.
 pub fn check(statements: Vec<Statement>, mut diagnostics: Vec<Diagnostic>) -> (Option<Checked>, Vec<Diagnostic>) {
-    // What could not be read leaves gaps; telling their consequences would hide the cause.
+    // Unreadable text leaves gaps; errors that follow from them would hide the cause.
     let model = if has_errors(&diagnostics) {
         None
     } else {
         let vectors = Vectors::of(&statements);
         let model = checked(statements, &vectors, &mut diagnostics);
         if !vectors.is_empty() {
-            // What is wrong with a vector is so with each of its components.
+            // A fault of a vector is found once for each component; keep one.
             let mut places = HashSet::new();
             diagnostics.retain(|diagnostic| places.insert((diagnostic.code, diagnostic.span())));
         }
@@ -103,7 +103,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
     if has_errors(diagnostics) {
         return None;
     }
-    // Functions may have members in their bodies.
+    // Bodies of functions may contain members of families.
     let single = match &called {
         Some(called) => without_families(called, &sizes, diagnostics),
         None => Cow::Borrowed(&*remembered),
@@ -153,7 +153,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
     }
 }
 
-/// The statements without vectors, and the author's functions, which are written out before: their arguments can be vectors.
+/// Expands user-defined functions, then replaces vectors by components: arguments of functions can be vectors.
 fn without_vectors(
     single: &[Statement],
     vectors: &Vectors,
@@ -169,8 +169,8 @@ fn without_vectors(
     Some((vectors.write_out(&single, diagnostics), functions))
 }
 
-/// Marks what the author has hidden: a quantity or a state, all members of a family, all components of a vector; and what the author
-/// has not written, which has a name that no text can give.
+/// Marks hidden quantities and states: those that the author hides, with all members of a family or components of a vector,
+/// and those that the compiler has added, which have names that cannot occur in source text.
 fn hide(model: &mut Model, statements: &[Statement], vectors: &Vectors) {
     let mut hidden: HashSet<(&str, u32)> = HashSet::new();
     for statement in statements {

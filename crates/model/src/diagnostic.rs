@@ -1,5 +1,5 @@
-//! What is wrong with a text, where, why, and what to do about it. A diagnostic is a value: the command line and the
-//! page render the same one, each in the language of its reader.
+//! Diagnostics: what is wrong in a text, where, why, and what to do. A diagnostic is a value; the command line and the page
+//! render it in the language of the reader.
 
 use std::ops::Range;
 use units::{UnitError, Words, words};
@@ -14,12 +14,12 @@ pub struct Span {
 }
 
 impl Span {
-    /// Whether `other` stands inside.
+    /// True if `other` lies inside.
     pub(crate) fn contains(self, other: Self) -> bool {
         self.start <= other.start && other.end <= self.end
     }
 
-    /// The bytes from `start` up to `end`.
+    /// The bytes from `start` to `end`, exclusive.
     pub fn new(start: usize, end: usize) -> Self {
         Self { start, end }
     }
@@ -29,53 +29,53 @@ impl Span {
         Self::new(self.start.min(other.start), self.end.max(other.end))
     }
 
-    /// The empty place just after it.
+    /// The empty span just after it.
     pub fn after(self) -> Self {
         Self::new(self.end, self.end)
     }
 
-    /// As a range, for slicing the source.
+    /// The bytes as a range, for slicing the source.
     pub fn range(self) -> Range<usize> {
         self.start..self.end
     }
 }
 
-/// How grave a diagnostic is.
+/// Severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Worth knowing; the document runs.
+    /// The document runs, but the author should know.
     Warning,
     /// The document does not run.
     Error,
 }
 
-/// A place in the source and what there is to say about it.
+/// A place in the source with a text about it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
     /// The place.
     pub span: Span,
-    /// A few words beside it; empty where the underline says enough.
+    /// Text beside the place; empty where underlining suffices.
     pub text: Words,
 }
 
-/// A replacement of a part of a text.
+/// A replacement of part of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
     /// The bytes to be replaced; empty for an insertion.
     pub span: Span,
-    /// What replaces them; empty for a removal.
+    /// The new text; empty for a removal.
     pub text: String,
 }
 
 /// A change of the text that removes the cause of a diagnostic.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
-    /// What is replaced; the places do not overlap.
+    /// Replacements; their spans do not overlap.
     pub edits: Vec<Edit>,
 }
 
 impl Fix {
-    /// What a button says that makes the change in `source`: "replace `gmma` by `gamma`".
+    /// Title of the button that makes the change in `source`: "replace `gmma` by `gamma`".
     pub fn title(&self, source: &str) -> Words {
         let Some(Edit { span, text }) = self.edits.first() else { return Words::default() };
         let old = source.get(span.range()).unwrap_or_default().trim();
@@ -91,19 +91,19 @@ impl Fix {
 /// One finding about a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// How grave it is.
+    /// Severity.
     pub severity: Severity,
-    /// A stable name, such as `dimension-mismatch`; never translated.
+    /// Stable identifier such as `dimension-mismatch`, never translated.
     pub code: &'static str,
-    /// What is wrong, in one sentence without a full stop.
+    /// The fault, in one sentence without a full stop.
     pub message: Words,
-    /// Where; the first label is the primary place.
+    /// Places; the first label is the primary place.
     pub labels: Vec<Label>,
-    /// Why, in lines of text that may be aligned in columns (shown in a fixed-width face).
+    /// Reasons: lines that may be aligned in columns, for a fixed-width font.
     pub notes: Vec<Words>,
-    /// What to do.
+    /// Remedies.
     pub hints: Vec<Words>,
-    /// The hints among them that an editor can carry out.
+    /// Remedies that an editor can apply.
     pub fixes: Vec<Fix>,
 }
 
@@ -123,7 +123,7 @@ impl Diagnostic {
         Self { severity, code, message, labels, notes: Vec::new(), hints: Vec::new(), fixes: Vec::new() }
     }
 
-    /// What is wrong with the unit whose text begins at `start`, inside the brackets at `brackets`.
+    /// Diagnostic for a unit whose text begins at byte `start`, inside the brackets at `brackets`.
     pub fn of_unit(error: UnitError, start: usize, brackets: Span) -> Self {
         let inside = Span::new(start + error.range.start, start + error.range.end);
         let span = if error.range.is_empty() { brackets } else { inside };
@@ -135,7 +135,7 @@ impl Diagnostic {
         }
     }
 
-    /// Words beside the primary place.
+    /// Sets the text beside the primary place.
     pub fn saying(mut self, text: Words) -> Self {
         if let Some(label) = self.labels.first_mut() {
             label.text = text;
@@ -143,36 +143,36 @@ impl Diagnostic {
         self
     }
 
-    /// A further place.
+    /// Adds a place.
     pub fn with_label(mut self, span: Span, text: Words) -> Self {
         self.labels.push(Label { span, text });
         self
     }
 
-    /// A reason.
+    /// Adds a reason.
     pub fn with_note(mut self, note: Words) -> Self {
         self.notes.push(note);
         self
     }
 
-    /// A remedy.
+    /// Adds a remedy.
     pub fn with_hint(mut self, hint: Words) -> Self {
         self.hints.push(hint);
         self
     }
 
-    /// A change of the text that follows a remedy: `text` in the place of what stands at `span`.
+    /// Adds a fix that replaces the text at `span` by `text`.
     pub fn with_fix(self, span: Span, text: impl Into<String>) -> Self {
         self.with_fixes(vec![Edit { span, text: text.into() }])
     }
 
-    /// A change of the text at several places.
+    /// Adds a fix with replacements at several places.
     pub fn with_fixes(mut self, edits: Vec<Edit>) -> Self {
         self.fixes.push(Fix { edits });
         self
     }
 
-    /// The word that was probably meant by the one at the primary place.
+    /// Suggests `word` in place of the text at the primary place.
     pub fn meaning(self, word: &str) -> Self {
         let span = self.span();
         self.with_hint(words!("did you mean `{word}`?", "¿querías decir `{word}`?")).with_fix(span, word)
@@ -184,7 +184,7 @@ impl Diagnostic {
     }
 }
 
-/// Whether any of the findings keeps the document from running.
+/// True if any diagnostic is an error.
 pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }

@@ -1,7 +1,8 @@
-//! Discrete quantities that are a text, or true or false: `discrete phase = "up"`, `discrete moving = true`.
+//! Discrete quantities whose values are texts or truth values: `discrete phase = "up"`, `discrete moving = true`.
 //!
-//! States are numbers. So each becomes a state of a name that no text can give, which holds 1 or 0 or the number of the text,
-//! and a definition with the author's name that tells which it is. Events set the number.
+//! States are numbers. So each such quantity becomes a state that holds 1 or 0 or the index of the text, and a definition
+//! with the author's name that turns the number into the value. The name of the state cannot occur in source text. Events
+//! set the state.
 
 use crate::{
     BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, Statement, StatementKind, UnaryOperator, limits,
@@ -11,7 +12,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use units::words;
 
-/// What a discrete quantity is, if it is no number.
+/// Kind of values of a discrete quantity that is not a number.
 enum Values {
     /// True or false.
     Truth,
@@ -19,7 +20,7 @@ enum Values {
     Texts(Vec<String>),
 }
 
-/// The statements with all such quantities as numbers and definitions.
+/// Replaces all such quantities by numeric states and definitions.
 pub(crate) fn write_out<'a>(
     statements: Cow<'a, [Statement]>,
     diagnostics: &mut Vec<Diagnostic>,
@@ -55,7 +56,7 @@ pub(crate) fn write_out<'a>(
         }
         written.push(statement);
     }
-    // The texts are known only when all events have been looked at.
+    // The list of texts is complete only after all events.
     for statement in statements.iter() {
         if let StatementKind::Discrete { name, unit, .. } = &statement.kind
             && let Some(values) = kinds.get(&name.text)
@@ -68,12 +69,12 @@ pub(crate) fn write_out<'a>(
     Cow::Owned(written)
 }
 
-/// The name of the state behind a quantity.
+/// Name of the state behind a quantity.
 fn state_name(name: &str) -> String {
     format!("{name}{}", State::SO_FAR)
 }
 
-/// The quantity of the author's whose state this is, if it is one that holds a truth or a text.
+/// Name of the truth or text quantity whose state is `state`, or `None`.
 pub(crate) fn quantity(state: &str) -> Option<&str> {
     state.strip_suffix(State::SO_FAR).filter(|name| !name.contains([' ', '(']))
 }
@@ -94,7 +95,7 @@ fn kind(statement: &Statement) -> Option<(String, Values)> {
     Some((name.text.clone(), values))
 }
 
-/// `true` or `false`
+/// Value of the literal `true` or `false`, `None` for another expression.
 fn literal(value: &Expression) -> Option<bool> {
     match &value.kind {
         ExpressionKind::Name { name, order: 0 } if name == "true" => Some(true),
@@ -103,7 +104,7 @@ fn literal(value: &Expression) -> Option<bool> {
     }
 }
 
-/// The number that stands for a value of the quantity `name`.
+/// The number that encodes a value of the quantity `name`.
 fn number(value: &Expression, values: &mut Values, name: &Name, diagnostics: &mut Vec<Diagnostic>) -> Expression {
     let span = value.span;
     if let ExpressionKind::If(condition, chosen, other) = &value.kind {
@@ -168,7 +169,7 @@ fn too_many_texts(name: &Name, span: Span) -> Diagnostic {
     Diagnostic::error("model-too-large", message, span)
 }
 
-/// What the number behind the quantity `name` stands for.
+/// Expression that decodes the number behind the quantity `name`.
 fn meaning(name: &str, values: &Values, span: Span) -> Expression {
     let is = |number: f64| {
         let state = Expression::named(&state_name(name), span);

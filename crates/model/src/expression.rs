@@ -15,8 +15,8 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 use units::{Unit, words};
 
-/// Compiles expressions of a document against its model. What the names of the model mean, and what was derived from
-/// them for one expression, is there for the next.
+/// Compiles expressions of a document against its model. Scope, types and lowered nodes are kept from one expression to the
+/// next.
 #[derive(Debug)]
 pub struct Compiler<'a> {
     pub(crate) model: &'a mut Model,
@@ -27,12 +27,12 @@ pub struct Compiler<'a> {
     functions: Functions,
     indices: Bindings,
     pub(crate) vectors: Vectors,
-    /// For the calls of functions.
+    /// Limit for the expansion of function calls.
     budget: Budget,
 }
 
 impl<'a> Compiler<'a> {
-    /// For expressions that are added to the graph of `model`.
+    /// Compiler for expressions that are added to the graph of `model`.
     pub fn new(model: &'a mut Model) -> Self {
         let variables = variables(model);
         let (scope, types) = (scope(model, &variables), types(model, &variables));
@@ -45,7 +45,7 @@ impl<'a> Compiler<'a> {
         Self { scope, types, chains, lowered, functions, indices, vectors, budget, model }
     }
 
-    /// With the author's functions, which the expressions may then call.
+    /// Adds the user-defined functions, which the expressions may then call.
     #[must_use]
     pub fn with(mut self, functions: &Functions) -> Self {
         self.scope.declare_functions(functions.names());
@@ -53,36 +53,36 @@ impl<'a> Compiler<'a> {
         self
     }
 
-    /// The model, with what has been compiled in its graph.
+    /// The model, including the nodes compiled so far.
     pub fn model(&self) -> &Model {
         self.model
     }
 
-    /// Gives an index a value in the expressions that follow, until [`Self::unbind`].
+    /// Binds an index to a value in the expressions that follow, until [`Self::unbind`].
     pub fn bind(&mut self, index: &str, value: i64) {
         self.indices.push(index, value);
     }
 
-    /// Takes back the index that was bound last.
+    /// Removes the last binding.
     pub fn unbind(&mut self) {
         self.indices.pop();
     }
 
-    /// The whole numbers from the low to the high end of a range, both included, with the indices that are bound.
+    /// Integers of a range, both ends included, under the current bindings.
     ///
     /// # Errors
-    /// Ends that are not made of whole numbers, sizes and indices.
+    /// If an end is not composed of integers, sizes and indices.
     pub fn range(&self, over: &Over) -> Result<RangeInclusive<i64>, Box<Diagnostic>> {
         let end = |end| whole_number(end, &self.model.sizes, &self.indices);
         Ok(end(&over.low)?..=end(&over.high)?)
     }
 
-    /// The model's graph, for what is computed from compiled values.
+    /// Graph of the model, for operations on compiled values.
     pub fn graph(&mut self) -> &mut Graph {
         &mut self.model.graph
     }
 
-    /// The name that an expression is, with its primes, where it is one: `x[3]` for `x[i+1]` while i is 2.
+    /// Name with primes, if the expression is a name: `x[3]` for `x[i+1]` while i is 2.
     pub fn name_of(&self, expression: &Expression) -> Option<String> {
         let (written, _) = expression_without_families(expression, &self.model.sizes, &self.indices);
         match &written.kind {
@@ -91,28 +91,28 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// Adds an expression of the document to the model's graph. `unit`, where stated, is checked and becomes the
-    /// display unit. What could not be parsed is refused without a further word.
+    /// Adds an expression of the document to the graph of the model. `unit`, if stated, is checked and becomes the display
+    /// unit. An expression with a syntax error fails without a further diagnostic.
     ///
     /// # Errors
-    /// Unknown names, mismatching dimensions, and whatever else would be wrong with it inside the model.
+    /// Unknown names, mismatching dimensions, and every other error of an expression in a model.
     pub fn compile(&mut self, expression: &Expression, unit: Option<&StatedUnit>) -> Result<Compiled, Vec<Diagnostic>> {
         let written = self.single(expression)?;
         let number = self.vectors.number(&written)?;
         self.compile_number(&number, unit)
     }
 
-    /// The same for the components of a vector; a number is its only one.
+    /// Compiles each component of a vector; a number is its own single component.
     ///
     /// # Errors
-    /// As those of numbers.
+    /// As in [`Self::compile`].
     pub fn compile_components(&mut self, expression: &Expression) -> Result<Vec<Compiled>, Vec<Diagnostic>> {
         let written = self.single(expression)?;
         let components = self.vectors.components(&written)?;
         components.iter().map(|component| self.compile_number(component, None)).collect()
     }
 
-    /// An expression without functions of the author's own and without families.
+    /// Expands calls of user-defined functions and members of families.
     pub(crate) fn single<'e>(&mut self, expression: &'e Expression) -> Result<Cow<'e, Expression>, Vec<Diagnostic>> {
         let mut found = Vec::new();
         let called = self.functions.expanded(expression, &mut self.budget, &mut found);
@@ -165,7 +165,7 @@ impl<'a> Compiler<'a> {
             inference.check_stated(expression, &found, stated);
         }
         if let Type::Number(form) = &found {
-            // What nothing decides, such as a literal 0, takes the stated unit or is a pure number.
+            // An expression without a definite dimension, such as a literal 0, takes the stated unit or is dimensionless.
             found =
                 Type::Number(inference.solver.resolve(form).map_or_else(|_| Form::pure(), |form| form.known.into()));
         }
@@ -189,12 +189,12 @@ impl<'a> Compiler<'a> {
         Ok(Compiled { node, kind: found.kind(), unit })
     }
 
-    /// A value that never changes, without a unit.
+    /// A constant node without a unit.
     pub fn constant(&mut self, value: f64, kind: Kind) -> Compiled {
         Compiled { node: self.model.graph.constant(value), kind, unit: Unit::dimensionless() }
     }
 
-    /// How many of its units a number is, as a pure number.
+    /// The value divided by its display unit, as a dimensionless number.
     pub fn in_its_unit(&mut self, value: &Compiled) -> Compiled {
         let graph = &mut self.model.graph;
         let unit = graph.constant(value.unit.factor);

@@ -1,9 +1,9 @@
-//! Groups of controls: `group "Circuit"` holds for the parameters after it, up to the next group.
+//! Groups of controls: `group "Circuit"` applies to the parameters after it, up to the next group.
 
 use crate::{Diagnostic, Statement, StatementKind};
 use units::words;
 
-/// Warns of each group without a control: there is no heading without something below it.
+/// Warns of each group without a control, because its heading would be empty.
 pub(crate) fn warn_of_empty(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) {
     let mut groups = Vec::new();
     for statement in statements {

@@ -1,7 +1,8 @@
-//! Maps: where the independent variable counts (`independent k by 1`), `next p = r*p*(1 - p)` gives p at the next count.
+//! Iterated maps: with a discrete independent variable (`independent k by 1`), `next p = r*p*(1 - p)` gives p at the next
+//! count.
 //!
-//! All of them are written out as one event that happens at each count, so that all read the values before it; what they
-//! set is a discrete quantity.
+//! All maps become one event that fires at each count, so that all of them read the values before it. The quantities that
+//! they set are discrete.
 
 use crate::names::for_each;
 use crate::notation::primed;
@@ -13,12 +14,12 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use units::words;
 
-/// Whether the independent variable counts.
+/// True if the independent variable is discrete.
 pub(crate) fn counts(statements: &[Statement]) -> bool {
     statements.iter().any(|statement| matches!(statement.kind, StatementKind::Independent { counts: true, .. }))
 }
 
-/// The statements with all maps as one event.
+/// Replaces all maps by one event.
 pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
     if !counts(statements) {
         if let Some((span, action)) = statements.iter().flat_map(next).next() {
@@ -46,7 +47,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
         let gives = |statement: &Statement| match &statement.kind {
             StatementKind::InitialValue { name: own, order: 0, .. }
             | StatementKind::Discrete { name: own, .. }
-            // That nothing can change these is said later.
+            // A later check reports that these cannot be changed.
             | StatementKind::Definition { name: own, .. } => own.text == name.text,
             StatementKind::Parameter(parameter) => parameter.name.text == name.text,
             _ => false,
@@ -82,7 +83,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
         written.push(statement);
     }
     for statement in statements {
-        // The label of a quantity may stand at its next value, too.
+        // The label of a quantity may also stand at its next value.
         let Some(label) = &statement.label else { continue };
         let named = |other: &Name| next(statement).any(|(_, action)| action.name.text == other.text);
         for other in &mut written {
@@ -94,7 +95,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
     Cow::Owned(written)
 }
 
-/// What `next p = ...` does, and where it stands; a vector has one action for each component.
+/// The assignments of `next p = ...` with the span of the statement; a vector has one per component.
 fn next(statement: &Statement) -> impl Iterator<Item = (Span, &Action)> {
     let actions = match &statement.kind {
         StatementKind::Event { actions, extras: EventExtras { next: true, .. }, .. } => actions.as_slice(),
@@ -103,7 +104,7 @@ fn next(statement: &Statement) -> impl Iterator<Item = (Span, &Action)> {
     actions.iter().map(|action| (statement.span, action))
 }
 
-/// `every 1 { }`
+/// The empty event `every 1 { }`.
 fn each_count(span: Span) -> StatementKind {
     let condition = Expression::nothing(span);
     let extras = EventExtras { every: Some(Box::new((Expression::number(1.0, span), None))), ..EventExtras::default() };
@@ -128,7 +129,7 @@ fn in_a_flow(span: Span, action: &Action) -> Diagnostic {
         ))
 }
 
-/// Nothing has a rate of change between two counts.
+/// Reports the first derivative in the model: between two counts there is no rate of change.
 fn refuse_rates(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) {
     let mut found: Option<(Span, String, u32)> = None;
     let mut note = |span: Span, name: &str, order: u32| {

@@ -1,15 +1,15 @@
-//! Which equation determines which unknown, and in which order they can be solved one after the other.
+//! Pairing of equations with unknowns, and the order in which the pairs are solved.
 
-/// Pairs equations with unknowns that they contain, as many as possible. `contains[equation]` lists unknowns.
+/// Pairs as many equations as possible with unknowns that they contain. `contains[equation]` lists unknowns.
 ///
-/// The answer has, for each unknown, its equation. (Kuhn's augmenting paths, without recursion.)
+/// Returns the equation of each unknown. Kuhn's augmenting paths, without recursion.
 pub(crate) fn match_equations(contains: &[Vec<usize>], unknowns: usize) -> Vec<Option<usize>> {
     let mut equation_of: Vec<Option<usize>> = vec![None; unknowns];
     let mut unknown_of: Vec<Option<usize>> = vec![None; contains.len()];
     let mut from: Vec<Option<usize>> = vec![None; unknowns];
     let mut reached: Vec<usize> = Vec::new();
     for start in 0..contains.len() {
-        // Breadth first: `from[unknown]` is the equation from which the unknown was reached.
+        // Breadth-first search: `from[unknown]` is the equation from which the unknown was reached.
         reached.drain(..).for_each(|unknown| from[unknown] = None);
         let mut waiting = vec![start];
         let mut next = 0;
@@ -31,7 +31,7 @@ pub(crate) fn match_equations(contains: &[Vec<usize>], unknowns: usize) -> Vec<O
                 }
             }
         }
-        // Exchange the pairs along the path.
+        // Exchange the pairs along the augmenting path.
         while let Some(unknown) = free {
             let Some(equation) = from[unknown] else { break };
             free = unknown_of[equation].replace(unknown);
@@ -44,8 +44,8 @@ pub(crate) fn match_equations(contains: &[Vec<usize>], unknowns: usize) -> Vec<O
     equation_of
 }
 
-/// Groups of unknowns that must be solved together, each group after those that it needs. `needs[unknown]` lists the
-/// other unknowns in its equation. (Tarjan's strongly connected components, without recursion.)
+/// Groups of unknowns that must be solved together, each group after the groups that it depends on. `needs[unknown]` lists
+/// the other unknowns in its equation. Tarjan's strongly connected components, without recursion.
 pub(crate) fn blocks(needs: &[Vec<usize>]) -> Vec<Vec<usize>> {
     const UNSEEN: usize = usize::MAX;
     let mut number = vec![UNSEEN; needs.len()];

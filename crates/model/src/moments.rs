@@ -1,9 +1,10 @@
-//! What events remember: `landing.x` after `when y < 0 [m] as landing { ... }` is x as it was before the last landing;
-//! `landing.time`, `.count` and `.interval` are its time, how many there have been, and the time since the one before.
+//! Values remembered by events. After `when y < 0 [m] as landing { ... }`, `landing.x` is x just before the last landing.
+//! `landing.time` is the time of the last landing, `.count` the number of landings, `.interval` the time since the one
+//! before.
 //!
-//! All of it is written out in statements that there are already. What is remembered becomes a discrete quantity that the
-//! event sets, `landing.x.` with a point at its end, and `landing.x` the definition that has no value before the first
-//! landing. `let u = e*y'` inside an event becomes a definition too, `let.u`.
+//! All of it becomes ordinary statements. A remembered value is a discrete quantity that the event sets: `landing.x.`, with
+//! a point at its end. `landing.x` is a definition that has no value before the first landing. `let u = e*y'` inside an
+//! event becomes the definition `let.u`.
 
 use crate::components::AXES;
 use crate::names::for_each;
@@ -16,19 +17,19 @@ use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use units::words;
 
-/// How often the event has happened.
+/// Number of firings of the event.
 const COUNT: &str = "count";
-/// When it happened last.
+/// Time of the last firing.
 const TIME: &str = "time";
-/// How long after the one before.
+/// Time between the last two firings.
 const INTERVAL: &str = "interval";
 
-/// Whether a state is none of the author's own: what is written out has names that no text can give.
+/// True if the compiler has added the state. Such names cannot occur in source text.
 pub(crate) fn is_hidden(name: &str) -> bool {
     name.ends_with('.') || name.contains(' ')
 }
 
-/// The statements with all that events remember as statements of their own.
+/// Replaces everything that events remember by ordinary statements.
 pub(crate) fn write_out<'a>(
     statements: &'a [Statement],
     vectors: &Vectors,
@@ -71,7 +72,7 @@ pub(crate) fn write_out<'a>(
     Cow::Owned(written)
 }
 
-/// The names of events, each with its place; one that is given twice is refused.
+/// Names of events with their places. Reports a name that is given twice.
 fn event_names<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> HashMap<&'a str, Span> {
     let mut events: HashMap<&str, Span> = HashMap::new();
     for statement in statements {
@@ -91,7 +92,7 @@ fn event_names<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic
     events
 }
 
-/// The names that the model declares.
+/// Names that the model declares.
 fn declared(statements: &[Statement]) -> HashSet<String> {
     let name = |statement: &Statement| match &statement.kind {
         StatementKind::Parameter(parameter) => Some(parameter.name.text.clone()),
@@ -104,12 +105,12 @@ fn declared(statements: &[Statement]) -> HashSet<String> {
     statements.iter().filter_map(name).collect()
 }
 
-/// The places where something that an event remembers is used.
+/// Uses of values that events remember.
 #[derive(Debug)]
 struct Mentions<'a> {
-    /// `r.x` is a component of a vector.
+    /// Needed because `r.x` can be a component of a vector.
     vectors: &'a Vectors,
-    /// The event, what of it, how many primes, and where first.
+    /// Event, member, derivative order, and first place of use.
     found: Vec<(String, String, u32, Span)>,
 }
 
@@ -145,14 +146,14 @@ impl Mentions<'_> {
         }
     }
 
-    /// What of one event is used, besides what every event remembers.
+    /// Members used of one event, without count, time and interval.
     fn of(&self, event: &str) -> Vec<(&str, u32, Span)> {
         let common = |member: &str| [COUNT, TIME, INTERVAL].contains(&member);
         let own = self.found.iter().filter(|(of, member, ..)| of == event && !common(member));
         own.map(|(_, member, order, span)| (member.as_str(), *order, *span)).collect()
     }
 
-    /// `landing.y'` is what is remembered of y', and no derivative.
+    /// Moves primes into the name: `landing.y'` is the remembered value of y', not a derivative.
     fn primes_into_names(&self, expression: &mut Expression) {
         rewrite(expression, &mut |part| {
             if let ExpressionKind::Name { name, order } = &mut part.kind
@@ -167,7 +168,7 @@ impl Mentions<'_> {
     }
 }
 
-/// Writes statements that the author did not have to.
+/// Collects the generated statements.
 #[derive(Debug)]
 struct Writer {
     declared: HashSet<String>,
@@ -176,7 +177,7 @@ struct Writer {
 }
 
 impl Writer {
-    /// Puts definitions in the place of `let`, for the event of this number.
+    /// Replaces the `let` names of the event with this number by definitions.
     fn names(
         &mut self,
         number: usize,
@@ -224,7 +225,7 @@ impl Writer {
         }
     }
 
-    /// Lets an event remember these quantities, and its count, time and interval.
+    /// Makes an event remember the quantities `wanted`, and its count, time and interval.
     fn remember(&mut self, event: &Name, wanted: &[(&str, u32, Span)], actions: &mut Vec<Action>, span: Span) {
         let at = event.span;
         let kept = |member: &str| format!("{}.{member}.", event.text);
@@ -247,7 +248,7 @@ impl Writer {
             actions.push(Action::of(state.clone(), 0, value));
             let mut value = value_kept(&member);
             if let Some(count) = beyond {
-                // No value before so many times.
+                // No value until the event has fired more than `count` times.
                 let count = Expression::number(count, at);
                 let condition = Expression::binary(BinaryOperator::Greater, value_kept(COUNT), count, at);
                 value = Expression::conditional(condition, value, Expression::nothing(place), place);

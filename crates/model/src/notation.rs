@@ -1,20 +1,20 @@
-//! Expressions in the notation of the language, for messages that quote them.
+//! Expressions in the syntax of the language, for messages that quote them.
 
 use crate::components::component_name;
 use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 use std::fmt::{self, Write};
 
-/// Messages quote no more of an expression than this many characters.
+/// Maximum length of a quoted expression, in characters.
 const LONGEST_QUOTE: usize = 48;
 
-/// `name` with its primes.
+/// `name` followed by `order` primes.
 pub(crate) fn primed(name: &str, order: u32) -> String {
     let mut text = name.to_owned();
     text.extend(std::iter::repeat_n('\'', order as usize));
     text
 }
 
-/// The expression, shortened if it is long.
+/// The expression as text, cut to [`LONGEST_QUOTE`] characters and `...`.
 pub(crate) fn quote(expression: &Expression) -> String {
     let mut text = String::new();
     let mut writer = Shortened { text: &mut text, left: LONGEST_QUOTE };
@@ -24,7 +24,7 @@ pub(crate) fn quote(expression: &Expression) -> String {
     text
 }
 
-/// Stops the writing with an error where the quote would become too long.
+/// Writer that fails when the quote would become too long.
 struct Shortened<'a> {
     text: &'a mut String,
     left: usize,
@@ -44,7 +44,7 @@ impl Write for Shortened<'_> {
     }
 }
 
-/// How tightly an operator binds; what binds less tightly than its surroundings needs parentheses.
+/// Binding strength of the outermost operator. An operand that binds less tightly than its surroundings needs parentheses.
 fn tightness(expression: &Expression) -> u8 {
     match &expression.kind {
         ExpressionKind::If(..) => 0,
@@ -140,7 +140,7 @@ fn write(out: &mut impl Write, expression: &Expression, least: u8) -> fmt::Resul
         }
         ExpressionKind::Call { function, arguments } => {
             write!(out, "{}(", function.text)?;
-            // The stream of a draw is none of the author's.
+            // The stream of a draw is not part of the source text.
             let hidden = usize::from(crate::chance::has_stream(arguments));
             list(out, arguments.get(hidden..).unwrap_or_default())?;
             out.write_char(')')

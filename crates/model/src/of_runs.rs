@@ -1,7 +1,7 @@
-//! What is taken of whole runs: `maximum(x) - minimum(x)` over the values of a parameter.
+//! Aggregates of whole runs: `maximum(x) - minimum(x)` over the values of a parameter.
 //!
-//! Inside the model the same functions are those of the run so far (`so_far.rs`). Here each call is a number that is known
-//! only when a run has ended: a parameter behind those of the model stands for it.
+//! Inside the model the same functions apply to the run so far (`so_far.rs`). Here each call is a number that is known only
+//! at the end of a run. An extra parameter after those of the model stands for it.
 
 use crate::dimensions::Form;
 use crate::names::{Meaning, for_each};
@@ -11,7 +11,7 @@ use crate::{Compiler, Diagnostic, Expression, ExpressionKind, Span, StatedUnit};
 use program::{Aggregate, AggregateKind, Compiled, Kind};
 use units::{Unit, words};
 
-/// A call that was replaced: its name in the rest of the expression, and what it is taken of.
+/// A replaced call: its name in the rest of the expression, and its argument.
 struct Call {
     kind: AggregateKind,
     name: String,
@@ -20,11 +20,11 @@ struct Call {
 }
 
 impl Compiler<'_> {
-    /// Adds an expression of what is taken of a run to the model's graph. What it takes, from the time `from` on (SI), is added
-    /// to `aggregates`; each of these is a parameter behind those of the model.
+    /// Adds an expression with aggregates of a run to the graph of the model. Its aggregates, over the times from `from` on
+    /// (SI), are appended to `aggregates`; each is an extra parameter after those of the model.
     ///
     /// # Errors
-    /// Those of [`Compiler::compile`], one aggregate inside another, and too many of them.
+    /// The errors of [`Compiler::compile`], nested aggregates, and more aggregates than [`Aggregate::MOST`].
     pub fn compile_of_run(
         &mut self,
         expression: &Expression,
@@ -97,7 +97,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// Puts names in the places of the calls.
+    /// Replaces the calls by names and returns them.
     fn take_calls(&self, number: &mut Expression) -> Result<Vec<Call>, Vec<Diagnostic>> {
         let kind_of = |part: &Expression| match &part.kind {
             ExpressionKind::Call { function, arguments } if arguments.len() == 1 => {

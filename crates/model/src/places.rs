@@ -1,14 +1,14 @@
-//! Where the parts of a model stand in its text, for messages about them.
+//! Source places of the parts of a model, for messages.
 
 use crate::Span;
 
-/// Where the parts of a [`program::Model`] stand in its source, by their indices.
+/// Source places of the parts of a [`program::Model`], by their indices.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Places {
-    /// Where each parameter is declared.
+    /// Declaration of each parameter.
     pub parameters: Vec<Span>,
-    /// Where the initial value of each state is given.
+    /// Initial value of each state.
     pub states: Vec<Span>,
-    /// Where each event stands.
+    /// Statement of each event.
     pub events: Vec<Span>,
 }

@@ -1,9 +1,9 @@
-//! What a run has been so far: `maximum(y)`, `minimum(y)`, `mean(y)` and `integral(y)`.
+//! Aggregates of the run so far: `maximum(y)`, `minimum(y)`, `mean(y)` and `integral(y)`.
 //!
-//! All of it is written out in statements that there are already. An integral is a state whose rate of change is y. A maximum
-//! is what is kept of the past or the present value, whichever is greater; kept is the value at the start, at every event, and
-//! where y' passes through zero, which is an event that is found between the steps. The words are free as names: only directly
-//! before a parenthesis they are functions, and not if the author has one of that name.
+//! All of them become ordinary statements. An integral is a state whose rate of change is y. A maximum is the greater of a
+//! stored value and the present value. The stored value starts as the initial value. It is updated at every event and where
+//! y' passes through zero, which is an event of its own. The function names are not reserved: they are functions only
+//! directly before a parenthesis, and only if the author does not define a function of that name.
 
 use crate::notation::quote;
 use crate::syntax::{expressions_mut, rewrite};
@@ -12,13 +12,13 @@ use program::State;
 use std::borrow::Cow;
 use std::collections::HashSet;
 
-/// The functions, each with the function that keeps the past and the sign of the slope behind an extremum.
+/// Each function with the function that combines past and present, and the sign of the slope after an extremum.
 const EXTREMA: [(&str, &str, BinaryOperator); 2] =
     [("maximum", "max", BinaryOperator::Less), ("minimum", "min", BinaryOperator::Greater)];
 const INTEGRAL: &str = "integral";
 const MEAN: &str = "mean";
 
-/// The statements with all that has been so far as statements of their own.
+/// Replaces all aggregates of the run so far by ordinary statements.
 pub(crate) fn write_out<'a>(statements: Cow<'a, [Statement]>) -> Cow<'a, [Statement]> {
     let named = |statement: &Statement| match &statement.kind {
         StatementKind::Function(function) => Some(function.name.text.clone()),
@@ -33,7 +33,7 @@ pub(crate) fn write_out<'a>(statements: Cow<'a, [Statement]>) -> Cow<'a, [Statem
     if writer.added.is_empty() {
         return statements;
     }
-    // What is added may hold such functions itself.
+    // Generated statements may contain such functions, too.
     let mut next = 0;
     while let Some(mut statement) = writer.added.get(next).cloned() {
         writer.statement(&mut statement);
@@ -49,14 +49,14 @@ pub(crate) fn write_out<'a>(statements: Cow<'a, [Statement]>) -> Cow<'a, [Statem
     Cow::Owned(written)
 }
 
-/// Writes statements that the author did not have to.
+/// Collects the generated statements.
 #[derive(Debug)]
 struct Writer {
-    /// The author's functions, and what has been written out.
+    /// User-defined functions and the calls already replaced.
     names: HashSet<String>,
     independent: String,
     added: Vec<Statement>,
-    /// What every event keeps.
+    /// Updates of stored extrema, added to every event.
     kept: Vec<Action>,
 }
 
@@ -69,7 +69,7 @@ impl Writer {
         }
     }
 
-    /// Puts a name in the place of a call.
+    /// Replaces a call by a name.
     fn call(&mut self, part: &mut Expression) {
         let ExpressionKind::Call { function, arguments } = &part.kind else { return };
         let [argument] = arguments.as_slice() else { return };
@@ -122,7 +122,7 @@ impl Writer {
         self.add(StatementKind::InitialValue { name, order: 0, value, unit: None }, span);
     }
 
-    /// The integral by the time; at the start the value itself.
+    /// The integral divided by the time; at the start the value itself.
     fn mean(&mut self, name: &str, argument: Expression, span: Span) {
         let integral = Expression::call(INTEGRAL, vec![argument.clone()], span);
         let time = || Expression::named(&self.independent, span);

@@ -1,4 +1,4 @@
-//! Functions that are given by a table: `table eta(T) in [mPa s] { 273 [K] 1.792  293 1.002 }`.
+//! Functions defined by a table: `table eta(T) in [mPa s] { 273 [K] 1.792  293 1.002 }`.
 
 use crate::{Diagnostic, DrawnRange, Point, Span, StatedUnit, TableStatement, limits};
 use program::{Drawn, Interpolation};
@@ -6,24 +6,24 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 use units::{Dimension, words};
 
-/// A table as expressions use it.
+/// A checked table, as expressions use it.
 #[derive(Clone, Debug)]
 pub(crate) struct TableFunction {
-    /// What its argument is called.
+    /// Name of its argument.
     pub argument_name: String,
-    /// The dimension of its argument.
+    /// Dimension of its argument.
     pub argument: Dimension,
-    /// The dimension of its values.
+    /// Dimension of its values.
     pub value: Dimension,
     pub interpolation: Arc<Interpolation>,
-    /// What the reader may draw.
+    /// The curve that the reader may draw; `None` if the table cannot be drawn.
     pub drawn: Option<Drawn>,
-    /// Where the unit of its argument stands, or else its name.
+    /// Place of the unit of its argument, or else of the argument's name.
     pub span: Span,
 }
 
 impl TableStatement {
-    /// What expressions use of the table of this number; says what is wrong with the points.
+    /// The table with this index, with points in SI units. `None` after an error in its points or its range.
     pub(crate) fn checked(&self, number: usize, diagnostics: &mut Vec<Diagnostic>) -> Option<TableFunction> {
         let si = |unit: &Option<StatedUnit>, value| unit.as_ref().map_or(value, |stated| stated.unit.to_si(value));
         let point = |point: &Point| [si(&self.argument_unit, point.x), si(&self.unit, point.y)];
@@ -64,7 +64,7 @@ impl TableStatement {
         }
     }
 
-    /// Why nothing can be drawn.
+    /// Error in the range of a drawn curve, or `None`.
     fn undrawable(&self, range: &DrawnRange) -> Option<Diagnostic> {
         let DrawnRange { bounds, from, until, until_span } = range;
         let (low, high, name) = (bounds.low, bounds.high, &self.name.text);
@@ -99,7 +99,7 @@ impl TableStatement {
         )
     }
 
-    /// What the reader may draw, with the values of a curve that is there before; without one they are 0, or next to it.
+    /// The drawn curve with the values of a given curve, or 0 without one, clamped to its range. SI units.
     fn drawn_from(&self, range: &DrawnRange, given: Option<&Interpolation>) -> Drawn {
         let si = |unit: &Option<StatedUnit>, value| unit.as_ref().map_or(value, |stated| stated.unit.to_si(value));
         let mut drawn = Drawn {
@@ -119,7 +119,7 @@ impl TableStatement {
         drawn
     }
 
-    /// What is wrong with the points.
+    /// Error in the points: too few, or arguments not ascending.
     fn disorder(&self) -> Diagnostic {
         let (name, argument) = (&self.name.text, &self.argument.text);
         if self.points.len() < 2 {

@@ -1,8 +1,8 @@
-//! Events at equal intervals: `every 0.1 [s] from 0 [s] { ... }` fires at from + n interval, n a whole number, but not at the
-//! start of the run.
+//! Periodic events: `every 0.1 [s] from 0 [s] { ... }` fires at from + n interval, with n an integer, but not at the start
+//! of the run.
 //!
-//! It is written out as an event whose condition is that the time has passed the next of these moments. Which one that is, is
-//! counted by a discrete quantity, so that the moments are products and no sums, and all of them are scheduled exactly.
+//! Each becomes an event with the condition that the time has passed the next of these moments. A discrete quantity counts
+//! the moments. So each moment is a product, not a sum with accumulated rounding, and all of them are scheduled exactly.
 
 use crate::{
     Action, BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, Statement, StatementKind, UnaryOperator,
@@ -11,7 +11,7 @@ use program::State;
 use std::borrow::Cow;
 use units::words;
 
-/// The statements with all events at equal intervals as events with conditions.
+/// Replaces all periodic events by events with conditions.
 pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
     let is_tick = |statement: &Statement| matches!(&statement.kind, StatementKind::Event { extras, .. } if extras.every.is_some());
     if !statements.iter().any(is_tick) {
@@ -50,7 +50,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
     Cow::Owned(written)
 }
 
-/// Whether an interval is the number 0, or smaller than what numbers resolve.
+/// True if an interval is the number 0 or subnormal in SI units.
 fn is_nothing(interval: &Expression) -> bool {
     match &interval.kind {
         ExpressionKind::Number { value, unit } => !unit.as_ref().map_or(*value, |unit| unit.to_si(*value)).is_normal(),
@@ -58,7 +58,7 @@ fn is_nothing(interval: &Expression) -> bool {
     }
 }
 
-/// What is said of an interval that is a parameter whose range reaches 0: there the event would not happen any more.
+/// Warning for an interval that is a parameter whose range reaches 0: there the event no longer fires.
 fn ends_at_zero(statements: &[Statement], interval: &Expression) -> Option<Diagnostic> {
     let ExpressionKind::Name { name, order: 0 } = &interval.kind else { return None };
     let parameter = statements.iter().find_map(|statement| match &statement.kind {
@@ -78,18 +78,18 @@ fn ends_at_zero(statements: &[Statement], interval: &Expression) -> Option<Diagn
     Some(Diagnostic::warning("interval-of-zero", message, interval.span).with_hint(hint))
 }
 
-/// The moments of one event.
+/// The moments of one periodic event.
 struct Ticks<'a> {
     independent: &'a str,
-    /// Whether it counts: the moments then are counts, and nothing comes between.
+    /// True if the independent variable is discrete: the moments are then counts.
     counts: bool,
-    /// The number of the next one.
+    /// Name of the quantity that holds the number of the next moment.
     next: String,
     span: Span,
 }
 
 impl Ticks<'_> {
-    /// The discrete quantity that counts: at the start the least number whose moment lies behind it.
+    /// The counting discrete quantity. Its initial value is the least number whose moment lies after the start.
     fn count(&self, interval: &Expression, from: Option<&Expression>) -> Statement {
         let span = self.span;
         let number = |value| Expression::number(value, span);
@@ -113,7 +113,7 @@ impl Ticks<'_> {
         Expression::named(&self.next, self.span)
     }
 
-    /// n = n + 1
+    /// The action n = n + 1.
     fn counted(&self) -> Action {
         let name = Name { text: self.next.clone(), span: self.span };
         let one = Expression::number(1.0, self.span);
@@ -121,7 +121,7 @@ impl Ticks<'_> {
         Action::of(name, 0, value)
     }
 
-    /// t > from + n interval; t >= from + n interval where t counts
+    /// The condition t > from + n interval, or t >= from + n interval for a discrete t.
     fn passed(&self, interval: Expression, from: Option<Expression>) -> Expression {
         let since = Expression::binary(BinaryOperator::Multiply, self.number(), interval, self.span);
         let moment = match from {

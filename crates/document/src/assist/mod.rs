@@ -1,5 +1,4 @@
-//! Help for who writes a document: what can stand at a place ([`complete`]), and what stands there ([`explain`]). Both work
-//! while there are errors in the text.
+//! Editing help: completions at a place ([`complete`]) and explanations ([`explain`]). Both work while the text has errors.
 
 mod names;
 mod place;
@@ -17,8 +16,8 @@ use place::{Place, attribute_around, attribute_at, place};
 use program::Program;
 use units::{Dimension, QuantityName, Unit, Words, words};
 
-/// What can stand where the cursor is, `offset` bytes from the beginning. `program` is the last that could be made of the text;
-/// it knows the units.
+/// Completions at the cursor, `offset` bytes from the beginning. `program` is the last valid program of the text, for
+/// units.
 pub fn complete(outline: &Outline, program: Option<&Program>, offset: usize) -> Completion {
     let (place, span) = place(outline, offset);
     let begun = &outline.source()[span.range()];
@@ -42,7 +41,7 @@ pub fn complete(outline: &Outline, program: Option<&Program>, offset: usize) -> 
     Completion { span, suggestions: suggestions.into_iter().filter(matches).collect() }
 }
 
-/// What the word at `offset` means; `None` where no word of the language and no name stands.
+/// Meaning of the word at byte `offset`; `None` if it is neither a keyword nor a name.
 pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> Option<Explanation> {
     let source = outline.source();
     let mut span = word_at(source, offset)?;
@@ -74,7 +73,7 @@ pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> O
     meaning.map(|meaning| Explanation { span, meaning, dimension: dimension.as_ref().map(quantity) })
 }
 
-/// The statement of the model in which `offset` lies, as `<math>` elements; empty where there is none.
+/// The statement of the model at byte `offset` as `<math>` elements; empty if there is none.
 pub fn typeset_at(outline: &Outline, offset: usize) -> String {
     let number = crate::form::places(outline).at(offset).map(|(number, _)| number);
     number.map_or_else(String::new, |number| model::typeset_one(&crate::form::statements(outline), number).concat())
@@ -82,13 +81,13 @@ pub fn typeset_at(outline: &Outline, offset: usize) -> String {
 
 /// A word that can be a name.
 pub(crate) struct NameAt<'a> {
-    /// Where it stands.
+    /// Place in the document.
     pub span: Span,
-    /// The attribute of the drawing in whose value it stands, outside braces.
+    /// Attribute of the drawing in whose value it stands, outside braces.
     pub attribute: Option<&'a str>,
 }
 
-/// The word at `offset`, where it stands in an expression.
+/// The word at byte `offset`, if it stands in an expression.
 pub(crate) fn name_at<'a>(outline: &Outline<'a>, offset: usize) -> Option<NameAt<'a>> {
     let span = word_at(outline.source(), offset)?;
     let (place, _) = place(outline, span.end);
@@ -96,7 +95,7 @@ pub(crate) fn name_at<'a>(outline: &Outline<'a>, offset: usize) -> Option<NameAt
     matches!(place, Place::Statement | Place::Expression).then_some(NameAt { span, attribute })
 }
 
-/// The names that a model gives.
+/// Names that a model declares.
 pub(crate) fn names_in(outline: &Outline) -> Vec<String> {
     let fixed = |name: &Suggestion| name.text == "pi" || name.text == "t";
     names(outline, None).into_iter().filter(|name| !fixed(name)).map(|name| name.text).collect()
@@ -111,7 +110,7 @@ fn of_unit(unit: &str) -> Suggestion {
     Suggestion { kind: SuggestionKind::Unit, text: unit.to_owned(), meaning }
 }
 
-/// What has a dimension: `length`.
+/// Name of the quantity with a dimension: `length`.
 fn quantity(dimension: &Dimension) -> Words {
     if dimension.is_none() {
         return QuantityName::PURE_NUMBER.noun();
@@ -120,7 +119,7 @@ fn quantity(dimension: &Dimension) -> Words {
     names.first().map_or_else(|| Words::same(dimension.to_string()), |name| name.noun())
 }
 
-/// The keys of the front matter that are not given yet.
+/// Keys of the front matter that are not given yet.
 fn keys(outline: &Outline) -> Vec<Suggestion> {
     let given = |key: &str| outline.front_matter().entries.iter().any(|entry| entry.key == key);
     let free = vocabulary::KEYS.iter().filter(|(key, _)| !given(key));
@@ -131,7 +130,7 @@ fn operators() -> impl Iterator<Item = Suggestion> {
     vocabulary::OPERATORS.iter().map(|(word, meaning)| of_word(word, meaning))
 }
 
-/// Names and functions.
+/// Completions in expressions: names and functions.
 fn in_expressions(outline: &Outline, program: Option<&Program>) -> impl Iterator<Item = Suggestion> {
     let functions = vocabulary::functions().map(|(name, meaning)| Suggestion {
         kind: SuggestionKind::Function,
@@ -141,7 +140,7 @@ fn in_expressions(outline: &Outline, program: Option<&Program>) -> impl Iterator
     names(outline, program).into_iter().chain(functions)
 }
 
-/// Parts first, since they are drawn with less text.
+/// Completions for elements of a scene: parts first, because they need less text.
 fn elements() -> Vec<Suggestion> {
     let of = |(name, meaning): &vocabulary::Entry| Suggestion { kind: SuggestionKind::Part, ..of_word(name, meaning) };
     let plain = scene::ELEMENTS.iter().map(|name| Suggestion {
@@ -152,7 +151,7 @@ fn elements() -> Vec<Suggestion> {
     vocabulary::PARTS.iter().map(of).chain(plain).collect()
 }
 
-/// The attributes of an element: its own, and those of all.
+/// Completions for attributes of an element: its own, then the common ones.
 fn attributes(element: &str) -> Vec<Suggestion> {
     let own = scene::part_of(element).map(|part| part.attributes).unwrap_or_default();
     let all = vocabulary::ATTRIBUTES.iter().filter(|(name, _)| !own.contains(name));

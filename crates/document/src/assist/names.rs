@@ -1,4 +1,4 @@
-//! The names of a model, with what is said of them.
+//! Names of a model with their descriptions.
 
 use super::suggestion::{Suggestion, SuggestionKind};
 use crate::Outline;
@@ -6,7 +6,7 @@ use model::{Expression, ExpressionKind, Statement, StatementKind};
 use program::{Model, Program};
 use units::{Dimension, Unit, Words, words};
 
-/// The names that the statements of a document give, each once, in their order, and those that every document has.
+/// Names declared in a document, each once, in text order, and the names that every document has.
 pub fn names(outline: &Outline, program: Option<&Program>) -> Vec<Suggestion> {
     let mut names: Vec<Suggestion> = Vec::new();
     let mut add = |name: Suggestion| {
@@ -32,7 +32,7 @@ pub fn names(outline: &Outline, program: Option<&Program>) -> Vec<Suggestion> {
     names
 }
 
-/// The independent variable of a document and its unit, which is empty for a number.
+/// Name of the independent variable and its unit; the unit is empty for a number.
 pub fn independent(outline: &Outline) -> (String, String) {
     let statements = outline.blocks().iter().flat_map(|block| &block.statements);
     let mut declared = statements.filter_map(|statement| match &statement.kind {
@@ -46,7 +46,7 @@ pub fn independent(outline: &Outline) -> (String, String) {
 
 const FUNCTION: (&str, &str) = ("function of this document", "función de este documento");
 
-/// The names that a statement gives, and what they are.
+/// Names that a statement declares, with their kinds.
 fn given(statement: &Statement) -> Vec<(&str, Words)> {
     match &statement.kind {
         StatementKind::Parameter(parameter) => vec![(&parameter.name.text, words("parameter", "parámetro"))],
@@ -74,7 +74,7 @@ fn given(statement: &Statement) -> Vec<(&str, Words)> {
     }
 }
 
-/// `Damping, parameter in kg/s`
+/// Description of a name: `Damping, parameter in kg/s`.
 fn described(name: &str, label: Option<&str>, what: Words, program: Option<&Program>) -> Words {
     let unit = program.and_then(|program| unit(&program.model, name)).filter(|unit| !unit.text.is_empty());
     let what = match unit {
@@ -89,12 +89,12 @@ fn described(name: &str, label: Option<&str>, what: Words, program: Option<&Prog
     }
 }
 
-/// A label in the languages in which the document has it.
+/// A label in all languages of the document.
 fn translated(label: &str, program: Option<&Program>) -> Words {
     Words::each(|language| program.map_or(label, |program| program.text(language.tag(), label)).to_owned())
 }
 
-/// The dimension of a name with its primes.
+/// Dimension of a name with `order` primes.
 pub fn dimension(model: &Model, name: &str, order: usize) -> Option<Dimension> {
     let time = model.independent.unit.dimension;
     let mut dimension = unit(model, name)?.dimension;

@@ -1,37 +1,37 @@
-//! What kind of text stands where a cursor is.
+//! Kind of text at the cursor.
 
 use crate::{BlockKind, Outline};
 use model::Span;
 use std::ops::Range;
 
-/// What can stand at a place.
+/// Kind of text that can stand at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place<'a> {
-    /// Text that means nothing: prose, comments, labels.
+    /// Text without meaning for the program: prose, comments, labels.
     Nothing,
     /// A key of the front matter.
     Key,
-    /// The kind of a block, after three backquotes.
+    /// Kind of a block, after three backquotes.
     Fence,
-    /// The beginning of a statement of the model.
+    /// Beginning of a statement of the model.
     Statement,
-    /// The rest of a statement, or any other expression.
+    /// Rest of a statement, or any other expression.
     Expression,
     /// A unit in brackets.
     Unit,
-    /// The name of an element of the scene.
+    /// Name of an element of the scene.
     Element,
-    /// An attribute of this element.
+    /// An attribute of the named element.
     Attribute(&'a str),
 }
 
-/// The place at `offset`, and the beginning of the word there.
+/// Kind of place at byte `offset`, and the span of the word before it.
 pub fn place<'a>(outline: &Outline<'a>, offset: usize) -> (Place<'a>, Span) {
     let source = outline.source();
     let offset = floor(source, offset);
     let line = source[..offset].rfind('\n').map_or(0, |end| end + 1)..offset;
     let matter = outline.front_matter().span;
-    // A key that is being written has no colon yet, and for the rest of the program the front matter ends before it.
+    // An unfinished key has no colon yet, so the parsed front matter ends before it.
     let is_begun = outline.front_matter().closing.is_none() && line.start == matter.end && matter.end > matter.start;
     if matter.start <= offset && offset < matter.end || is_begun {
         let is_key = !source[line.clone()].contains(':') && line.start > matter.start;
@@ -60,12 +60,12 @@ pub fn place<'a>(outline: &Outline<'a>, offset: usize) -> (Place<'a>, Span) {
     }
 }
 
-/// The whole word at `offset`.
+/// The whole word at byte `offset`.
 pub fn word_at(source: &str, offset: usize) -> Option<Span> {
     around(source, offset, |letter| letters(letter) || matches!(letter, '%' | '°' | 'µ' | 'Ω'))
 }
 
-/// The whole attribute at `offset`, such as `stroke-width`.
+/// The whole attribute at byte `offset`, such as `stroke-width`.
 pub fn attribute_at(source: &str, offset: usize) -> Option<Span> {
     around(source, offset, |letter| letters(letter) || letter == '-')
 }
@@ -77,7 +77,7 @@ fn around(source: &str, offset: usize, is_part: impl Fn(char) -> bool) -> Option
     (start < offset + length).then(|| Span::new(start, offset + length))
 }
 
-/// The attribute of a drawing in whose value `offset` lies, outside braces.
+/// Attribute of a drawing in whose value `offset` lies, outside braces.
 pub fn attribute_around<'a>(outline: &Outline<'a>, offset: usize) -> Option<&'a str> {
     let mut scenes = outline.blocks_of(BlockKind::Scene);
     let scene = scenes.find(|block| block.content.start <= offset && offset <= block.content.end)?;
@@ -91,7 +91,7 @@ pub fn attribute_around<'a>(outline: &Outline<'a>, offset: usize) -> Option<&'a 
     (!is_in_braces).then_some(name)
 }
 
-/// The nearest place before `offset` at which a character begins.
+/// Nearest character boundary at or before `offset`.
 fn floor(source: &str, offset: usize) -> usize {
     let offset = offset.min(source.len());
     (0..=offset).rev().find(|&at| source.is_char_boundary(at)).unwrap_or(0)
@@ -101,17 +101,17 @@ fn letters(letter: char) -> bool {
     letter.is_alphanumeric() || letter == '_'
 }
 
-/// How many bytes at the end of a text are such characters.
+/// Number of bytes at the end of a text that are such characters.
 fn tail(text: &str, is_part: impl Fn(char) -> bool) -> usize {
     text.len() - text.trim_end_matches(is_part).len()
 }
 
-/// The word that ends where `range` does.
+/// The word at the end of `range`.
 fn word(source: &str, range: Range<usize>, is_part: impl Fn(char) -> bool) -> Span {
     Span::new(range.end - tail(&source[range.clone()], is_part), range.end)
 }
 
-/// In a line of the model, a plot, a preset or a claim.
+/// Place in a line of the model, a plot, a preset or a claim.
 fn in_expression<'a>(source: &str, line: Range<usize>, is_model: bool) -> (Place<'a>, Span) {
     let text = &source[line.clone()];
     let quotes = text.matches('"').count();
@@ -120,14 +120,14 @@ fn in_expression<'a>(source: &str, line: Range<usize>, is_model: bool) -> (Place
     }
     let open = text.rfind('[').filter(|&open| !text[open..].contains(']'));
     if let Some(open) = open {
-        // Directly after a name brackets hold an index.
+        // Brackets directly after a name hold an index.
         if !text[..open].ends_with(letters) {
             let is_part = |letter: char| letters(letter) || matches!(letter, '%' | '°');
             return (Place::Unit, word(source, line.start + open + 1..line.end, is_part));
         }
     }
     let word = word(source, line.clone(), letters);
-    // A number is complete as it is.
+    // A number needs no completion.
     if source[word.range()].starts_with(|letter: char| letter.is_ascii_digit()) {
         return (Place::Nothing, word);
     }
@@ -136,7 +136,7 @@ fn in_expression<'a>(source: &str, line: Range<usize>, is_model: bool) -> (Place
     (if begins { Place::Statement } else { Place::Expression }, word)
 }
 
-/// In a text in which expressions stand in braces, outside formulas.
+/// Place in a text with expressions in braces, outside formulas.
 fn in_braces<'a>(source: &str, line: Range<usize>) -> (Place<'a>, Span) {
     let text = &source[line.clone()];
     let paragraph = source[..line.start].rfind("\n\n").map_or(0, |end| end + 2);
@@ -148,12 +148,12 @@ fn in_braces<'a>(source: &str, line: Range<usize>) -> (Place<'a>, Span) {
     }
 }
 
-/// Whether a formula, between `$` or `$$`, is open at the end of a text.
+/// True if a formula, between `$` or `$$`, is open at the end of a text.
 fn is_in_formula(text: &str) -> bool {
     text.replace("\\$", "").replace("$$", "$").matches('$').count() % 2 == 1
 }
 
-/// In a drawing: between tags, in one, or in the value of an attribute.
+/// Place in a drawing: between tags, in a tag, or in the value of an attribute.
 fn in_scene<'a>(source: &'a str, scene: Range<usize>, line: Range<usize>) -> (Place<'a>, Span) {
     let text = &source[scene.clone()];
     let Some(open) = text.rfind('<').filter(|&open| !text[open..].contains('>')) else {

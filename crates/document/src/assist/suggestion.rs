@@ -1,16 +1,16 @@
-//! What editors are told.
+//! Data types of editing help.
 
 use model::Span;
 use units::Words;
 
-/// What a suggestion is, for the picture beside it.
+/// Kind of a suggestion, for its icon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SuggestionKind {
-    /// A word of the language, a key of the front matter, the kind of a block.
+    /// A keyword, a key of the front matter, or the kind of a block.
     Word,
     /// A quantity, parameter or state of the model.
     Name,
-    /// A function of the language or of the author.
+    /// A built-in or user-defined function.
     Function,
     /// A unit.
     Unit,
@@ -18,33 +18,33 @@ pub enum SuggestionKind {
     Part,
 }
 
-/// Something that can stand at a place.
+/// A suggested text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Suggestion {
-    /// What it is.
+    /// Kind of suggestion.
     pub kind: SuggestionKind,
-    /// What is written.
+    /// Text to insert.
     pub text: String,
-    /// What it means, in a few words.
+    /// Short description.
     pub meaning: Words,
 }
 
-/// What can stand in a document.
+/// Suggestions for a place.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Completion {
-    /// The beginning of a word that a suggestion replaces; empty where none has been begun.
+    /// Beginning of a word that a suggestion replaces; empty if none has been typed.
     pub span: Span,
-    /// In the order in which they are shown: names of the model first.
+    /// In the order of display: names of the model first.
     pub suggestions: Vec<Suggestion>,
 }
 
-/// What stands at a place of a document.
+/// Explanation of a word.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Explanation {
-    /// The word, with its primes.
+    /// Place of the word, with its primes.
     pub span: Span,
-    /// What it is.
+    /// Its meaning.
     pub meaning: Words,
-    /// What kind of quantity it is, such as a length, or its dimension; only of names of the model, where it is known.
+    /// Quantity, such as a length, or dimension; `None` if it is not a name of the model or the dimension is not known.
     pub dimension: Option<Words>,
 }

@@ -1,12 +1,12 @@
-//! The words of the language and what they mean.
+//! Keywords and functions of the language, with descriptions.
 
 use program::functions::{FUNCTIONS, Function};
 use units::{Words, words};
 
-/// A word and what it means, in English and Spanish.
+/// A word and its description in English and Spanish.
 pub type Entry = (&'static str, (&'static str, &'static str));
 
-/// The keys of the front matter.
+/// Keys of the front matter.
 pub const KEYS: &[Entry] = &[
     ("title", ("title of the simulation", "título de la simulación")),
     ("language", ("language of the text, such as en", "idioma del texto, por ejemplo es")),
@@ -21,7 +21,7 @@ pub const KEYS: &[Entry] = &[
     ("vary", ("parameters that a fit varies first", "parámetros que un ajuste varía primero")),
 ];
 
-/// The kinds of blocks.
+/// Kinds of blocks.
 pub const BLOCKS: &[Entry] = &[
     ("model", ("parameters, equations and initial values", "parámetros, ecuaciones y valores iniciales")),
     ("scene", ("a drawing in SVG", "un dibujo en SVG")),
@@ -36,7 +36,7 @@ pub const BLOCKS: &[Entry] = &[
     ("translations", ("texts and their translations", "textos y sus traducciones")),
 ];
 
-/// Words with which statements begin.
+/// Keywords at the beginning of statements.
 pub const STATEMENTS: &[Entry] = &[
     (
         "parameter",
@@ -79,7 +79,7 @@ pub const STATEMENTS: &[Entry] = &[
     ("hidden", ("keeps a definition out of the readouts", "no muestra una definición entre los valores")),
 ];
 
-/// Words inside expressions and statements.
+/// Keywords inside expressions and statements.
 pub const OPERATORS: &[Entry] = &[
     ("if", ("if CONDITION then A else B", "if CONDICIÓN then A else B")),
     ("then", ("the value if the condition holds", "el valor si se cumple la condición")),
@@ -92,7 +92,7 @@ pub const OPERATORS: &[Entry] = &[
     ("against", ("of a plot: the horizontal axis", "de una gráfica: el eje horizontal")),
 ];
 
-/// Units that are often needed.
+/// Frequently used units.
 pub const UNITS: &[&str] = &[
     "m", "cm", "mm", "km", "s", "ms", "min", "h", "d", "kg", "g", "m/s", "m/s^2", "km/h", "N", "N/m", "kg/s", "J", "W",
     "Pa", "kPa", "bar", "Hz", "1/s", "rad", "deg", "rad/s", "K", "V", "A", "ohm", "F", "H", "C", "T", "mol", "L", "mL",
@@ -131,7 +131,7 @@ pub const PARTS: &[Entry] = &[
     ("source", ("a voltage source", "una fuente de tensión")),
 ];
 
-/// Attributes of the elements of drawings that the language adds, and those that are needed most.
+/// Attributes of drawing elements: those that the language adds, and the most common others.
 pub const ATTRIBUTES: &[Entry] = &[
     ("at", ("a point: (x, 0 [m])", "un punto: (x, 0 [m])")),
     ("from", ("where it begins: (0, 0)", "dónde empieza: (0, 0)")),
@@ -149,7 +149,7 @@ pub const ATTRIBUTES: &[Entry] = &[
     ("class", ("a rule of the style block", "una regla del bloque de estilo")),
 ];
 
-/// What functions of the language compute.
+/// Descriptions of built-in functions.
 const MEANINGS: &[Entry] = &[
     ("sqrt", ("square root", "raíz cuadrada")),
     ("cbrt", ("cube root", "raíz cúbica")),
@@ -196,7 +196,7 @@ const MEANINGS: &[Entry] = &[
     ),
 ];
 
-/// What only a model can write, since a run remembers it or since it is about vectors.
+/// Functions of models only, because they depend on the run or are about vectors.
 const OF_MODELS: &[Entry] = &[
     ("maximum", ("greatest value of the run so far", "mayor valor hasta ahora")),
     ("minimum", ("least value of the run so far", "menor valor hasta ahora")),
@@ -208,14 +208,14 @@ const OF_MODELS: &[Entry] = &[
     ("pick", ("one of several at random", "uno de varios al azar")),
 ];
 
-/// The functions that an author can call.
+/// All functions that an author can call.
 pub fn functions() -> impl Iterator<Item = (&'static str, Words)> {
     let language = FUNCTIONS.iter().filter(|function| function.name != Function::STREAM).map(|function| function.name);
     let all = language.chain(OF_MODELS.iter().map(|(name, _)| *name));
     all.map(|name| (name, function(name).unwrap_or_default()))
 }
 
-/// What a function of this name computes.
+/// Description of a function.
 pub fn function(name: &str) -> Option<Words> {
     let (_, meaning) = MEANINGS.iter().chain(OF_MODELS).find(|(known, _)| *known == name)?;
     Some(words(meaning.0, meaning.1))

@@ -1,43 +1,43 @@
-//! The questions of a document as they are written, for the teacher's view of them.
+//! Questions of a document as written, for the teacher's editor.
 
 use super::questions;
 use crate::{BlockKind, Outline};
 use model::{Span, StatementKind};
 use program::Program;
 
-/// A question as written. The texts are empty where the question has no such part.
+/// A question as written. Missing parts are empty texts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Asked {
-    /// Where it stands, without its fence.
+    /// Place without its fence.
     pub place: Span,
-    /// What is asked.
+    /// Question text.
     pub prompt: String,
-    /// The questions that must be answered before it appears.
+    /// Questions that must be answered before it appears.
     pub after: String,
-    /// The values that it supposes.
+    /// Parameter values that it assumes.
     pub set: String,
-    /// The quantities whose values are hidden until it is answered.
+    /// Quantities whose values are hidden until it is answered.
     pub hide: String,
-    /// The expression of the answer with its tolerance.
+    /// Expression of the answer, with its tolerance.
     pub answer: String,
     /// The hint.
     pub hint: String,
-    /// What is shown with the right answer.
+    /// Explanation shown with the right answer.
     pub explanation: String,
 }
 
-/// A part of a question as it is written.
+/// A part of a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum QuestionPart {
-    /// What is asked.
+    /// Question text.
     Prompt,
-    /// The questions before it.
+    /// Questions that must be answered before.
     After,
-    /// The values that it supposes.
+    /// Assumed parameter values.
     Set,
-    /// What is hidden.
+    /// Hidden quantities.
     Hide,
-    /// The answer with its tolerance.
+    /// Answer with its tolerance.
     Answer,
     /// The hint.
     Hint,
@@ -46,11 +46,11 @@ pub enum QuestionPart {
 }
 
 impl QuestionPart {
-    /// All of them in the order in which they are usually written.
+    /// All parts, in the usual order.
     pub const ALL: [Self; 7] =
         [Self::Prompt, Self::After, Self::Set, Self::Hide, Self::Answer, Self::Hint, Self::Explanation];
 
-    /// The word that it stands behind; the prompt stands before all of them.
+    /// Keyword of the part; `None` for the prompt, which comes first.
     pub fn word(self) -> Option<&'static str> {
         match self {
             Self::Prompt => None,
@@ -65,7 +65,7 @@ impl QuestionPart {
 }
 
 impl Asked {
-    /// The text of a part.
+    /// Text of a part.
     pub fn text(&self, part: QuestionPart) -> &str {
         match part {
             QuestionPart::Prompt => &self.prompt,
@@ -79,7 +79,7 @@ impl Asked {
     }
 }
 
-/// The questions of a document in their order.
+/// Questions of a document, in text order.
 pub fn asked(outline: &Outline) -> Vec<Asked> {
     let source = outline.source();
     let read = |block: &crate::Block| {
@@ -101,7 +101,7 @@ pub fn asked(outline: &Outline) -> Vec<Asked> {
     outline.blocks_of(BlockKind::Question).map(read).collect()
 }
 
-/// The quantities that can be the answer of a question: those that the model computes from parameters alone, each with its label.
+/// Quantities that can be the answer of a question, with their labels: those computed from parameters alone.
 pub fn possible_answers(outline: &Outline, program: &Program) -> Vec<(String, Option<String>)> {
     let model = &program.model;
     let shown = model.quantities.iter().filter(|quantity| !quantity.hidden && !quantity.remembered);

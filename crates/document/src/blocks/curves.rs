@@ -1,4 +1,4 @@
-//! One curve of a figure: `y'`, or `(h_l + h_r)/2 + y "Left level"`.
+//! Curves of a figure: `y'`, or `(h_l + h_r)/2 + y "Left level"`.
 
 use crate::expressions::{Expressions, dimension_error};
 use crate::text::source::trim;
@@ -7,20 +7,20 @@ use program::{Curve, Drawing, Plot};
 use std::ops::Range;
 use units::{Words, words};
 
-/// A curve or an abscissa, and where it stands.
+/// A curve or an abscissa, and its place.
 pub struct Placed {
-    /// What is drawn.
+    /// The curve.
     pub curve: Curve,
-    /// Where it stands, without its label.
+    /// Place without its label.
     pub span: Span,
 }
 
-/// What is no plot.
+/// Error for text that is not a plot.
 pub fn malformed(message: Words, range: &Range<usize>) -> Diagnostic {
     Diagnostic::error("plot-syntax", message, Span::new(range.start, range.end))
 }
 
-/// Adds curves against `x` to a plot. All abscissas have one dimension.
+/// Adds curves against `x` to a plot. All abscissas must have one dimension.
 pub fn add(
     expressions: &mut Expressions,
     plot: &mut Option<Plot>,
@@ -42,7 +42,7 @@ pub fn add(
             plot.x.expression
         );
         let mut diagnostic = dimension_error(message, (x.span, found), (x.span, expected));
-        // Both labels would lie on one another.
+        // Both labels would be at the same place.
         let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
         expressions.diagnostics.push(
             diagnostic
@@ -60,7 +60,7 @@ pub fn add(
     Some(())
 }
 
-/// Takes the label at the end off: `y "Height"`.
+/// Splits off the label at the end: `y "Height"`.
 pub fn labelled(source: &str, range: Range<usize>) -> (Range<usize>, Option<String>) {
     let range = trim(source, range);
     if let Some(opening) = source[range.clone()].strip_suffix('"').and_then(|text| text.rfind('"')) {
@@ -72,14 +72,15 @@ pub fn labelled(source: &str, range: Range<usize>) -> (Range<usize>, Option<Stri
     (range, None)
 }
 
-/// Reads the curve that fills `range`.
+/// Parses and compiles the curve in `range`.
 pub fn read(expressions: &mut Expressions, range: Range<usize>) -> Option<Placed> {
     let (range, label) = labelled(expressions.source, range);
     let value = expressions.number(range.clone())?;
     Some(placed(expressions, value, range.clone(), range, label))
 }
 
-/// A curve with the value of the expression in `range`. Without a label it has that of the name that fills `named`, if one does.
+/// A curve with the value of the expression in `range`. Without a label it gets the label of the name in `named`, if there
+/// is one.
 pub fn placed(
     expressions: &Expressions,
     value: crate::expressions::Placed,
@@ -96,14 +97,14 @@ pub fn placed(
     Placed { curve: Curve { expression, label, named: is_named, value: value.value }, span }
 }
 
-/// An expression without the unit that is stated after it, which stands beside its name anyway.
+/// An expression without its stated unit, which is shown beside its name anyway.
 fn without_unit(text: &str) -> &str {
     let stated = text.trim_end().strip_suffix(']').and_then(|text| text.rsplit_once('['));
     let before = stated.and_then(|(before, _)| before.trim_end().strip_suffix("in"));
     before.filter(|before| before.ends_with(char::is_whitespace)).unwrap_or(text)
 }
 
-/// The author's label of the name that fills `range`, if a name does.
+/// Label of the name in `range`; `None` if the text is not a name or has no label.
 fn label_of_name(expressions: &Expressions, range: Range<usize>) -> Option<String> {
     let name = expressions.name(range)?;
     let model = expressions.model();

@@ -1,4 +1,4 @@
-//! The lines between `---` at the beginning of a document: `key: value`.
+//! Front matter: lines `key: value` between `---` at the beginning of a document.
 
 use crate::text::source::{Line, lines};
 use model::{Diagnostic, Span};
@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use units::{nearest, words};
 
-/// The keys there are.
+/// Known keys.
 const KEYS: [&str; 11] =
     ["title", "language", "summary", "topics", "translates", "method", "step", "until", "speed", "tolerance", "vary"];
 
-/// Keys in Spanish, and other words for them.
+/// Spanish keys and other synonyms, with the keys that they mean.
 const OTHER_KEYS: [(&str, &str); 19] = [
     ("titulo", "title"),
     ("nombre", "title"),
@@ -33,46 +33,46 @@ const OTHER_KEYS: [(&str, &str); 19] = [
     ("tolerancia", "tolerance"),
 ];
 
-/// A value of the front matter and where it stands.
+/// A value of the front matter and its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Value {
     /// The text, without quotation marks around it.
     pub text: String,
-    /// Where it stands, with its quotation marks. Empty, after the colon, if the key has no value.
+    /// Place including quotation marks. Empty, after the colon, if the key has no value.
     pub span: Span,
 }
 
 /// A line `key: value`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// The key as written; it may be unknown, or given before.
+    /// Key as written; it may be unknown or a duplicate.
     pub key: String,
-    /// Where the key stands.
+    /// Place of the key.
     pub key_span: Span,
     /// The value.
     pub value: Value,
 }
 
-/// The lines between `---` at the beginning of a document.
+/// The front matter of a document.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FrontMatter {
-    /// All entries in the order of the text.
+    /// All entries, in text order.
     pub entries: Vec<Entry>,
-    /// From the opening line to the closing line, line ends included. Empty if the document has no front matter.
+    /// From the opening to the closing line, including line ends. Empty if there is no front matter.
     pub span: Span,
-    /// The closing line, without its line end. None if it is missing.
+    /// The closing line, without its line end. `None` if it is missing.
     pub closing: Option<Span>,
 }
 
 impl FrontMatter {
-    /// The value of `key`, if it is there and not empty. Of several values the first counts.
+    /// First value of `key` that is not empty.
     pub fn get(&self, key: &str) -> Option<&Value> {
         let mut values = self.entries.iter().filter(|entry| entry.key == key).map(|entry| &entry.value);
         values.find(|value| !value.text.is_empty())
     }
 }
 
-/// Reads the front matter of `source`; a document may have none.
+/// Reads the front matter of `source`, which may be missing.
 pub(crate) fn read(source: &str, diagnostics: &mut Vec<Diagnostic>) -> FrontMatter {
     let start = source.len() - source.trim_start_matches('\u{feff}').len();
     let mut matter = FrontMatter { span: Span::new(start, start), ..FrontMatter::default() };
@@ -93,7 +93,7 @@ pub(crate) fn read(source: &str, diagnostics: &mut Vec<Diagnostic>) -> FrontMatt
             continue;
         }
         let Some(entry) = entry(source, &line) else {
-            // Prose has begun: the closing line is missing, and everything from here on is the document.
+            // Prose has begun: the closing line is missing, and the document starts here.
             matter.span.end = line.start;
             break;
         };
@@ -104,7 +104,7 @@ pub(crate) fn read(source: &str, diagnostics: &mut Vec<Diagnostic>) -> FrontMatt
     matter
 }
 
-/// Whether a line opens or closes a front matter.
+/// True for a line that opens or closes a front matter.
 fn is_mark(line: &str) -> bool {
     line.trim_end() == "---"
 }
@@ -122,7 +122,7 @@ fn unclosed(opening: Range<usize>) -> Diagnostic {
     ))
 }
 
-/// Reads one `key: value`. None if the line is nothing of the kind.
+/// Parses one `key: value`. `None` if the line has another form.
 fn entry(source: &str, line: &Line) -> Option<Entry> {
     let (before, value) = line.text(source).split_once(':')?;
     let key = before.trim();
@@ -134,13 +134,13 @@ fn entry(source: &str, line: &Line) -> Option<Entry> {
     Some(Entry { key: key.to_owned(), key_span: Span::new(start, start + key.len()), value })
 }
 
-/// Whether a text can stand before the colon.
+/// True if a text can be a key.
 pub(crate) fn is_key(text: &str) -> bool {
     !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_')
 }
 
-/// Reports what is wrong with an entry. `given` holds where the entries before it give known keys a value; looking for
-/// them among all entries would take quadratic time.
+/// Reports errors of an entry. `given` maps the known keys of earlier entries to their places; a search through all entries
+/// would take quadratic time.
 fn report(entry: &Entry, given: &mut BTreeMap<&'static str, Span>, diagnostics: &mut Vec<Diagnostic>) {
     let Entry { key: name, key_span, value } = entry;
     let Some(known) = KEYS.into_iter().find(|known| known == name) else {
@@ -178,7 +178,7 @@ fn report(entry: &Entry, given: &mut BTreeMap<&'static str, Span>, diagnostics: 
     }
 }
 
-/// `text`, which begins at `offset`, without blanks and without quotation marks around it.
+/// `text`, which begins at byte `offset`, without outer blanks and quotation marks.
 pub(crate) fn trimmed(text: &str, offset: usize) -> Value {
     let start = offset + text.len() - text.trim_start().len();
     let text = text.trim();
@@ -187,7 +187,7 @@ pub(crate) fn trimmed(text: &str, offset: usize) -> Value {
     Value { text: inner.unwrap_or(text).to_owned(), span }
 }
 
-/// The file name of the base document, where `source` is a translation: what its `translates:` says.
+/// File name of the translated document (`translates:`), if `source` is a translation.
 pub fn translates(source: &str) -> Option<String> {
     read(source, &mut Vec::new()).get("translates").map(|value| value.text.clone())
 }

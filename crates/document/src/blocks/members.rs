@@ -10,22 +10,22 @@ use program::{Members, NodeId};
 use std::ops::{Range, RangeInclusive};
 use units::{Words, words};
 
-/// `for i in 0..N+1`, by places in the source.
+/// `for i in 0..N+1`, as byte ranges in the source.
 #[derive(Clone, Debug)]
 pub struct Index {
     name: Range<usize>,
     ends: Range<usize>,
 }
 
-/// What is computed of each member.
+/// Values of all members.
 pub struct Read {
-    /// The curve as it is shown, with the unit and the label of the first member that changes during a run.
+    /// The curve as shown, with the unit and the label of the first member that varies during a run.
     pub curve: Placed,
-    /// The value of each member.
+    /// Node of each member's value.
     pub nodes: Vec<NodeId>,
 }
 
-/// What stands before `for NAME in LOW..HIGH`, and that; none where a part does not end so.
+/// Splits a part into the text before `for NAME in LOW..HIGH` and that index. `None` if the part has no such end.
 pub fn find(source: &str, part: Range<usize>) -> Option<(Range<usize>, Index)> {
     let word = find_word(source, part.clone(), "for")?;
     let rest = trim(source, word.end..part.end);
@@ -37,7 +37,7 @@ pub fn find(source: &str, part: Range<usize>) -> Option<(Range<usize>, Index)> {
     (is_index && !before.is_empty()).then(|| (before, Index { name, ends: rest.end - ends.len()..rest.end }))
 }
 
-/// Reads the values of an index. They are whole numbers that never change.
+/// Values of an index: constant integers.
 pub fn values(expressions: &mut Expressions, index: &Index) -> Option<RangeInclusive<i64>> {
     let source = expressions.source;
     let place = Span::new(index.name.start, index.name.end);
@@ -84,17 +84,17 @@ fn refuse<T>(expressions: &mut Expressions, message: Words, place: &Range<usize>
 }
 
 impl Expressions<'_> {
-    /// Lets an index stand for a number in what is compiled until [`Self::release`].
+    /// Binds an index to a value in what is compiled until [`Self::release`].
     fn hold(&mut self, index: &str, value: i64) {
         self.compiler.bind(index, value);
     }
 
-    /// Takes back the index that was held last.
+    /// Removes the last binding.
     fn release(&mut self) {
         self.compiler.unbind();
     }
 
-    /// The values of an index between two ends, both included, which are made of whole numbers and sizes.
+    /// Values of an index between two ends, both included; the ends consist of integers and sizes.
     fn whole_range(&mut self, index: Name, low: Range<usize>, high: Range<usize>) -> Option<RangeInclusive<i64>> {
         let before = self.diagnostics.len();
         let mut end = |range: Range<usize>| {
@@ -123,7 +123,7 @@ impl Expressions<'_> {
     }
 }
 
-/// Reads what stands in `range`, with its label, for each value of an index. All members have one dimension.
+/// Compiles the text in `range`, with its label, for each value of an index. All members must have one dimension.
 pub fn read(
     expressions: &mut Expressions,
     range: Range<usize>,
@@ -137,7 +137,7 @@ pub fn read(
         expressions.hold(&name, value);
         let placed = curves::read(expressions, range.clone());
         expressions.release();
-        // What is wrong with one member is wrong with all, or names the one.
+        // An error of one member occurs in all, or names the member.
         let placed = placed?;
         let found = (placed.span, placed.curve.value.dimension());
         let varies = expressions.model().depends(placed.curve.value.node).varies();
@@ -151,7 +151,7 @@ pub fn read(
                 );
                 let expected = first.curve.value.dimension();
                 let mut diagnostic = dimension_error(message, found, (first.span, expected));
-                // Both labels would lie on one another.
+                // Both labels would be at the same place.
                 let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
                 expressions.diagnostics.push(diagnostic.with_note(words!(
                     "the first one is {expected}",

@@ -1,4 +1,4 @@
-//! Blocks of a document beside model and drawing: what each may say, and what the program gets from it.
+//! Blocks of a document other than model and drawing: their syntax, and the parts of the program made from them.
 
 pub(crate) mod asked;
 pub(crate) mod curves;

@@ -1,5 +1,6 @@
 //! Figures: `"Phase portrait": y' against y`, `"Orbits": y_1 against x_1, y_2 against x_2, equal axes`,
-//! `"Section": points theta' against theta every 2*pi/Omega`, `... at drive`, `"Resonance": A against omega in 1..12 [rad/s]`, `"Bifurcations": points x from 50 against r in 2.5..4`.
+//! `"Section": points theta' against theta every 2*pi/Omega`, `... at drive`,
+//! `"Resonance": A against omega in 1..12 [rad/s]`, `"Bifurcations": points x from 50 against r in 2.5..4`.
 
 use super::curves;
 use super::curves::Placed;
@@ -15,13 +16,11 @@ use program::{Curve, Drawing, Every, Node, NodeId, Plot, Profile};
 use std::ops::Range;
 use units::{Words, words};
 
-/// How many figures a document may have, and how many curves a figure.
+/// Maximum number of figures of a document, and of curves in a figure.
 const PLOTS: usize = 24;
 const CURVES: usize = 12;
 
-/// Reads the figures in `range`.
-///
-/// `until` is where a run ends (SI), if the document says so.
+/// Reads the figures in `range` and appends them to `plots`. `until`: end of a run (SI), if the document states one.
 pub fn read(expressions: &mut Expressions, range: Range<usize>, until: Option<f64>, plots: &mut Vec<Plot>) {
     for statement in statements(expressions.source, range) {
         if plots.len() == PLOTS {
@@ -100,7 +99,7 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
     let last = parts.last().map_or(rest.end, |part| part.end);
     let mut plot: Option<Plot> = None;
     let mut members = Vec::new();
-    // The curves of which it is not yet said what they are drawn against.
+    // Curves whose abscissa has not been read yet.
     let mut waiting = Vec::new();
     for part in parts {
         let against = find_word(source, part.clone(), "against");
@@ -160,14 +159,13 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
     Some(Plot { equal, drawing, ..plot })
 }
 
-/// What others write for `against`.
+/// Words used elsewhere for `against`.
 const AGAINST: [&str; 5] = ["vs", "versus", "over", "contra", "frente"];
 
-/// The word before what is drawn as single points.
+/// Keyword for drawing single points.
 pub const POINTS: &str = "points";
 
-/// Whether a word says how curves are drawn: it stands before another one, not before an operator or a comma, which would
-/// make it a name.
+/// True if `text` begins with `word` as a keyword, followed by another word. Before an operator or a comma it is a name.
 pub fn begins_with(word: &str, text: &str) -> bool {
     let Some(rest) = text.strip_prefix(word) else { return false };
     let next = rest.trim_start();
@@ -179,7 +177,8 @@ pub fn begins_with(word: &str, text: &str) -> bool {
             .is_some_and(|word| ["against", "in"].contains(&word))
 }
 
-/// When points are drawn: `every 2*pi/Omega`, or `at drive`, the firings of an event. It is taken off the end of `part`.
+/// Times at which points are drawn: `every 2*pi/Omega`, or `at drive`, the firings of an event. Removed from the end of
+/// `part`.
 fn moments(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Drawing> {
     let source = expressions.source;
     let at = find_word(source, part.clone(), "at");
@@ -191,8 +190,9 @@ fn moments(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Dra
     every(expressions, part).map(Drawing::Every)
 }
 
-/// What counts the event at which points of runs are taken, `at drive` at the end of `part` behind the parameter, which begins at
-/// `across`. It is taken off. A run that counts has a point at each count.
+/// Node that counts the event at which points of runs are taken: `at drive` at the end of `part`, after the parameter,
+/// which begins at byte `across`. Removed from `part`. `Some(None)` for a discrete independent variable: one point at each
+/// count.
 fn points_of_runs(expressions: &mut Expressions, part: &mut Range<usize>, across: usize) -> Option<Option<NodeId>> {
     let source = expressions.source;
     if let Some(at) = find_word(source, part.clone(), "at").filter(|at| at.start > across) {
@@ -220,7 +220,7 @@ fn points_of_runs(expressions: &mut Expressions, part: &mut Range<usize>, across
     None
 }
 
-/// What counts the firings of the event whose name stands in `range`.
+/// Node that counts the firings of the event named in `range`.
 fn firings(expressions: &mut Expressions, range: Range<usize>) -> Option<NodeId> {
     let name = &expressions.source[range.clone()];
     let count = expressions.model().lookup(&format!("{name}.count"), 0).filter(|_| !name.contains('.'));
@@ -235,7 +235,7 @@ fn firings(expressions: &mut Expressions, range: Range<usize>) -> Option<NodeId>
     count.map(|count| count.node)
 }
 
-/// `every 2*pi/Omega from 10 [s]` at the end of `part`, which is taken off it.
+/// `every 2*pi/Omega from 10 [s]` at the end of `part`, from which it is removed.
 fn every(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Every> {
     let source = expressions.source;
     let Some(word) = find_word(source, part.clone(), "every") else {
@@ -279,14 +279,14 @@ fn every(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Every
     Some(Every { period, from })
 }
 
-/// A value of the independent variable that stays the same during a run.
+/// Compiles a value of the independent variable that is constant during a run.
 fn moment(expressions: &mut Expressions, range: Range<usize>, what: &Words) -> Option<program::NodeId> {
     let placed = expressions.constant(range, what)?;
     let (found, expected) = (placed.value.dimension(), expressions.model().independent.unit.dimension);
     if found != expected {
         let message = words!("{what} has the wrong dimension", "{what} tiene una dimensión incorrecta", what = what);
         let mut diagnostic = dimension_error(message, (placed.span, found), (placed.span, expected));
-        // Both labels would lie on one another.
+        // Both labels would be at the same place.
         let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
         expressions.diagnostics.push(diagnostic.with_note(words!(
             "it must be {expected}",
@@ -298,12 +298,12 @@ fn moment(expressions: &mut Expressions, range: Range<usize>, what: &Words) -> O
     Some(placed.value.node)
 }
 
-/// Whether a part after a comma asks for units of the same length on both axes.
+/// True for a part after a comma that asks for equal scales on both axes.
 pub fn is_equal_axes(part: &str) -> bool {
     part.split_whitespace().eq(["equal", "axes"])
 }
 
-/// An abscissa that changes during a run; against anything else a curve would be a point.
+/// Requires an abscissa that varies during a run; otherwise the curve would be a point.
 fn changing(expressions: &mut Expressions, x: Placed) -> Option<Placed> {
     let dependence = expressions.model().depends(x.curve.value.node);
     if dependence.varies() {

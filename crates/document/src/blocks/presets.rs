@@ -8,10 +8,10 @@ use program::Preset;
 use std::ops::Range;
 use units::words;
 
-/// How many presets a document may have.
+/// Maximum number of presets of a document.
 const PRESETS: usize = 100;
 
-/// Reads the presets in `range`. `group "Liquid"` stands before those of a group.
+/// Reads the presets in `range`. `group "Liquid"` stands before the presets of a group.
 pub fn read(expressions: &mut Expressions, range: Range<usize>, presets: &mut Vec<Preset>) {
     let source = expressions.source;
     let mut group = None;

@@ -1,5 +1,5 @@
-//! Plots of one moment: `"Shape": x[i] against i*a for i in 0..N+1`, and how often values occur:
-//! `"Speeds": histogram v[i] for i in 1..N`.
+//! Plots of one moment, `"Shape": x[i] against i*a for i in 0..N+1`, and histograms, `"Speeds": histogram v[i] for i in
+//! 1..N`.
 
 use super::curves;
 use super::curves::{add, malformed};
@@ -12,10 +12,10 @@ use program::{Drawing, Members, Plot};
 use std::ops::Range;
 use units::words;
 
-/// The word before what is counted.
+/// Keyword before the counted quantity.
 pub const HISTOGRAM: &str = "histogram";
 
-/// Adds the curves in `parts`, which are drawn against what stands in `across` for each value of an index.
+/// Adds the curves in `parts` against the expression in `across`, with one point for each value of the index.
 pub fn read(
     expressions: &mut Expressions,
     parts: Vec<Range<usize>>,
@@ -44,7 +44,7 @@ pub fn read(
     add(expressions, plot, title, curves, x.curve)
 }
 
-/// Reads `v[i] for i in 1..N`, the members at the moment shown, or `x`, the values of the run.
+/// Reads the histogram of `v[i] for i in 1..N`, the members at the moment shown, or of `x`, its values during the run.
 pub fn histogram(expressions: &mut Expressions, title: &str, range: Range<usize>) -> Option<Plot> {
     let source = expressions.source;
     let is_one = split(source, range.clone(), ',').len() == 1 && find_word(source, range.clone(), "against").is_none();
@@ -78,7 +78,7 @@ pub fn histogram(expressions: &mut Expressions, title: &str, range: Range<usize>
     Some(Plot { title, x, curves, others: Vec::new(), equal: false, drawing: Drawing::Histogram(nodes) })
 }
 
-/// What a plot says that mixes curves at one moment with others.
+/// Reports a plot that mixes curves at one moment with other curves.
 pub fn refuse_mixture(expressions: &mut Expressions, statement: &Range<usize>) {
     let span = Span::new(statement.start, statement.end);
     let message = words(

@@ -1,4 +1,4 @@
-//! Questions: words, and an answer that the document computes.
+//! Questions: text, and an answer that the document computes.
 
 use super::tolerances;
 use crate::expressions::Expressions;
@@ -10,13 +10,13 @@ use program::{Question, QuestionText};
 use std::ops::Range;
 use units::words;
 
-/// How many questions a document may have.
+/// Maximum number of questions of a document.
 pub const QUESTIONS: usize = 200;
 
-/// The keys of a question; what stands before the first is the question itself.
+/// Keys of a question; the text before the first key is the prompt.
 const KEYS: [&str; 6] = ["after", "set", "hide", "answer", "hint", "explanation"];
 
-/// `within 2 %` and `within 0.1 [s]`
+/// Tolerances `within 2 %` and `within 0.1 [s]`.
 const TOLERANCE: tolerances::Form = tolerances::Form {
     code: "question-syntax",
     other_dimension: words(
@@ -33,19 +33,19 @@ const TOLERANCE: tolerances::Form = tolerances::Form {
 /// A question as written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RawQuestion {
-    /// Where it stands, without its fence.
+    /// Byte range without the fence.
     pub place: Range<usize>,
     prompt: Range<usize>,
     fields: Vec<(&'static str, Range<usize>)>,
 }
 
 impl RawQuestion {
-    /// The question itself.
+    /// Byte range of the question text.
     pub fn prompt(&self) -> Range<usize> {
         self.prompt.clone()
     }
 
-    /// The keys and what stands behind their colons, in the order of the text.
+    /// Keys with the byte ranges after their colons, in text order.
     pub fn fields(&self) -> &[(&'static str, Range<usize>)] {
         &self.fields
     }
@@ -55,7 +55,7 @@ impl RawQuestion {
     }
 }
 
-/// Takes the question in `range` apart. A key goes on until the next key.
+/// Splits the question in `range` into its parts. Each part extends to the next key.
 pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> RawQuestion {
     let mut question = RawQuestion { place: trim(source, range.clone()), ..RawQuestion::default() };
     question.prompt = range.start..range.end;
@@ -83,7 +83,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
     question
 }
 
-/// The first key at the beginning of a line of a text.
+/// First key at the beginning of a line of a text.
 pub fn key_in(text: &str) -> Option<&'static str> {
     text.lines().find_map(|line| {
         let (word, _) = line.split_once(':')?;
@@ -91,7 +91,7 @@ pub fn key_in(text: &str) -> Option<&'static str> {
     })
 }
 
-/// Where the text of a part of a question stands, without blanks around it: behind its word, or that before the first word.
+/// Byte range of a part of a question, without outer blanks: the text after the key `word`, or the prompt for `None`.
 pub fn part(source: &str, range: Range<usize>, word: Option<&str>) -> Option<Range<usize>> {
     let raw = split(source, range, &mut Vec::new());
     match word {
@@ -100,7 +100,7 @@ pub fn part(source: &str, range: Range<usize>, word: Option<&str>) -> Option<Ran
     }
 }
 
-/// The words of a question.
+/// Texts of a question.
 pub fn texts(prose: &mut Prose, raw: &RawQuestion) -> QuestionText {
     QuestionText {
         prompt: prose.fragment(raw.prompt.clone()),
@@ -109,7 +109,7 @@ pub fn texts(prose: &mut Prose, raw: &RawQuestion) -> QuestionText {
     }
 }
 
-/// A question of a translation has words only.
+/// Warns of computed parts in a translation, which may contain texts only.
 pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
     for (key, range) in &raw.fields {
         if matches!(*key, "after" | "answer" | "set" | "hide") {
@@ -129,7 +129,7 @@ pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Completes the questions of a translation with the texts of the originals that it lacks, and warns of these at `place`.
+/// Fills texts missing in the questions of a translation with the originals, and warns of them at `place`.
 pub fn untranslated(texts: &mut Vec<QuestionText>, originals: &[QuestionText], place: Span) -> Option<Diagnostic> {
     texts.resize_with(originals.len(), QuestionText::default);
     let mut missing = Vec::new();
@@ -176,7 +176,8 @@ pub fn untranslated(texts: &mut Vec<QuestionText>, originals: &[QuestionText], p
     Some(if missing.len() > 1 { missing.into_iter().fold(warning, Diagnostic::with_note) } else { warning })
 }
 
-/// Compiles what a question computes. `earlier` says which question of the document each one before it is, if it is any.
+/// Compiles the computed parts of a question. `earlier` gives the index in the document of each question before it, or
+/// `None` for an invalid one.
 pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Option<usize>]) -> Option<Question> {
     let source = expressions.source;
     let span = Span::new(raw.place.start, raw.place.end);
@@ -219,19 +220,19 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
     Some(Question { setup, hides, after, unit: answer.unit.clone(), answer, tolerance })
 }
 
-/// `previous`, or numbers of questions, counted from 1: those that must be answered first.
+/// Indices of the questions that must be answered first: `previous`, or numbers counted from 1.
 fn questions_before(expressions: &mut Expressions, range: Range<usize>, earlier: &[Option<usize>]) -> Vec<usize> {
     let source = expressions.source;
     let mut questions = Vec::new();
     let mut start = range.start;
     for piece in source[range].split(',') {
-        // Of blanks alone, their beginning.
+        // The place of a blank entry is its beginning.
         let range = if piece.trim().is_empty() { start..start } else { trim(source, start..start + piece.len()) };
         start += piece.len() + 1;
         let text = &source[range.clone()];
         let number = if text == "previous" { Some(earlier.len()) } else { text.parse().ok() };
         match number.and_then(|number: usize| earlier.get(number.checked_sub(1)?)) {
-            // One that has errors is not asked and cannot be waited for.
+            // A question with errors is not shown, so nothing can depend on it.
             Some(question) => questions.extend(question.filter(|question| !questions.contains(question))),
             None => {
                 let span = Span::new(range.start, range.end);
@@ -258,7 +259,7 @@ fn questions_before(expressions: &mut Expressions, range: Range<usize>, earlier:
     questions
 }
 
-/// `T_d, omega_d`: the quantities whose values are hidden until the question is answered.
+/// Indices of the quantities whose values are hidden until the question is answered: `T_d, omega_d`.
 fn hidden(expressions: &mut Expressions, range: Range<usize>) -> Vec<usize> {
     let source = expressions.source;
     let mut quantities = Vec::new();
@@ -267,7 +268,7 @@ fn hidden(expressions: &mut Expressions, range: Range<usize>) -> Vec<usize> {
         let range = trim(source, start..start + piece.len());
         start += piece.len() + 1;
         let span = Span::new(range.start, range.end);
-        // The same reading as in the model, so that `ω₀` and `omega_0` are one name.
+        // Parsed as in the model, so that `ω₀` and `omega_0` are the same name.
         let (expression, unit, found) = model::parse_expression(source, range);
         let ExpressionKind::Name { name, order: 0 } = expression.kind else {
             let message = words(

@@ -1,4 +1,4 @@
-//! What the front matter says about the run.
+//! Settings of the run in the front matter.
 
 use super::front_matter::{FrontMatter, Value};
 use crate::expressions::dimension_error;
@@ -6,21 +6,21 @@ use model::{Diagnostic, Span};
 use program::{Method, Model, Speed};
 use units::{Dimension, Unit, words};
 
-/// The front matter, checked. Values are SI.
+/// The checked front matter. Values are in SI units.
 pub struct Settings {
-    /// The title; `Untitled` without one.
+    /// Title; `Untitled` by default.
     pub title: String,
-    /// The language; `en` unless stated.
+    /// Language tag; `en` by default.
     pub language: String,
-    /// The method.
+    /// Numerical method.
     pub method: Option<Method>,
-    /// The step of the independent variable.
+    /// Step of the independent variable.
     pub step: Option<f64>,
-    /// Where the run stops.
+    /// Value of the independent variable at the end of the run.
     pub until: Option<f64>,
-    /// How fast it is watched.
+    /// Playback speed.
     pub speed: Option<Speed>,
-    /// The relative tolerance of adaptive methods.
+    /// Relative tolerance of adaptive methods.
     pub tolerance: Option<f64>,
 }
 
@@ -54,7 +54,7 @@ pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnosti
     }
 }
 
-/// Where the independent variable counts there is nothing to be stepped.
+/// Reports integration settings in a model with a discrete independent variable, which is not integrated.
 fn refuse_steps(matter: &FrontMatter, independent: &str, diagnostics: &mut Vec<Diagnostic>) {
     for key in ["method", "step", "tolerance"] {
         let Some(value) = matter.get(key) else { continue };
@@ -67,7 +67,7 @@ fn refuse_steps(matter: &FrontMatter, independent: &str, diagnostics: &mut Vec<D
     }
 }
 
-/// What is said of a language that is none.
+/// Error for an invalid language tag.
 pub fn no_language(language: &Value) -> Diagnostic {
     Diagnostic::error(
         "language",
@@ -80,7 +80,7 @@ pub fn no_language(language: &Value) -> Diagnostic {
     ))
 }
 
-/// Whether a text can be a language code (BCP 47, roughly).
+/// True if a text can be a language tag (BCP 47, roughly).
 pub fn is_language(text: &str) -> bool {
     text.len() <= 20
         && text.split('-').all(|part| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric()))
@@ -111,7 +111,7 @@ fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
     None
 }
 
-/// A positive number, bare (then in `unit`) or with a unit of its dimension: its SI value, and the unit.
+/// Parses a positive number, bare (then in `unit`) or with a unit of the same dimension. Returns its SI value and the unit.
 fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnostic>) -> Option<(f64, Unit)> {
     let (number, stated) = match value.text.split_once('[') {
         Some((number, rest)) => (number.trim(), rest.trim_end().strip_suffix(']')),
@@ -155,7 +155,7 @@ fn mismatch(key: &str, span: Span, found: Dimension, expected: Dimension) -> Dia
         (span, found),
         (span, expected),
     );
-    // Both labels would lie on one another.
+    // Both labels would be at the same place.
     let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
     diagnostic = diagnostic.with_note(words!("it must be {expected}", "debe ser {expected}", expected = expected));
     diagnostic

@@ -7,19 +7,19 @@ use program::Tolerance;
 use std::ops::Range;
 use units::{Unit, Words, words};
 
-/// How tolerances are written somewhere, and what is said there of wrong ones.
+/// Rules for tolerances in one kind of block, and texts for errors.
 pub struct Form {
-    /// The code of the diagnostics.
+    /// Code of the diagnostics.
     pub code: &'static str,
-    /// What is said of a tolerance with another dimension than the value.
+    /// Message for a tolerance whose dimension differs from that of the value.
     pub other_dimension: Words,
-    /// How tolerances are written.
+    /// Hint with the form of tolerances.
     pub hint: Words,
-    /// Whether a number without a unit is a fraction of the value, and not a quantity without a dimension.
+    /// True if a number without a unit is a fraction of the value, false if it is a dimensionless quantity.
     pub bare_is_fraction: bool,
 }
 
-/// The tolerance that fills `range`, for `value`.
+/// Reads the tolerance in `range`, for `value`.
 pub fn read(expressions: &mut Expressions, range: Range<usize>, value: &Placed, form: &Form) -> Option<Tolerance> {
     let source = expressions.source;
     let span = Span::new(range.start, range.end);

@@ -1,11 +1,11 @@
-//! `vary: b, v_0`: the parameters that a fit of the document varies unless another choice is made.
+//! `vary: b, v_0`: parameters that a fit of the document varies by default.
 
 use super::front_matter::Value;
 use crate::expressions::Expressions;
 use model::{ExpressionKind, Name, Span};
 use units::words;
 
-/// Reads the names of parameters, separated by commas. What is no parameter is left out.
+/// Indices of the named parameters, which are separated by commas. Other names are reported and left out.
 pub fn read(expressions: &mut Expressions, value: &Value) -> Vec<usize> {
     let source = expressions.source;
     let text = &source[value.span.range()];
@@ -27,7 +27,7 @@ pub fn read(expressions: &mut Expressions, value: &Value) -> Vec<usize> {
             );
             continue;
         }
-        // The same reading as in the model, so that `ω₀` and `omega_0` are one name.
+        // Parsed as in the model, so that `ω₀` and `omega_0` are the same name.
         let (expression, unit, found) = model::parse_expression(source, range);
         let ExpressionKind::Name { name, order: 0 } = expression.kind else {
             let message = words!(

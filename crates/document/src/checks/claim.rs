@@ -1,4 +1,4 @@
-//! One claim: what is said, and when.
+//! One claim: its test and its moment.
 
 use super::identity::remark_on_identity;
 use super::tolerance::tolerance;
@@ -10,10 +10,10 @@ use program::{Claim, Kind, Moment, Relation, Sides, Test};
 use std::ops::Range;
 use units::{Words, words};
 
-/// What a claim about the step begins with, blanks aside.
+/// First words of a claim about the step.
 const HALVING: [&str; 4] = ["halving", "the", "step", "changes"];
 
-/// The claim that fills `range`.
+/// Reads the claim in `range`.
 pub fn read(expressions: &mut Expressions, name: String, range: Range<usize>) -> Option<Claim> {
     let source = expressions.source;
     let halved = after_words(source, range.clone(), &HALVING);
@@ -29,7 +29,7 @@ pub fn read(expressions: &mut Expressions, name: String, range: Range<usize>) ->
     Some(Claim { name, written, test, moment })
 }
 
-/// Where the text goes on behind these words, if it begins with them.
+/// Byte after these words, if the text begins with them.
 fn after_words(source: &str, range: Range<usize>, words: &[&str]) -> Option<usize> {
     let mut at = range.start;
     for word in words {
@@ -43,7 +43,8 @@ fn after_words(source: &str, range: Range<usize>, words: &[&str]) -> Option<usiz
     Some(at)
 }
 
-/// What stands before the moment, and the moment: `always`, `at end` or `at 5 [s]`. A claim about the step may leave it out.
+/// Splits off the moment: `always`, `at end` or `at 5 [s]`. A claim about the step may omit it. Returns the range before
+/// it, and the moment.
 fn moment(expressions: &mut Expressions, range: Range<usize>, is_step: bool) -> Option<(Range<usize>, Moment)> {
     let source = expressions.source;
     let before = |at: usize| trim(source, range.start..at);
@@ -77,7 +78,7 @@ fn moment(expressions: &mut Expressions, range: Range<usize>, is_step: bool) -> 
         let message = words("this is not a moment of the run", "esto no es un instante de la simulación");
         let expected = (time.span, independent.dimension);
         let mut diagnostic = dimension_error(message, (time.span, time.value.dimension()), expected);
-        // Both labels would lie on one another.
+        // Both labels would be at the same place.
         let expected = diagnostic.labels.pop().map_or_else(|| Words::same(""), |label| label.text);
         expressions.diagnostics.push(diagnostic.with_note(words!(
             "it must be {expected}",
@@ -94,7 +95,7 @@ fn moment(expressions: &mut Expressions, range: Range<usize>, is_step: bool) -> 
     Some((before(at.start), Moment::At(time.value)))
 }
 
-/// `E within 1e-6 of E(0)`, where `within` stands at this place.
+/// Reads `E within 1e-6 of E(0)`, where `within` is the byte range of that word.
 fn near(expressions: &mut Expressions, range: Range<usize>, within: Range<usize>) -> Option<Test> {
     let source = expressions.source;
     let rest = within.end..range.end;
@@ -129,7 +130,7 @@ fn near(expressions: &mut Expressions, range: Range<usize>, within: Range<usize>
     Some(Test::Near { value: value.value, expected: expected.value, tolerance })
 }
 
-/// The place of the first `word` at the top level.
+/// Byte range of the first `word` at the top level.
 fn first_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
     let mut range = range;
     let mut first = None;
@@ -140,7 +141,7 @@ fn first_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usi
     first
 }
 
-/// `halving the step changes` EXPRESSION `by less than` TOLERANCE, from the expression on.
+/// Reads `halving the step changes` EXPRESSION `by less than` TOLERANCE, from the expression on.
 fn halved_step(expressions: &mut Expressions, range: Range<usize>) -> Option<Test> {
     let source = expressions.source;
     let by = find_word(source, range.clone(), "by");
@@ -183,7 +184,7 @@ fn halved_step(expressions: &mut Expressions, range: Range<usize>) -> Option<Tes
     Some(Test::HalvedStep { value: value.value, tolerance })
 }
 
-/// `y < 2 [m]`
+/// Reads `y < 2 [m]`.
 fn holds(expressions: &mut Expressions, range: Range<usize>) -> Option<Test> {
     let source = expressions.source;
     if let Some(at) = lone_equals(source, range.clone()) {
@@ -249,7 +250,7 @@ fn relation(operator: BinaryOperator) -> Option<Relation> {
     }
 }
 
-/// The place of an `=` that belongs to no comparison.
+/// Byte position of an `=` that is not part of a comparison.
 fn lone_equals(source: &str, range: Range<usize>) -> Option<usize> {
     let part_of_comparison = |at: usize| {
         source[range.start..at].ends_with(['=', '<', '>', '!']) || source[at + 1..range.end].starts_with('=')
@@ -258,7 +259,7 @@ fn lone_equals(source: &str, range: Range<usize>) -> Option<usize> {
     equals.find(|(at, _)| !part_of_comparison(*at)).map(|(at, _)| at)
 }
 
-/// A claim about what never changes says nothing about a run.
+/// Warns of a claim about constants, which does not depend on the run.
 fn warn_if_constant(expressions: &mut Expressions, values: &[&Placed]) {
     if values.iter().any(|placed| expressions.model().depends(placed.value.node).varies()) {
         return;

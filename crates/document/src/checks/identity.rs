@@ -1,12 +1,12 @@
-//! Claims that are true by definition, and so say nothing about a run.
+//! Claims that are true by definition and therefore test nothing.
 
 use crate::expressions::{Expressions, Placed};
 use model::Diagnostic;
 use units::words;
 
-/// Remarks on a claim that compares something with itself, or with its own definition.
+/// Warns of a claim that compares something with itself or with its own definition.
 pub fn remark_on_identity(expressions: &mut Expressions, left: &Placed, right: &Placed) {
-    // Equal expressions are one node of the graph.
+    // Equal expressions share one node of the graph.
     if left.value.node != right.value.node || !expressions.model().depends(left.value.node).varies() {
         return;
     }

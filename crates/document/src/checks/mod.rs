@@ -1,4 +1,4 @@
-//! Checks: `"Energy is kept": E within 1e-6 of E(0) always`, in a block of their own.
+//! Checks in a block of their own: `"Energy is kept": E within 1e-6 of E(0) always`.
 
 mod claim;
 mod identity;
@@ -12,20 +12,20 @@ use program::{Assignment, Check};
 use std::ops::Range;
 use units::words;
 
-/// How many claims a document may make.
+/// Maximum number of claims of a document.
 const CLAIMS: usize = 100;
 
-/// The checks of a document, and where their claims stand.
+/// Checks of a document, and the places of their claims.
 #[derive(Debug, Default)]
 pub struct Checks {
-    /// In the order of the text.
+    /// Checks, in text order.
     pub checks: Vec<Check>,
-    /// Where each claim stands: those of the first check, then those of the next.
+    /// Place of each claim, check after check.
     pub places: Vec<Span>,
 }
 
 impl Checks {
-    /// Reads the block in `range`. `set:` stands before the claims that it is for.
+    /// Reads the block in `range`. `set:` applies to the claims after it.
     pub fn read(&mut self, expressions: &mut Expressions, range: Range<usize>) {
         let source = expressions.source;
         let mut setup: Vec<Assignment> = Vec::new();
@@ -54,7 +54,7 @@ impl Checks {
     }
 }
 
-/// The statements, where an indented line goes on with the one before it unless it begins another claim.
+/// Joins an indented line with the line before, unless it begins another claim.
 fn with_indented(source: &str, lines: Vec<Range<usize>>) -> Vec<Range<usize>> {
     let mut statements: Vec<Range<usize>> = Vec::new();
     for line in lines {
@@ -68,7 +68,7 @@ fn with_indented(source: &str, lines: Vec<Range<usize>>) -> Vec<Range<usize>> {
     statements
 }
 
-/// The name before the colon, and where the claim behind it stands.
+/// The name before the colon, and the byte range of the claim after it.
 fn named(expressions: &mut Expressions, statement: Range<usize>) -> Option<(String, Range<usize>)> {
     let source = expressions.source;
     let name = leading_text(source, statement.clone()).filter(|(name, _)| !name.trim().is_empty());

@@ -1,4 +1,4 @@
-//! How far off a claim may be: `1e-6` and `0.1 %` are fractions, `1 [mm]` is a quantity.
+//! Tolerances of claims: `1e-6` and `0.1 %` are fractions, `1 [mm]` is a quantity.
 
 use crate::blocks::tolerances;
 use crate::blocks::tolerances::Form;
@@ -22,7 +22,8 @@ const FORM: Form = Form {
     bare_is_fraction: true,
 };
 
-/// The tolerance that fills `range`, for `value`. `of_zero` says that the value should be 0, of which a fraction is 0 too.
+/// Reads the tolerance in `range`, for `value`. `of_zero`: true if the expected value is 0, for which a fraction is
+/// useless.
 pub fn tolerance(
     expressions: &mut Expressions,
     range: Range<usize>,
@@ -57,7 +58,7 @@ pub fn tolerance(
     Some(tolerance)
 }
 
-/// Warns of `within 0.5` where both a fraction and a difference could be meant.
+/// Warns of `within 0.5`, which could be meant as a fraction or as a difference.
 fn bare(part: f64, span: Span) -> Diagnostic {
     let percent = percent(part);
     let message = words!(
@@ -75,7 +76,7 @@ fn bare(part: f64, span: Span) -> Diagnostic {
         .with_fix(span, format!("{percent} [%]"))
 }
 
-/// A hundred times a number, with the digits of the number.
+/// A hundred times a number, without rounding its digits.
 fn percent(part: f64) -> String {
     let written = format!("{part:e}");
     let moved = written.split_once('e').and_then(|(digits, exponent)| {

@@ -1,19 +1,19 @@
-//! The components of points as they are written.
+//! Components of points in the source text.
 
 use crate::scene::pairs;
 use model::Span;
 use std::ops::Range;
 
-/// One of the two directions of a point.
+/// Component of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// To the right.
+    /// First component, to the right.
     Across,
-    /// Upwards in a frame, downwards outside.
+    /// Second component: upwards in a frame, downwards outside.
     Along,
 }
 
-/// The components of a point: those of its pair that stands without a factor. `None` if it has no such pair.
+/// Byte ranges of the two components of a point: those of its pair without a factor. `None` if there is no such pair.
 pub(crate) fn components(source: &str, value: Span) -> Option<(Range<usize>, Range<usize>)> {
     let range = crate::text::source::trim(source, value.range());
     let pairs = pairs(source, range.clone())?;
@@ -26,7 +26,7 @@ pub(crate) fn components(source: &str, value: Span) -> Option<(Range<usize>, Ran
     Some((pair.first, pair.second))
 }
 
-/// The place of one component of a point.
+/// Byte range of one component of a point.
 pub(crate) fn at_axis(source: &str, value: Span, axis: Axis) -> Option<Range<usize>> {
     let (across, along) = components(source, value)?;
     let range = match axis {
@@ -36,8 +36,8 @@ pub(crate) fn at_axis(source: &str, value: Span, axis: Axis) -> Option<Range<usi
     Some(crate::text::source::trim(source, range))
 }
 
-/// What one component of a point follows: the name of a quantity, if it is that alone or with a distance added; an empty text if it
-/// stays where it is; `None` if it is something else.
+/// Quantity that one component of a point follows: its name, if the component is that name alone or with a distance added;
+/// an empty text if it is constant; `None` for another expression.
 pub fn follows(source: &str, value: Span, axis: Axis) -> Option<&str> {
     let text = source.get(at_axis(source, value, axis)?)?;
     let (name, _) = crate::edit::split_distance(text);

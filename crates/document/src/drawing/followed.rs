@@ -1,4 +1,4 @@
-//! What the elements of a drawing can follow, and their colours.
+//! Quantities that elements of a drawing can follow, and colours.
 
 use crate::scene::PALETTE;
 use program::{Kind, Model, Role};
@@ -16,7 +16,7 @@ fn parameters(model: &Model) -> impl Iterator<Item = Named<'_>> {
     numbers.map(|one| (one.name.clone(), one.label.clone(), &one.unit))
 }
 
-/// The names of states, quantities and parameters of this dimension, in this order, each with its label.
+/// Names of states, quantities and parameters of this dimension, in this order, with their labels.
 pub fn followed(model: &Model, dimension: Dimension) -> Vec<(String, Option<String>)> {
     let quantities =
         model.quantities.iter().filter(|quantity| !quantity.remembered && quantity.value.kind == Kind::Number);
@@ -25,12 +25,12 @@ pub fn followed(model: &Model, dimension: Dimension) -> Vec<(String, Option<Stri
     all.filter(|(_, _, unit)| unit.dimension == dimension).map(|(name, label, _)| (name, label)).collect()
 }
 
-/// The names of what can follow the hand: states, then parameters that are numbers, each with its label.
+/// Names of quantities that can be dragged, with their labels: states, then numeric parameters.
 pub fn draggable(model: &Model) -> Vec<(String, Option<String>)> {
     states(model).chain(parameters(model)).map(|(name, label, _)| (name, label)).collect()
 }
 
-/// The names of the colours of the page's theme.
+/// Names of the colours of the page's theme.
 pub fn colours() -> impl Iterator<Item = &'static str> {
     PALETTE.into_iter().map(|(name, _)| name)
 }

@@ -1,32 +1,32 @@
-//! What of an element can be gripped and moved.
+//! Grips of elements for moving and resizing.
 
 use super::item::Item;
 use crate::scene::{ARC_RADIUS, BOB_RADIUS};
 
-/// A place of an element that can be gripped.
+/// A grip of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grip {
-    /// All of it.
+    /// The whole element.
     Whole,
-    /// Its beginning, the attribute `from`.
+    /// Its beginning, attribute `from`.
     Beginning,
-    /// Its end, the attribute `to`.
+    /// Its end, attribute `to`.
     End,
-    /// A corner, which changes its size.
+    /// A corner; changes the size.
     Corner,
-    /// A place on its edge, which changes its radius.
+    /// A point on the edge; changes the radius.
     Edge,
-    /// A place beside it, which turns it.
+    /// A point beside the element; turns it.
     Turn,
 }
 
 impl Item {
-    /// The radius with which it is drawn where none is written, in units of the drawing.
+    /// Default radius of the element, in units of the drawing.
     pub(crate) fn usual_radius(&self) -> f64 {
         if self.kind.name == "angle" { ARC_RADIUS } else { BOB_RADIUS }
     }
 
-    /// What can be gripped of it, all of it first. A frame and axes stay where they are.
+    /// Grips of the element, the whole first. A frame has none; axes cannot be moved as a whole.
     pub fn grips(&self) -> Vec<Grip> {
         let has = |name: &str| self.attribute(name).is_some();
         let can = |name: &str| self.kind.attributes.contains(&name);
@@ -37,7 +37,7 @@ impl Item {
         if self.kind.name != "axes" {
             grips.push(Grip::Whole);
         }
-        // The ends of an angle's arc are angles.
+        // `from` and `to` of an angle's arc are angles, not points.
         if self.kind.name != "angle" && has("from") && has("to") || has("x1") && has("x2") {
             grips.extend([Grip::Beginning, Grip::End]);
         }

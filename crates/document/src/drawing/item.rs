@@ -7,46 +7,46 @@ use crate::text::outline::Outline;
 use model::Span;
 use std::ops::Range;
 
-/// The elements of a scene that can be gripped, in the order of the text: what comes later is drawn on top.
+/// Elements of a scene that can be edited, in text order: later ones are drawn on top.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Drawing {
-    /// Which of [`Outline::blocks`] holds it.
+    /// Index of its block in [`Outline::blocks`].
     pub block: usize,
-    /// The opening tag of the `svg` element.
+    /// Opening tag of the `svg` element.
     pub opening: Span,
-    /// Where the `svg` element ends, with its closing tag.
+    /// Byte after the closing tag of the `svg` element.
     pub end: usize,
-    /// Its elements, those inside a frame or group behind it.
+    /// Elements; the content of a frame or group follows it.
     pub items: Vec<Item>,
 }
 
 /// An element.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Item {
-    /// What it is.
+    /// Kind of element.
     pub kind: Part,
-    /// From its opening tag to the end of its closing one.
+    /// From the opening tag to the end of the closing tag.
     pub span: Span,
-    /// Its opening tag.
+    /// Opening tag.
     pub opening: Span,
-    /// What is written in its opening tag.
+    /// Attributes of the opening tag.
     pub attributes: Vec<Written>,
-    /// The number of the frame or group around it.
+    /// Index of the enclosing frame or group.
     pub parent: Option<usize>,
-    /// Whether it is inside a frame, so that its lengths are those of the problem.
+    /// True inside a frame, where lengths are those of the problem.
     pub framed: bool,
-    /// What its `title` says, or the text that it shows, as it is written.
+    /// Text of its `title`, or the text that it shows, as written.
     pub says: Option<Span>,
 }
 
 /// An attribute.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Written {
-    /// Its name.
+    /// Name of the attribute.
     pub name: String,
-    /// With its name and quotation marks.
+    /// Span with name and quotation marks.
     pub span: Span,
-    /// Inside the quotation marks.
+    /// Span inside the quotation marks.
     pub value: Span,
 }
 
@@ -56,35 +56,35 @@ impl Item {
         self.attributes.iter().find(|attribute| attribute.name == name)
     }
 
-    /// Whether it is a frame, which gives what stands in it the units of the problem.
+    /// True for a frame, whose content uses the units of the problem.
     pub fn is_frame(&self) -> bool {
         self.kind.name == "frame"
     }
 
-    /// What an attribute says.
+    /// Text of an attribute.
     pub fn value<'a>(&self, source: &'a str, name: &str) -> Option<&'a str> {
         source.get(self.attribute(name)?.value.range())
     }
 }
 
 impl Drawing {
-    /// The numbers of the elements that have the same parent as this one, itself among them, in the order of the text.
+    /// Indices of the elements with the same parent as this one, including itself, in text order.
     pub fn siblings(&self, item: usize) -> Vec<usize> {
         let parent = self.items.get(item).map(|item| item.parent);
         (0..self.items.len()).filter(|number| self.items.get(*number).map(|item| item.parent) == parent).collect()
     }
 
-    /// The numbers of an element and of the frames and groups around it, outwards.
+    /// Indices of an element and of the frames and groups around it, from the inside outwards.
     pub fn outwards(&self, item: usize) -> impl Iterator<Item = usize> {
         std::iter::successors(Some(item), |number| self.items.get(*number)?.parent)
     }
 
-    /// The frame around an element, or itself if it is one.
+    /// The frame around an element, or the element itself if it is a frame.
     pub fn frame_of(&self, item: usize) -> Option<&Item> {
         self.outwards(item).filter_map(|number| self.items.get(number)).find(|item| item.is_frame())
     }
 
-    /// The unit in which the ranges of a frame are written, without brackets.
+    /// Unit of the ranges of the enclosing frame, without brackets.
     pub fn unit_of<'a>(&self, source: &'a str, item: usize) -> Option<&'a str> {
         let range = self.frame_of(item)?.value(source, "x")?;
         let (_, unit) = range.rsplit_once('[')?;
@@ -92,7 +92,7 @@ impl Drawing {
     }
 }
 
-/// Reads the scene of a document. `None` where there is none, or no `svg` element in it.
+/// Reads the scene of a document. `None` if there is none or it has no `svg` element.
 pub fn read(outline: &Outline) -> Option<Drawing> {
     let source = outline.source();
     let mut blocks = outline.blocks().iter().enumerate();
@@ -133,12 +133,12 @@ impl Drawing {
 }
 
 fn written(source: &str, (name, value): &(Range<usize>, Range<usize>)) -> Written {
-    // Behind the value its quotation mark stands.
+    // The quotation mark after the value is included.
     let span = Span::new(name.start, value.end + 1);
     Written { name: source[name.clone()].to_owned(), span, value: self::span(value) }
 }
 
-/// The text of a label, or of the title of anything else. `None` where it has several parts.
+/// Text of a label, or of the title of any other element. `None` if it has several parts.
 fn says(source: &str, element: &RawElement, kind: Part) -> Option<Span> {
     let text_of = |element: &RawElement| match element.children.as_slice() {
         [RawChild::Text(text)] => Some(span(text)),

@@ -1,7 +1,7 @@
-//! The drawing as it is written: its elements with their places, for editors in which it is drawn by hand.
+//! The drawing in the source text: its elements with their places, for graphical editing.
 //!
-//! [`read`] gives the elements and what can be gripped of each, from the text alone. [`Sketch`] says where in the picture all that
-//! stands. [`crate::edit`] has the changes.
+//! [`read`] gives the elements and their grips from the text alone. [`Sketch`] computes their places in the picture.
+//! [`crate::edit`] makes the changes.
 
 mod component;
 mod followed;

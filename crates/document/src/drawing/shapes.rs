@@ -1,8 +1,8 @@
-//! What there is to draw with: parts, and the elements of SVG as they are written in a frame.
+//! Elements available for drawing: parts, and SVG elements as written in a frame.
 
 use crate::scene::{PARTS, Part, part};
 
-/// The shapes of SVG.
+/// Shapes of SVG.
 const SHAPES: [Part; 8] = [
     part("line", ("Line", "Línea"), 2, &["from", "to"]),
     part("rect", ("Rectangle", "Rectángulo"), 2, &["at", "size"]),
@@ -14,26 +14,26 @@ const SHAPES: [Part; 8] = [
     part("text", ("Text", "Texto"), 1, &["at"]),
 ];
 
-/// What other elements stand in.
+/// Elements that contain other elements.
 const CONTAINERS: [Part; 2] =
     [part("frame", ("Frame", "Marco"), 2, &["x", "y", "box"]), part("g", ("Group", "Grupo"), 0, &["at", "turn"])];
 
-/// All that can be drawn: parts, then shapes. An image is not among them, since its picture must come from somewhere.
+/// Elements that can be inserted: parts, then shapes. Images are left out, since their picture must come from a file.
 pub fn drawable() -> impl Iterator<Item = Part> {
     PARTS.into_iter().chain(SHAPES).filter(|kind| kind.name != "image")
 }
 
-/// What an element is; `None` of definitions, titles and pieces of texts.
+/// Kind of an element; `None` for definitions, titles and text spans.
 pub(super) fn kind_of(name: &str) -> Option<Part> {
     PARTS.into_iter().chain(SHAPES).chain(CONTAINERS).find(|kind| kind.name == name)
 }
 
-/// Whether further elements of the drawing stand in it.
+/// True if the element can contain other elements of the drawing.
 pub(super) fn holds_others(kind: Part) -> bool {
     CONTAINERS.iter().any(|container| container.name == kind.name)
 }
 
-/// Whether it shows the text that stands in it.
+/// True if the element shows its text content.
 pub fn shows_text(kind: Part) -> bool {
     matches!(kind.name, "text" | "label")
 }

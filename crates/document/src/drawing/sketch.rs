@@ -1,4 +1,4 @@
-//! Where the elements of a drawing stand in its picture.
+//! Places of the elements of a drawing in its picture.
 
 use super::grip::Grip;
 use super::item::{Drawing, Item, read};
@@ -11,23 +11,23 @@ use program::{Model, NodeId};
 use std::collections::BTreeMap;
 use units::{Dimension, Language, Unit};
 
-/// How far a grip that turns stands from the edge, in units of the drawing.
+/// Distance of the turning grip from the edge, in units of the drawing.
 const LEVER: f64 = 22.0;
 
-/// A drawing with what is needed to find its places in the picture.
+/// A drawing with the expressions of its places in the picture.
 #[derive(Clone, Debug)]
 pub struct Sketch {
-    /// Its elements.
+    /// Elements of the drawing.
     pub drawing: Drawing,
-    /// The model with the places among the nodes of its graph.
+    /// The model; its graph contains the nodes of the places.
     pub model: Model,
-    /// The values of which the places consist: nodes of the graph.
+    /// Nodes of the graph from whose values the places are computed.
     pub nodes: Vec<NodeId>,
     places: Vec<Place>,
     ground: Option<GroundNodes>,
 }
 
-/// What is known of the first frame. Numbers are places in [`Sketch::nodes`].
+/// Nodes of the first frame, as indices into [`Sketch::nodes`].
 #[derive(Clone, Debug)]
 struct GroundNodes {
     origin: [usize; 2],
@@ -36,22 +36,22 @@ struct GroundNodes {
     unit: String,
 }
 
-/// On what new elements are drawn: the first frame, or the drawing itself.
+/// Coordinate system for new elements: the first frame, or the drawing itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ground {
-    /// Where its origin is drawn.
+    /// Position of its origin in the drawing.
     pub origin: [f64; 2],
-    /// Units of the drawing for an SI unit of length.
+    /// Units of the drawing per SI unit of length.
     pub scale: f64,
-    /// The unit in which lengths are written, without brackets.
+    /// Unit for writing lengths, without brackets.
     pub unit: String,
-    /// What lengths are there.
+    /// Dimension of its lengths.
     pub dimension: Dimension,
-    /// Whether it is a frame, in which y goes up.
+    /// True for a frame, in which y points up.
     pub framed: bool,
 }
 
-/// What is known of an element. Numbers are places in [`Sketch::nodes`].
+/// Nodes of an element, as indices into [`Sketch::nodes`].
 #[derive(Clone, Debug, Default)]
 struct Place {
     paths: Vec<Vec<usize>>,
@@ -61,25 +61,26 @@ struct Place {
     numbers: BTreeMap<String, usize>,
 }
 
-/// Where an element stands.
+/// Place of an element in the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Located {
-    /// Which child of which child of the `svg` element it is, once for each copy; texts count as children.
+    /// Paths of child indices from the `svg` element to each copy of the element; text nodes count as children.
     pub paths: Vec<Vec<usize>>,
-    /// Units of the drawing for an SI unit of length.
+    /// Units of the drawing per SI unit of length.
     pub scale: f64,
-    /// The unit in which its lengths are written, without brackets.
+    /// Unit of its lengths, without brackets.
     pub unit: String,
-    /// What can be gripped and where it stands, in the units in which the element itself is drawn; all of it has no place of its own.
+    /// Grips with their positions, in the units in which the element itself is drawn. The position of [`Grip::Whole`] has
+    /// no meaning.
     pub grips: Vec<(Grip, [f64; 2])>,
-    /// The place that `at` says, about which it turns.
+    /// Position given by `at`, the centre of rotation.
     pub middle: Option<[f64; 2]>,
-    /// By what angle it is turned where it is drawn, clockwise, in radians.
+    /// Rotation in the drawing, clockwise, in radians.
     pub turn: f64,
 }
 
 impl Sketch {
-    /// Reads the drawing of a document. `None` if it has none, or its model has errors.
+    /// Reads the drawing of a document. `None` if it has none, or if its model has errors.
     pub fn read(source: &str) -> Option<Self> {
         let mut file = File::new(source);
         let drawing = read(&file.outline)?;
@@ -107,7 +108,7 @@ impl Sketch {
         Some(Self { drawing, model, nodes, places, ground })
     }
 
-    /// On what new elements are drawn, when the nodes have these values.
+    /// Coordinate system for new elements, from the values of [`Self::nodes`].
     pub fn ground(&self, values: &[f64]) -> Ground {
         let value = |index: usize| values.get(index).copied().unwrap_or(f64::NAN);
         match &self.ground {
@@ -124,7 +125,7 @@ impl Sketch {
         }
     }
 
-    /// Where an element stands when the nodes have these values. `None` if it is not in the picture.
+    /// Place of an element, from the values of [`Self::nodes`]. `None` if the element is not in the picture.
     pub fn locate(&self, number: usize, values: &[f64]) -> Option<Located> {
         let (place, item) = (self.places.get(number)?, self.drawing.items.get(number)?);
         if place.paths.is_empty() {
@@ -149,7 +150,7 @@ impl Sketch {
     }
 }
 
-/// The place of a node among those whose values are asked for.
+/// Appends a node and returns its index.
 fn kept(nodes: &mut Vec<NodeId>, node: NodeId) -> usize {
     nodes.push(node);
     nodes.len() - 1
@@ -184,7 +185,7 @@ fn place(
     place
 }
 
-/// The values of an element's attributes, in units of the drawing.
+/// Values of the attributes of an element, in units of the drawing.
 struct Values<'a, S, N> {
     item: &'a Item,
     spot: S,
@@ -204,7 +205,7 @@ where
         (self.spot)("at").or_else(|| self.pair("cx", "cy"))
     }
 
-    /// Half of its width and height, as far as they are known.
+    /// Half of its width and height, if they are known.
     fn half(&self) -> Option<[f64; 2]> {
         let size = (self.spot)("size").or_else(|| self.pair("width", "height"));
         size.map(|[width, height]| [width / 2.0, height / 2.0])
@@ -214,13 +215,13 @@ where
         (self.number)("r").unwrap_or(self.item.usual_radius())
     }
 
-    /// By what angle it is turned in the drawing, clockwise.
+    /// Rotation in the drawing, clockwise, in radians.
     fn turn(&self) -> f64 {
         let turn = (self.number)("turn").unwrap_or(0.0);
         if self.item.framed { -turn } else { turn }
     }
 
-    /// What lies so far from the middle, where the element is turned.
+    /// Position at an offset from the middle, rotated with the element.
     fn beside(&self, middle: [f64; 2], [right, down]: [f64; 2]) -> [f64; 2] {
         let angle = self.turn();
         let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
@@ -238,7 +239,7 @@ where
                     return Some(self.beside(middle, half));
                 }
                 let [x, y] = self.pair("x", "y")?;
-                // In a frame `y` is that of the lower edge.
+                // In a frame, `y` is the lower edge.
                 let height = if self.item.framed { -2.0 * half[1] } else { 2.0 * half[1] };
                 Some([x + 2.0 * half[0], y + height])
             }

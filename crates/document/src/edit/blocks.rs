@@ -1,4 +1,4 @@
-//! Whole blocks.
+//! Edits of whole blocks.
 
 use super::layout::{Layout, begin_line, line_end, with_line_ends_of};
 use super::{Edit, EditError};
@@ -7,8 +7,8 @@ use crate::text::fences::safe_length;
 use crate::text::outline::Outline;
 use model::Span;
 
-/// Replaces the content of the block with this index in [`Outline::blocks`]; its fence lines stay. The content gets the
-/// line ends of the document, and one at its end where it needs one. Prose without text is removed.
+/// Replaces the content of the block with this index in [`Outline::blocks`]; its fence lines are kept. Line ends are
+/// converted to those of the document, and a missing final one is added. Prose without text is removed.
 ///
 /// # Errors
 ///
@@ -25,8 +25,8 @@ pub fn replace_block(outline: &Outline, index: usize, content: &str) -> Result<E
     Ok(edit)
 }
 
-/// Inserts a block after the one with the index `after` in [`Outline::blocks`], or before the first. A fence is as long
-/// as the content requires, so that no line of it closes the block. Prose beside prose becomes one block with it.
+/// Inserts a block after the block with the index `after` in [`Outline::blocks`], or before the first one for `None`. The
+/// fence is long enough that no line of the content closes the block. Adjacent prose is joined to one block.
 ///
 /// # Errors
 ///
@@ -61,12 +61,13 @@ pub fn insert_block(
     Ok(edit)
 }
 
-/// Removes the block with this index in [`Outline::blocks`], with its fence lines. Prose before and after it becomes one
-/// block.
+/// Removes the block with this index in [`Outline::blocks`], including its fence lines. Prose before and after it is
+/// joined.
 ///
 /// # Errors
 ///
-/// [`EditError::UnknownBlock`], and [`EditError::ChangesOthers`] if the block before is not closed and would go on.
+/// [`EditError::UnknownBlock`], and [`EditError::ChangesOthers`] if the block before is not closed and would extend
+/// further.
 pub fn remove_block(outline: &Outline, index: usize) -> Result<Edit, EditError> {
     let edit = Edit { span: block(outline, index)?.span, text: String::new() };
     let mut expected = Layout::of(outline);
@@ -79,7 +80,7 @@ fn block<'a>(outline: &'a Outline, index: usize) -> Result<&'a Block, EditError>
     outline.blocks().get(index).ok_or(EditError::UnknownBlock(index))
 }
 
-/// `content` with the line ends of the document. At the end of the text, the last line needs none.
+/// `content` with the line ends of the document. The last line of the document needs none.
 fn lines_of(outline: &Outline, content: &str, is_last: bool) -> String {
     let mut text = with_line_ends_of(outline.source(), content);
     if !is_last && !text.is_empty() && !text.ends_with('\n') {

@@ -1,4 +1,4 @@
-//! Single cells of a form.
+//! Edits of single cells of a form.
 
 use super::columns::keeping_columns;
 use super::layout::{Layout, result, with_line_ends_of};
@@ -9,10 +9,9 @@ use crate::form::{CellKind, Part, structure};
 use crate::text::outline::{Outline, read};
 use model::Span;
 
-/// Gives a cell of the statement with this number in the [form](crate::form::Form) another text, as its author typed it. An empty
-/// text removes unit, range, step or label. The text may be wrong, and then findings of [`crate::open`] lie in the cell; what is
-/// refused is a text that would not be read as this one cell. The name of a parameter or state is changed everywhere in
-/// the document.
+/// Replaces the text of a cell of the statement with this index in the [form](crate::form::Form). An empty text removes a
+/// unit, range, step or label. The text may contain errors, which [`crate::open()`] then reports in the cell; it is refused
+/// only if it would not be parsed as this one cell. The name of a parameter or state is changed in the whole document.
 ///
 /// # Errors
 ///
@@ -32,7 +31,7 @@ pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) ->
     let edit = match (kind, cell.outer.start == cell.outer.end) {
         (CellKind::Text | CellKind::Value, _) => Edit { span: cell.span, text: text.clone() },
         (_, false) if text.is_empty() => Edit { span: cell.outer, text: String::new() },
-        // With the bracket or quotation mark behind it, so that blanks which keep the columns stand outside.
+        // Includes the closing bracket or quotation mark, so that blanks for alignment stay outside.
         (_, false) => {
             let end = &outline.source()[cell.span.end..cell.outer.end];
             Edit { span: Span::new(cell.span.start, cell.outer.end), text: format!("{text}{end}") }
@@ -58,7 +57,7 @@ pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) ->
     Ok(vec![edit])
 }
 
-/// The unit of `[kg]`, as one writes it in the text.
+/// `kg` for `[kg]`.
 fn without_brackets(unit: String) -> String {
     let inner = unit.strip_prefix('[').and_then(|unit| unit.strip_suffix(']'));
     match inner.filter(|inner| !inner.contains(['[', ']'])) {
@@ -67,7 +66,7 @@ fn without_brackets(unit: String) -> String {
     }
 }
 
-/// What cannot stand in a cell of this kind.
+/// Characters and words that a cell of this kind must not contain.
 fn obstacles(kind: CellKind) -> &'static [&'static str] {
     match kind {
         CellKind::Label => &["\n", "\"", "“", "”", "«", "»", "#"],
@@ -76,7 +75,7 @@ fn obstacles(kind: CellKind) -> &'static [&'static str] {
     }
 }
 
-/// The name of a parameter or state is changed everywhere in the document and in its translations: the edits of each.
+/// Renames a parameter or state in the document and in its translations. Returns the edits of each file.
 ///
 /// # Errors
 ///
@@ -93,16 +92,16 @@ pub fn set_name(
     if text == cell.text {
         return Ok(Vec::new());
     }
-    // Of `y'(0)` the name is what stands before the primes.
+    // In `y'(0)` the name is the part before the primes.
     let letters = cell.text.find(|letter: char| !letter.is_alphanumeric() && letter != '_').unwrap_or(cell.text.len());
     let rest = &cell.text[letters..];
     rename_with(outline, cell.span.start + letters, text.strip_suffix(rest).unwrap_or(text), translations)
 }
 
-/// What is not there yet, as it is written behind what stands before it.
+/// Text of a new cell, with the keyword or mark that introduces it.
 fn dressed(part: &Part, kind: CellKind, text: &str) -> String {
     match kind {
-        // The value of a parameter has its unit behind it; an initial value is shown in it.
+        // The unit of a parameter belongs to its value; that of an initial value is its display unit.
         CellKind::Unit if part.word == "parameter" => format!(" [{text}]"),
         CellKind::Unit => format!(" in [{text}]"),
         CellKind::Range => format!(" in {text}"),
@@ -112,13 +111,14 @@ fn dressed(part: &Part, kind: CellKind, text: &str) -> String {
     }
 }
 
-/// The cells of a part without their places. The text of a statement may turn it into a row, or a row into a text: it counts as a
+/// Cells of a part without their places. If the text of a whole statement changes the kind of part, it is compared as a
 /// whole.
 fn texts(part: &Part) -> Vec<(CellKind, String)> {
     part.cells.iter().map(|cell| (cell.kind, cell.text.clone())).collect()
 }
 
-/// Refuses edits unless they leave front matter and all blocks but one as they are, and turn the form into `expected`.
+/// Requires that edits change only one block and turn the form into `expected`; otherwise `refusal` or
+/// [`EditError::ChangesOthers`].
 pub(super) fn expect(
     outline: &Outline,
     edits: &[Edit],
@@ -128,7 +128,7 @@ pub(super) fn expect(
     expect_in(outline, edits, &[block], expected, refusal)
 }
 
-/// Refuses edits unless they leave front matter and all blocks but these as they are, and turn the form into `expected`.
+/// Requires that edits change only these blocks and turn the form into `expected`.
 pub(super) fn expect_in(
     outline: &Outline,
     edits: &[Edit],

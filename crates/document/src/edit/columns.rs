@@ -1,10 +1,10 @@
-//! Columns of a model, which an edit of one line leaves in line with those above and below.
+//! Alignment of columns in a model when one line is edited.
 
 use super::Edit;
 use model::Span;
 
-/// The edit with so many blanks more or less behind it that what follows on the line stays in its column, if there is space, and if
-/// blanks or the ends of `others` show that it is aligned.
+/// Adjusts the blanks after an edit so that the rest of the line stays in its column. Only if there is space, and if blanks
+/// or the ends of `others` show that the line is aligned.
 pub(super) fn keeping_columns(source: &str, mut edit: Edit, others: impl Iterator<Item = Span>) -> Edit {
     let Some(follower) = Follower::of(source, edit.span) else { return edit };
     let (old, new) = (source[edit.span.range()].chars().count(), edit.text.chars().count());
@@ -22,16 +22,16 @@ pub(super) fn keeping_columns(source: &str, mut edit: Edit, others: impl Iterato
     edit
 }
 
-/// What follows a piece of text on its line.
+/// The text after an edited span on its line.
 struct Follower {
-    /// How many blanks are between.
+    /// Number of blanks between.
     blanks: usize,
-    /// The characters before it on the line.
+    /// Column at which it begins, in characters.
     column: usize,
 }
 
 impl Follower {
-    /// None if the line ends after it.
+    /// The text after `piece`; `None` at the end of the line.
     fn of(source: &str, piece: Span) -> Option<Self> {
         let rest = &source[piece.end..];
         let blanks = rest.len() - rest.trim_start_matches(' ').len();

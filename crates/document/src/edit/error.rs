@@ -1,36 +1,36 @@
-//! Why an edit is refused.
+//! Reasons for refusing an edit.
 
 use super::obstacle::Obstacle;
 use model::Span;
 use std::fmt;
 use units::{Words, words};
 
-/// Why an edit is refused.
+/// Reason for refusing an edit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum EditError {
-    /// The span does not lie in the text, or begins or ends inside a character.
+    /// The span is outside the text, or cuts a character.
     Place(Span),
-    /// The span overlaps that of another edit.
+    /// The span overlaps another edit.
     Overlap(Span),
-    /// The document is too long, or would be.
+    /// The document is or would become too long.
     TooLong,
     /// The model declares no parameter of this name.
     UnknownParameter(String),
-    /// The default of this parameter has an error and cannot be replaced alone.
+    /// The default value of this parameter has an error and cannot be replaced alone.
     UnreadableParameter(String),
-    /// The default of a parameter must be a number without unit.
+    /// The default value of a parameter must be a number without a unit.
     NotANumber(String),
-    /// This cannot be a key of the front matter.
+    /// Not a valid key of the front matter.
     Key(String),
-    /// This cannot be a value in the front matter: it is empty or has several lines.
+    /// Not a valid value in the front matter: empty, or several lines.
     Value(String),
-    /// The document has no block of this index.
+    /// The document has no block with this index.
     UnknownBlock(usize),
-    /// With this text, other parts of the document would be read differently.
+    /// This text would change the meaning of other parts of the document.
     ChangesOthers,
     /// The form has no such statement or cell.
     UnknownCell,
-    /// The text would not stand in its cell alone.
+    /// The text would not be parsed as one cell.
     NotOneCell(Obstacle),
     /// The text is not one whole statement.
     NotOneStatement,
@@ -40,29 +40,29 @@ pub enum EditError {
     UnknownElement(usize),
     /// The text would not stay inside its element.
     NotOneElement(Obstacle),
-    /// A place is written in a way that the hand cannot change.
+    /// The expression of this place cannot be changed graphically.
     NotAPoint,
-    /// A translation has its questions in the order of the document; so many stand before this one.
+    /// Questions of a translation must be in the order of the document; this many come before this one.
     EarlierQuestion(usize),
-    /// No name of the model stands at the place.
+    /// There is no name of the model at the place.
     NoName,
-    /// This cannot be a name, or has a meaning already.
+    /// Not a valid name, or already in use.
     NewName(String),
-    /// Not every place where this name stands could be found.
+    /// Not all places of this name could be found.
     Incomplete(String),
-    /// Where `old` stands, `new` means an argument, an index or another local name.
+    /// At a place of `old`, `new` is an argument, an index or another local name.
     Captured {
-        /// The name that was to be changed.
+        /// Name to be changed.
         old: String,
-        /// The name that it was to get.
+        /// New name.
         new: String,
     },
-    /// With this name the document would compute something else.
+    /// With this name the document would compute other results.
     ComputesOthers(String),
 }
 
 impl EditError {
-    /// What is wrong, in one sentence without a full stop.
+    /// Message in one sentence without a full stop.
     pub fn words(&self) -> Words {
         match self {
             Self::Place(Span { start, end }) => words!(

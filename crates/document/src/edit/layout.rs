@@ -1,4 +1,4 @@
-//! What the text must be read as after an edit.
+//! Checks of the structure of a text after an edit.
 
 use super::{Edit, EditError, apply};
 use crate::FrontMatter;
@@ -7,7 +7,7 @@ use crate::text::block::{Block, BlockKind};
 use crate::text::fences;
 use crate::text::outline::{LENGTH, Outline};
 
-/// The entries of the front matter and the contents of the blocks, without places.
+/// Entries of the front matter and contents of the blocks, without places.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Layout {
     /// Keys and values of the front matter.
@@ -20,7 +20,7 @@ impl Layout {
         Self::new(outline.source(), outline.front_matter(), outline.blocks())
     }
 
-    /// The same without parsing the statements of models, which no edit of other parts can change.
+    /// Structure of a text. Statements of models are not parsed, because edits of other parts cannot change them.
     fn read(source: &str) -> Self {
         let mut ignored = Vec::new();
         let matter = front_matter::read(source, &mut ignored);
@@ -34,8 +34,8 @@ impl Layout {
         Self { entries, blocks }
     }
 
-    /// Joins prose that follows prose and leaves out prose without text, as the text cannot show either; an edit may end the
-    /// last line of a text, so line ends at the end of a block do not count.
+    /// Joins adjacent prose and removes empty prose, which the text cannot distinguish. Line ends at the end of a block are
+    /// ignored, because an edit may complete the last line of a text.
     fn normalised(self) -> Self {
         let mut blocks: Vec<(BlockKind, String)> = Vec::new();
         for (kind, content) in self.blocks {
@@ -51,7 +51,7 @@ impl Layout {
         Self { entries: self.entries, blocks }
     }
 
-    /// Whether a text has the same front matter and blocks, the contents of these blocks aside.
+    /// True if a text has the same front matter and blocks, apart from the contents of `blocks`.
     pub(super) fn differs_only_in(mut self, blocks: &[usize], text: &str) -> bool {
         let mut other = Self::read(text);
         for &block in blocks {
@@ -63,7 +63,7 @@ impl Layout {
         self == other
     }
 
-    /// Whether a text has the same front matter and blocks, the contents of the blocks of one kind aside.
+    /// True if a text has the same front matter and blocks, apart from the contents of the blocks of one kind.
     pub(super) fn differs_only_in_kind(mut self, kind: BlockKind, text: &str) -> bool {
         let mut other = Self::read(text);
         for (own, content) in self.blocks.iter_mut().chain(&mut other.blocks) {
@@ -74,20 +74,20 @@ impl Layout {
         self == other
     }
 
-    /// Refuses `edits` unless they turn the text of `outline` into one that is read as `self`.
+    /// Requires that `edits` turn the text of `outline` into one with this structure.
     pub(super) fn expect_of(self, outline: &Outline, edits: &[Edit]) -> Result<(), EditError> {
         let text = result(outline, edits)?;
         if Self::read(&text).normalised() == self.normalised() { Ok(()) } else { Err(EditError::ChangesOthers) }
     }
 }
 
-/// The text after the edits. Refused if it is too long to be read.
+/// The text after the edits. [`EditError::TooLong`] if it is too long to be read.
 pub(super) fn result(outline: &Outline, edits: &[Edit]) -> Result<String, EditError> {
     let text = apply(outline.source(), edits)?;
     if outline.is_too_long() || text.len() > LENGTH { Err(EditError::TooLong) } else { Ok(text) }
 }
 
-/// The line end of a text: that of its first line.
+/// Line end of a text: that of its first line.
 pub(crate) fn line_end(source: &str) -> &'static str {
     match source.split_once('\n') {
         Some((first, _)) if first.ends_with('\r') => "\r\n",
@@ -104,7 +104,7 @@ pub(super) fn with_line_ends_of(source: &str, content: &str) -> String {
     }
 }
 
-/// What must stand before an insertion at `at`, so that it begins a line.
+/// Line end to insert at byte `at` so that an insertion begins a line; empty if it already does.
 pub(super) fn begin_line(source: &str, at: usize) -> &'static str {
     let before = source[..at].trim_start_matches('\u{feff}');
     if before.is_empty() || before.ends_with('\n') { "" } else { line_end(source) }

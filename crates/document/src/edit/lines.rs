@@ -1,9 +1,9 @@
-//! Whole lines around a piece of text.
+//! Whole lines around a span.
 
 use super::Edit;
 use model::Span;
 
-/// From the beginning of the first line of a piece of text to the end of its last one, without its line end.
+/// Span from the beginning of the first line of `span` to the end of its last line, without the line end.
 pub(super) fn lines_around(source: &str, span: Span) -> Span {
     let start = source[..span.start].rfind('\n').map_or(0, |at| at + 1);
     let end = source[span.end..].find('\n').map_or(source.len(), |length| span.end + length);
@@ -11,7 +11,7 @@ pub(super) fn lines_around(source: &str, span: Span) -> Span {
     Span::new(start, end)
 }
 
-/// The lines of two pieces of text in each other's place.
+/// Edits that exchange the lines of two spans.
 pub(super) fn exchanged(source: &str, one: Span, other: Span) -> Vec<Edit> {
     let (one, other) = (lines_around(source, one), lines_around(source, other));
     let edit = |span: Span, with: Span| Edit { span, text: source[with.range()].to_owned() };

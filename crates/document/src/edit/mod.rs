@@ -1,7 +1,8 @@
-//! Changes of a document's text that leave every other byte as its author wrote it.
+//! Edits of a document that leave all other bytes unchanged.
 //!
-//! Each function takes the [`Outline`](crate::Outline) of a text and returns edits for [`apply`]. It refuses an edit that would change
-//! how the rest of the text is read: a closing fence inside a block, for example, would end the block early.
+//! Each function takes the [`Outline`](crate::Outline) of a text and returns edits for [`apply`]. An edit is refused if it
+//! would change the meaning of the rest of the text: a closing fence inside a block, for example, would end the block
+//! early.
 
 mod blocks;
 mod cell;
@@ -40,12 +41,12 @@ pub use shown::{add_group, exchange_statements, set_hidden, set_label};
 pub use statements::{add_statement, remove_statement};
 pub use translation::set_translation;
 
-/// Applies edits, in any order; their spans are places in `source`. Insertions at one place keep the order of `edits`.
+/// Applies edits, in any order; their spans are byte ranges of `source`. Insertions at the same place keep the order of
+/// `edits`.
 ///
 /// # Errors
 ///
-/// [`EditError::Place`] if a span does not lie in the text or cuts a character, [`EditError::Overlap`] if two spans share
-/// bytes.
+/// [`EditError::Place`] if a span is outside the text or cuts a character, [`EditError::Overlap`] if two spans share bytes.
 pub fn apply(source: &str, edits: &[Edit]) -> Result<String, EditError> {
     let mut ordered: Vec<&Edit> = edits.iter().collect();
     ordered.sort_by_key(|edit| (edit.span.start, edit.span.end));

@@ -1,13 +1,13 @@
-//! What keeps a text out of a cell or an element.
+//! Reasons why a text does not fit into a cell or an element.
 
 use crate::blocks::questions::key_in;
 use crate::text::scan::find_any_word;
 use units::{Words, words};
 
-/// What keeps a text out of a cell or an element: it would be read as a part of what stands around it.
+/// Part of a text that would be parsed as part of the surrounding text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Obstacle {
-    /// There is no text.
+    /// The text is empty.
     Empty,
     /// A line end.
     LineEnd,
@@ -18,7 +18,7 @@ pub enum Obstacle {
 }
 
 impl Obstacle {
-    /// The first of these marks that a text has; `\n` is a line end, and letters count as whole words.
+    /// First of these marks in the text; `\n` is a line end, and letters are matched as whole words.
     pub(super) fn of(text: &str, marks: &[&str]) -> Self {
         let is_in = |mark: &&&str| match mark.chars().all(char::is_alphabetic) {
             true => find_any_word(text, 0..text.len(), mark).is_some(),
@@ -34,7 +34,7 @@ impl Obstacle {
         }
     }
 
-    /// That of a part of a question, which may have several lines.
+    /// Obstacle in a part of a question, which may have several lines.
     pub(super) fn in_question(text: &str) -> Self {
         match key_in(text) {
             Some(key) => Self::Mark(format!("{key}:")),
@@ -42,13 +42,13 @@ impl Obstacle {
         }
     }
 
-    /// That of prose: a fence ends the block around it or begins another one.
+    /// Obstacle in prose: a fence ends the surrounding block or begins another one.
     pub(super) fn in_prose(text: &str) -> Self {
         let fence = ["```", "~~~"].into_iter().find(|fence| text.contains(fence));
         fence.map_or(Self::Other, |fence| Self::Mark(fence.to_owned()))
     }
 
-    /// In one sentence without a full stop.
+    /// Message in one sentence without a full stop.
     pub(super) fn words(&self) -> Words {
         match self {
             Self::Empty => words("this cannot be empty", "esto no puede quedar vacío"),

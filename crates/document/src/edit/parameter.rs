@@ -1,14 +1,13 @@
-//! The default values of parameters, and the values of sizes.
+//! Edits of default values of parameters, and of values of sizes.
 
 use super::columns::keeping_columns;
 use super::{Edit, EditError, layout};
 use crate::text::outline::Outline;
 use model::{ExpressionKind, ParameterForm, Span, StatementKind};
 
-/// Replaces the default value of a parameter by `text`, a number in the declared unit, or the value of a size. Unit, range, label and comment
-/// stay; so does the column of what follows the value, if there is space and other lines show that it is aligned. `name`
-/// is the ASCII name; of several parameters of one name, the first is changed. Whether the value lies in the range is
-/// not checked.
+/// Replaces the default value of a parameter by `text`, a number in the declared unit, or the value of a size. Unit, range,
+/// label and comment are kept. The rest of the line stays in its column if there is space and other lines show that it is
+/// aligned. `name` is the ASCII name; of several parameters with one name, the first is changed. The range is not checked.
 ///
 /// # Errors
 ///
@@ -31,7 +30,7 @@ pub fn set_parameter(outline: &Outline, name: &str, text: &str) -> Result<Edit, 
     Ok(edit)
 }
 
-/// The names of parameters and sizes, and where their values stand; none where one could not be read.
+/// Names of parameters and sizes, with the places of their values; `None` for an invalid value.
 fn values<'a>(outline: &'a Outline) -> impl Iterator<Item = (&'a str, Option<Span>)> {
     let statements = outline.blocks().iter().flat_map(|block| &block.statements);
     statements.filter_map(|statement| match &statement.kind {
@@ -43,7 +42,7 @@ fn values<'a>(outline: &'a Outline) -> impl Iterator<Item = (&'a str, Option<Spa
     })
 }
 
-/// Whether the model language reads a text as one number, with or without a sign.
+/// True if the text is one number in the model language, with or without a sign.
 fn is_number(text: &str) -> bool {
     let digits = text.strip_prefix(['-', '+', '−', '–']).unwrap_or(text);
     let (expression, unit, found) = model::parse_expression(digits, 0..digits.len());

@@ -1,4 +1,4 @@
-//! Single plots.
+//! Edits of single plots.
 
 use super::blocks::{insert_block, remove_block};
 use super::columns::keeping_columns;
@@ -12,21 +12,21 @@ use crate::text::scan::{find_word, split};
 use crate::{BlockKind, assist};
 use model::Span;
 
-/// A plot of quantities against another one.
+/// A new plot of quantities against another one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct NewPlot {
-    /// Its title.
+    /// Title.
     pub title: String,
-    /// What is drawn, with commas between.
+    /// Curves, separated by commas.
     pub curves: String,
-    /// What it is drawn against.
+    /// Expression on the abscissa.
     pub across: String,
 }
 
-/// Gives a cell of the plot with this number in [`plots`] another text. An empty text removes `against`, the word of a kind, or
-/// `equal axes`. With another kind comes what it needs and goes what it cannot have: `every` of points, the abscissa of a histogram.
-/// The text may be wrong, and then findings of [`crate::open`] lie in the plot. A text that would not be read as this one cell
-/// is refused.
+/// Replaces the text of a cell of the plot with this index in [`plots`]. An empty text removes `against`, the keyword of a
+/// kind, or `equal axes`. A change of kind adds the parts that the new kind needs and removes those that it cannot have:
+/// `every` of points, the abscissa of a histogram. The text may contain errors, which [`crate::open()`] then reports in the
+/// plot; it is refused only if it would not be parsed as this one cell.
 ///
 /// # Errors
 ///
@@ -43,7 +43,7 @@ pub fn set_plot(outline: &Outline, number: usize, kind: PlotCell, text: &str) ->
     let edit = match kind {
         PlotCell::Title => titled(source, &parts, part, &text),
         PlotCell::Kind => of_kind(outline, part, &text)?,
-        // What is empty stands between words, where it needs a blank.
+        // An empty cell stands between words and needs a blank.
         PlotCell::Curves if old.is_empty() => Edit { span, text: format!("{text} ") },
         PlotCell::Curves if text.is_empty() => {
             let rest = &source[span.end..];
@@ -67,7 +67,7 @@ pub fn set_plot(outline: &Outline, number: usize, kind: PlotCell, text: &str) ->
     if let Some(cells) = expected.get_mut(number) {
         match kind {
             PlotCell::Text => cells.clear(),
-            // The others follow the kind.
+            // The other cells depend on the kind.
             PlotCell::Kind => cells.retain(|(one, _)| *one == PlotCell::Title),
             _ => cells.retain(|(one, _)| *one != kind && *one != PlotCell::Text),
         }
@@ -79,11 +79,11 @@ pub fn set_plot(outline: &Outline, number: usize, kind: PlotCell, text: &str) ->
     Ok(edits)
 }
 
-/// Adds a plot behind the last one. A document without plots gets a block of them behind model and drawing.
+/// Adds a plot after the last one. A document without plots gets a block of plots after model and drawing.
 ///
 /// # Errors
 ///
-/// [`EditError::NotOneCell`] if a text would not be read as the part of the plot that it is, and those of [`insert_block`].
+/// [`EditError::NotOneCell`] if a text would not be parsed as its part of the plot, and the errors of [`insert_block`].
 pub fn add_plot(outline: &Outline, plot: &NewPlot) -> Result<Edit, EditError> {
     let source = outline.source();
     let [title, curves, across] = [&plot.title, &plot.curves, &plot.across].map(|text| text.trim());
@@ -122,7 +122,8 @@ pub fn add_plot(outline: &Outline, plot: &NewPlot) -> Result<Edit, EditError> {
     Ok(edit)
 }
 
-/// Removes the plot with this number, with the comment on its lines; the last one of a block goes with its fence.
+/// Removes the plot with this index, including the comment on its lines. The fence is removed with the last plot of a
+/// block.
 ///
 /// # Errors
 ///
@@ -145,7 +146,7 @@ pub fn remove_plot(outline: &Outline, number: usize) -> Result<Edit, EditError> 
     Ok(edit)
 }
 
-/// Exchanges two plots with the comments on their lines.
+/// Exchanges two plots, including the comments on their lines.
 ///
 /// # Errors
 ///
@@ -160,7 +161,7 @@ pub fn exchange_plots(outline: &Outline, one: usize, other: usize) -> Result<Vec
     Ok(edits)
 }
 
-/// What cannot stand in a cell of this kind.
+/// Characters and words that a cell of this kind must not contain.
 fn obstacles(kind: PlotCell) -> &'static [&'static str] {
     match kind {
         PlotCell::Title => &["\n", "\""],
@@ -170,7 +171,7 @@ fn obstacles(kind: PlotCell) -> &'static [&'static str] {
     }
 }
 
-/// The title with its colon, so that what follows stays in its column.
+/// Edit of the title and its colon; the rest of the line stays in its column.
 fn titled(source: &str, parts: &[PlotPart], part: &PlotPart, text: &str) -> Edit {
     let head = |part: &PlotPart| {
         let (_, title) = part.cell(PlotCell::Title)?;
@@ -183,7 +184,7 @@ fn titled(source: &str, parts: &[PlotPart], part: &PlotPart, text: &str) -> Edit
     keeping_columns(source, edit, parts.iter().filter(|other| other.block == part.block).filter_map(head))
 }
 
-/// The plot from its kind on, as one of another kind.
+/// Edit that changes the kind of a plot, from the keyword of the kind to the end.
 fn of_kind(outline: &Outline, part: &PlotPart, kind: &str) -> Result<Edit, EditError> {
     let (_, old) = part.cell(PlotCell::Kind).ok_or(EditError::UnknownCell)?;
     let (curves, _) = part.cell(PlotCell::Curves).ok_or(EditError::UnknownCell)?;
@@ -221,7 +222,7 @@ fn of_kind(outline: &Outline, part: &PlotPart, kind: &str) -> Result<Edit, EditE
     Ok(Edit { span: Span::new(old.start, end), text })
 }
 
-/// The cells of a plot without their places; the whole text where it has none.
+/// Cells of a plot without their places, or the whole text if it has no cells.
 fn texts(part: &PlotPart) -> Vec<(PlotCell, String)> {
     let whole = (PlotCell::Text, part.whole.clone());
     part.cells
@@ -238,7 +239,7 @@ fn are(parts: &[PlotPart], expected: &[Vec<(PlotCell, String)>]) -> bool {
     parts.len() == expected.len() && parts.iter().zip(expected).all(is)
 }
 
-/// Refuses edits unless they leave everything but plots as it is, and turn these into `expected`.
+/// Requires that edits change only plots and turn them into `expected`.
 fn expect(
     outline: &Outline,
     edits: &[Edit],

@@ -1,4 +1,4 @@
-//! Questions: their parts, further ones, and their removal.
+//! Edits of questions: changing parts, adding and removing questions.
 
 use super::blocks::{insert_block, remove_block};
 use super::layout::{begin_line, line_end, result, with_line_ends_of};
@@ -11,28 +11,28 @@ use crate::translating::question_at;
 use crate::{Asked, BlockKind, QuestionPart};
 use model::Span;
 
-/// A question whose answer the model computes.
+/// A new question whose answer the model computes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct NewQuestion {
-    /// What is asked.
+    /// Question text.
     pub prompt: String,
-    /// The quantity that is the answer, or an expression.
+    /// Name of the quantity that is the answer, or an expression.
     pub answer: String,
-    /// How far off an answer may be, in percent, as its author typed it.
+    /// Tolerance of the answer in percent, as typed.
     pub percent: String,
-    /// Whether the value of the quantity is hidden until then.
+    /// True if the value of the quantity is hidden until the question is answered.
     pub hides: bool,
-    /// Whether it appears when the question before it is answered.
+    /// True if the question appears only after the one before it is answered.
     pub follows: bool,
-    /// The hint; none if it is empty.
+    /// Hint; empty for none.
     pub hint: String,
 }
 
-/// Adds a question behind the last one, or else at the end of the document.
+/// Adds a question after the last one, or at the end of the document if there is none.
 ///
 /// # Errors
 ///
-/// [`EditError::NotOneCell`] if a text would not be read as the part of the question that it is, and those of [`insert_block`].
+/// [`EditError::NotOneCell`] if a text would not be parsed as its part of the question, and the errors of [`insert_block`].
 pub fn add_question(outline: &Outline, question: &NewQuestion) -> Result<Edit, EditError> {
     let parts = [&question.prompt, &question.answer, &question.percent, &question.hint].map(|text| text.trim());
     let [prompt, answer, percent, hint] = parts;
@@ -44,7 +44,7 @@ pub fn add_question(outline: &Outline, question: &NewQuestion) -> Result<Edit, E
     let blocks = outline.blocks();
     let after = blocks.iter().rposition(|block| block.kind == BlockKind::Question).or(blocks.len().checked_sub(1));
     let mut edit = insert_block(outline, after, BlockKind::Question, &lines.join("\n"))?;
-    // A free line between it and what stands before.
+    // A blank line before the question.
     let before = &outline.source()[..edit.span.start];
     if !before.ends_with("\n\n") && !before.ends_with("\r\n\r\n") && !before.is_empty() {
         edit.text.insert_str(0, line_end(outline.source()));
@@ -62,11 +62,12 @@ pub fn add_question(outline: &Outline, question: &NewQuestion) -> Result<Edit, E
     Err(EditError::NotOneCell(obstacles.into_iter().find(|one| *one != Obstacle::Other).unwrap_or(Obstacle::Other)))
 }
 
-/// Writes a part of the question of this number; an empty text removes it.
+/// Sets a part of the question with this index; an empty text removes the part.
 ///
 /// # Errors
 ///
-/// [`EditError::UnknownCell`] if there is no such question, [`EditError::NotOneCell`] if the text would not be read as this part alone.
+/// [`EditError::UnknownCell`] if there is no such question, [`EditError::NotOneCell`] if the text would not be parsed as
+/// this part alone.
 pub fn set_question(outline: &Outline, number: usize, part: QuestionPart, text: &str) -> Result<Vec<Edit>, EditError> {
     let text = with_line_ends_of(outline.source(), text.trim());
     let before = asked(outline);
@@ -92,7 +93,8 @@ pub fn set_question(outline: &Outline, number: usize, part: QuestionPart, text: 
     }
 }
 
-/// A part of the question whose block has this content, behind its word or, without one, before all of them.
+/// Edit that sets a part of a question. `content`: content of its block. The text goes after the key `word`, or before all
+/// keys for `None`.
 pub(super) fn write_part(source: &str, content: Span, word: Option<&str>, text: &str) -> Edit {
     let end = line_end(source);
     let (span, text) = match (questions::part(source, content.range(), word), word) {
@@ -102,7 +104,7 @@ pub(super) fn write_part(source: &str, content: Span, word: Option<&str>, text: 
             let next = source[place.end..].find('\n').map_or(source.len(), |at| place.end + at + 1);
             (line..next.min(content.end), String::new())
         }
-        // A word without a text has no blank behind it.
+        // A key without a text has no blank after it.
         (Some(place), Some(_)) if place.is_empty() => (place, format!(" {text}")),
         (Some(place), _) => (place, text.to_owned()),
         (None, word) => {
@@ -113,8 +115,8 @@ pub(super) fn write_part(source: &str, content: Span, word: Option<&str>, text: 
     Edit { span: Span::new(span.start, span.end), text }
 }
 
-/// Removes the question of this number from a document and from its translations, which have their questions in the same order. The
-/// edits of the document come first. Questions that appear after others keep those that are left.
+/// Removes the question with this index from a document and from its translations, which have their questions in the same
+/// order. The edits of the document come first. References of other questions (`after:`) are updated.
 ///
 /// # Errors
 ///
@@ -134,7 +136,7 @@ pub fn remove_question(outline: &Outline, number: usize, translations: &[&str]) 
     Ok(edits)
 }
 
-/// The edit that removes the question of this number with the empty line behind it; nothing if there is none.
+/// Edit that removes the question with this index and the blank line after it; `None` if there is no such question.
 fn without(outline: &Outline, number: usize) -> Result<Option<Edit>, EditError> {
     let Some(block) = question_at(outline, number) else { return Ok(None) };
     let mut edit = remove_block(outline, block)?;
@@ -146,12 +148,13 @@ fn without(outline: &Outline, number: usize) -> Result<Option<Edit>, EditError> 
     Ok(Some(edit))
 }
 
-/// Which questions one waits for when the question `removed` is away. `place` is its own number before that; both count from 0.
+/// Text of `after:` without the question `removed`. `place`: index of the referring question before the removal. Both
+/// indices count from 0.
 fn after_without(after: &str, removed: usize, place: usize) -> String {
     let left = after.split(',').map(str::trim).filter_map(|one| match one.parse::<usize>() {
         Ok(number) if number == removed + 1 => None,
         Ok(number) if number > removed + 1 => Some((number - 1).to_string()),
-        // The first question has none before it.
+        // The first question has no previous one.
         _ => (one != "previous" || place > 1).then(|| one.to_owned()),
     });
     left.collect::<Vec<_>>().join(", ")

@@ -1,4 +1,4 @@
-//! Other names for quantities.
+//! Renaming of quantities.
 
 use super::{Edit, EditError, layout};
 use crate::Opened;
@@ -8,7 +8,7 @@ use model::{ExpressionKind, Severity, Span};
 use program::Program;
 use program::functions::Function;
 
-/// Attributes whose values are texts and no expressions, outside braces.
+/// Attributes whose values are texts, with expressions only in braces.
 const TEXTS: [&str; 12] = [
     "id",
     "class",
@@ -24,26 +24,26 @@ const TEXTS: [&str; 12] = [
     "stroke",
 ];
 
-/// Gives the name that stands at `offset` (bytes) another one, everywhere in the document: in the model, in the drawing, in
-/// plots, presets, questions and claims, and in the braces of the prose. Comments, labels and formulas stay as they are.
-/// The renamed document computes the same bits.
+/// Renames the quantity at byte `offset` in the whole document: in the model, the drawing, plots, presets, questions and
+/// claims, and in the braces of the prose. Comments, labels and formulas are not changed. The renamed document computes
+/// bit-identical results.
 ///
 /// # Errors
 ///
-/// [`EditError::NoName`] if no name of the model stands there, [`EditError::NewName`] if the new one cannot be a name or has a
-/// meaning already, [`EditError::Captured`] if an argument, an index or another local name would take its place,
-/// [`EditError::Incomplete`] if the document has more errors afterwards, [`EditError::ComputesOthers`] if it would compute
-/// something else for another reason, and [`EditError::TooLong`].
+/// [`EditError::NoName`] if there is no name of the model at the place, [`EditError::NewName`] if the new name is invalid
+/// or already in use, [`EditError::Captured`] if an argument, an index or another local name would take its place,
+/// [`EditError::Incomplete`] if the document would have more errors, [`EditError::ComputesOthers`] if the results would
+/// change for another reason, and [`EditError::TooLong`].
 pub fn rename(outline: &Outline, offset: usize, new: &str) -> Result<Vec<Edit>, EditError> {
     rename_with(outline, offset, new, &[]).map(|mut edits| edits.pop().unwrap_or_default())
 }
 
-/// The same with the translations of the document, where names stand in the braces of prose and of texts of the drawing: the edits of
-/// the document, and those of each translation.
+/// Renames a quantity in the document and in the braces of its translations, in prose and in texts of the drawing. Returns
+/// the edits of the document and those of each translation.
 ///
 /// # Errors
 ///
-/// Those of [`rename`].
+/// As in [`rename`].
 pub fn rename_with(
     outline: &Outline,
     offset: usize,
@@ -90,7 +90,7 @@ fn errors(opened: &Opened) -> usize {
     opened.diagnostics.iter().filter(|(_, found)| found.severity == Severity::Error).count()
 }
 
-/// Everything that a program computes: its debug format without the texts, and so without names.
+/// Everything that determines the results of a program: its debug format without texts, and thus without names.
 fn computed(program: &Program) -> String {
     let whole = format!("{program:?}");
     let mut rest = whole.as_str();
@@ -108,9 +108,9 @@ fn computed(program: &Program) -> String {
     kept + rest
 }
 
-/// The new name in the place of the old one, where it means the quantity.
+/// Edits that replace the old name where it means the quantity.
 fn in_file(outline: &Outline, old: &str, new: &str) -> Vec<Edit> {
-    // A list of names.
+    // `vary` is a list of names.
     let varied = outline.front_matter().get("vary").map(|value| value.span);
     let is_varied = |span: &Span| varied.is_some_and(|all| all.start <= span.start && span.end <= all.end);
     let places = outline.source().match_indices(old).map(|(at, _)| Span::new(at, at + old.len()));
@@ -124,7 +124,7 @@ fn in_file(outline: &Outline, old: &str, new: &str) -> Vec<Edit> {
     places.filter(meant).map(|span| Edit { span, text: new.to_owned() }).collect()
 }
 
-/// Whether a text is a name of the language that nothing else uses.
+/// True if a text is a valid, unreserved name.
 fn can_be_name(text: &str) -> bool {
     let (expression, unit, found) = model::parse_expression(text, 0..text.len());
     let is_name = matches!(&expression.kind, ExpressionKind::Name { name, order: 0 } if name == text);

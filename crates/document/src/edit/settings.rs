@@ -1,4 +1,4 @@
-//! The entries of the front matter.
+//! Edits of the front matter.
 
 use super::layout::{begin_line, line_end, result};
 use super::{Edit, EditError};
@@ -6,10 +6,9 @@ use crate::blocks::front_matter::{FrontMatter, Value, is_key, trimmed};
 use crate::text::outline::Outline;
 use model::Span;
 
-/// Gives a key of the front matter a value, or removes it. The value of a key that is there is replaced: of several, the
-/// one that counts. A new key goes to the end of the front matter; a document without front matter gets one. Quotation
-/// marks are written where the value needs them. [`None`] removes all lines with the key, and changes nothing where there is
-/// none. Whether there is such a key and what its values may be is not checked.
+/// Sets a key of the front matter, or removes it for [`None`]. An existing value is replaced; of several, the one in
+/// effect. A new key goes to the end of the front matter, which is created if missing. Quotation marks are added if the
+/// value needs them. [`None`] removes all lines with the key. Keys and values are not validated.
 ///
 /// # Errors
 ///
@@ -32,7 +31,7 @@ pub fn set_front_matter(outline: &Outline, key: &str, value: Option<&str>) -> Re
     Ok(edits)
 }
 
-/// The value of `key` that counts, or else the empty one that is there.
+/// The value of `key` in effect, or else its empty value.
 fn counting<'a>(matter: &'a FrontMatter, key: &str) -> Option<&'a Value> {
     let given = || matter.entries.iter().find(|entry| entry.key == key).map(|entry| &entry.value);
     matter.get(key).or_else(given)
@@ -51,7 +50,7 @@ fn removals(outline: &Outline, key: &str) -> Vec<Edit> {
 
 fn replacement(outline: &Outline, old: &Value, value: &str) -> Edit {
     let written = &outline.source()[old.span.range()];
-    // Quotation marks that are there stay.
+    // Existing quotation marks are kept.
     let mark = written.chars().next().filter(|_| written != old.text);
     let text = match mark {
         Some(mark) => format!("{mark}{value}{mark}"),
@@ -71,7 +70,7 @@ fn addition(outline: &Outline, key: &str, value: &str) -> Edit {
     Edit { span: Span::new(at, at), text }
 }
 
-/// A value as it is written, so that reading it gives the same text.
+/// The value, quoted if it would otherwise be read as another text.
 fn quoted_if_needed(value: &str) -> String {
     if trimmed(value, 0).text == value { value.to_owned() } else { format!("\"{value}\"") }
 }

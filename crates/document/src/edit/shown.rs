@@ -1,4 +1,4 @@
-//! Order, labels and visibility of what a page shows of the model.
+//! Edits of the order, labels and visibility of controls and values.
 
 use super::cell::expect_in;
 use super::layout::{line_end, with_line_ends_of};
@@ -9,13 +9,13 @@ use crate::form::{CellKind, Part, Place, shown, structure};
 use crate::text::outline::Outline;
 use model::Span;
 
-/// Exchanges two statements of the [form](crate::form::Form) with the comments on their lines, which changes the order of controls or
-/// values.
+/// Exchanges two statements of the [form](crate::form::Form), including the comments on their lines. This changes the order
+/// of controls or values.
 ///
 /// # Errors
 ///
-/// [`EditError::UnknownCell`] if there is no such statement, [`EditError::ChangesOthers`] also where statements share a line, and
-/// [`EditError::TooLong`].
+/// [`EditError::UnknownCell`] if there is no such statement, [`EditError::ChangesOthers`] also if statements share a line,
+/// and [`EditError::TooLong`].
 pub fn exchange_statements(outline: &Outline, one: usize, other: usize) -> Result<Vec<Edit>, EditError> {
     let source = outline.source();
     let parts = structure(outline);
@@ -27,7 +27,7 @@ pub fn exchange_statements(outline: &Outline, one: usize, other: usize) -> Resul
     Ok(edits)
 }
 
-/// Keeps the value of the statement with this number out of the values, or shows it.
+/// Hides the value of the statement with this index from the readouts, or shows it.
 ///
 /// # Errors
 ///
@@ -56,12 +56,12 @@ pub fn set_hidden(outline: &Outline, number: usize, hidden: bool) -> Result<Vec<
 
 const WORD: &str = "hidden";
 
-/// Gives the statement with this number in the form a label, or takes it away; of a group, its name.
+/// Sets or removes the label of the statement with this index in the form; for a group, its name.
 ///
 /// # Errors
 ///
-/// [`EditError::UnknownCell`] if the statement is no control and no value, [`EditError::NotOneCell`] if the text cannot be a label
-/// or if a group would be left without a name, and [`EditError::TooLong`].
+/// [`EditError::UnknownCell`] if the statement is neither a control nor a value, [`EditError::NotOneCell`] if the text
+/// cannot be a label or a group would lose its name, and [`EditError::TooLong`].
 pub fn set_label(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edit>, EditError> {
     let all = shown(outline);
     let one = all.iter().find(|one| one.number == number).ok_or(EditError::UnknownCell)?;
@@ -84,12 +84,12 @@ pub fn set_label(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edi
     changed(outline, &structure(outline), number, edit)
 }
 
-/// Begins a group of controls with this name: the first before all controls, others before the last one.
+/// Begins a group of controls with this name: the first group before all controls, further ones before the last control.
 ///
 /// # Errors
 ///
 /// [`EditError::UnknownCell`] if there is no control, [`EditError::NotOneCell`] if the text cannot be a name,
-/// [`EditError::ChangesOthers`] where the control shares its line with another statement, and [`EditError::TooLong`].
+/// [`EditError::ChangesOthers`] if the control shares its line with another statement, and [`EditError::TooLong`].
 pub fn add_group(outline: &Outline, name: &str) -> Result<Vec<Edit>, EditError> {
     let source = outline.source();
     let name = name.trim();
@@ -111,7 +111,7 @@ pub fn add_group(outline: &Outline, name: &str) -> Result<Vec<Edit>, EditError> 
     Ok(edits)
 }
 
-/// An edit inside one statement, which stays one.
+/// Checks that an edit changes only the statement `number`, which remains one statement.
 fn changed(outline: &Outline, parts: &[Part], number: usize, edit: Edit) -> Result<Vec<Edit>, EditError> {
     let source = outline.source();
     let part = parts.get(number).ok_or(EditError::UnknownCell)?;

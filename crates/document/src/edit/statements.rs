@@ -1,4 +1,4 @@
-//! Whole statements of the model.
+//! Edits of whole statements of the model.
 
 use super::blocks::{insert_block, remove_block};
 use super::cell::expect;
@@ -10,8 +10,8 @@ use crate::form::{CellKind, Part, Section, structure};
 use crate::text::outline::Outline;
 use model::Span;
 
-/// Adds statements under a heading of the form: on lines of their own behind the last one there, or else at the end of the last
-/// model. A document without a model gets one.
+/// Adds statements in a section of the form: on lines of their own after the last statement of the section, or else at the
+/// end of the last model. A document without a model gets one.
 ///
 /// # Errors
 ///
@@ -50,8 +50,8 @@ pub fn add_statement(outline: &Outline, section: Section, text: &str) -> Result<
     Ok(edit)
 }
 
-/// Removes the statement with this number in the [form](crate::form::Form), with the comment on its line. A table that is a block of
-/// its own goes with its fence.
+/// Removes the statement with this index in the [form](crate::form::Form), including the comment on its line. A table in a
+/// block of its own is removed with its fence.
 ///
 /// # Errors
 ///

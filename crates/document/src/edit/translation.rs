@@ -1,4 +1,4 @@
-//! Single texts of a translation.
+//! Edits of single texts of a translation.
 
 use super::blocks::{insert_block, replace_block};
 use super::layout::{begin_line, line_end, result, with_line_ends_of};
@@ -11,13 +11,13 @@ use crate::text::outline::{Outline, read};
 use crate::translating::{TextKey, entry_in, prose_at, question_at, values};
 use model::Span;
 
-/// Writes the translation of a text into the file of the translation; an empty one removes it. What is not there yet is added: a
+/// Sets the translation of a text in the file of the translation; an empty text removes it. Missing parts are added: a
 /// label at the end of the last block `translations`, prose and questions in their order.
 ///
 /// # Errors
 ///
-/// [`EditError::NotOneCell`] if the text would not be read as this translation alone, [`EditError::EarlierQuestion`] if questions
-/// before this one are missing, [`EditError::Value`] for front matter, and those of blocks.
+/// [`EditError::NotOneCell`] if the text would not be parsed as this translation alone, [`EditError::EarlierQuestion`] if
+/// questions before this one are missing, [`EditError::Value`] for front matter, and the errors of edits of blocks.
 pub fn set_translation(outline: &Outline, key: &TextKey, text: &str) -> Result<Vec<Edit>, EditError> {
     let text = with_line_ends_of(outline.source(), text.trim());
     let before = values(outline);
@@ -35,7 +35,7 @@ pub fn set_translation(outline: &Outline, key: &TextKey, text: &str) -> Result<V
         TextKey::Explanation(number) => vec![question(outline, *number, Some("explanation"), &text)?],
     };
     let after = values(&read(&result(outline, &edits)?));
-    // A piece of prose that is taken away gives its number to the next.
+    // The pieces of prose after a removed one are renumbered.
     let shifts = |other: &TextKey| text.is_empty() && matches!(other, TextKey::Prose(..));
     let others = |texts: &[(TextKey, String)]| -> Vec<(TextKey, String)> {
         texts.iter().filter(|(other, _)| other != key && !shifts(other)).cloned().collect()
@@ -51,7 +51,7 @@ pub fn set_translation(outline: &Outline, key: &TextKey, text: &str) -> Result<V
     }))
 }
 
-/// `"original" = "text"`
+/// Edit of an entry `"original" = "text"`.
 fn short(outline: &Outline, original: &str, text: &str) -> Result<Edit, EditError> {
     let source = outline.source();
     if text.contains(['"', '\n', '\r']) {

@@ -1,16 +1,17 @@
-//! The cells of a statement that is a row: found in its text, so that a cell can hold something wrong while it is edited.
+//! Cells of a statement that is a row of a form. They are found in the text, so that a cell can have errors while it is
+//! edited.
 
 use crate::text::scan::{find_any_word, top_level};
 use crate::text::source::trim;
 use model::{ExpressionKind, Span, Statement, StatementKind};
 use std::ops::Range;
 
-/// What a cell holds.
+/// Kind of cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum CellKind {
     /// The name of a parameter, or the left side of an initial value.
     Name,
-    /// The default of a parameter, or the value at the start.
+    /// Default value of a parameter, or initial value.
     Value,
     /// The unit, without its brackets.
     Unit,
@@ -20,20 +21,20 @@ pub enum CellKind {
     Step,
     /// The label, without its quotation marks.
     Label,
-    /// The text of a statement that is no row.
+    /// Text of a statement that is not a row.
     Text,
 }
 
-/// What can be edited of a statement.
+/// An editable part of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
-    /// What it holds.
+    /// Kind of cell.
     pub kind: CellKind,
-    /// Its text; empty where the statement has no such part.
+    /// Text; empty if the statement has no such part.
     pub text: String,
-    /// Where the text stands; where it would begin if there is none.
+    /// Place of the text, or of its insertion if it is empty.
     pub span: Span,
-    /// The same with the word, brackets or quotation marks around it, and the blanks before them.
+    /// The span including keyword, brackets or quotation marks and the blanks before them.
     pub outer: Span,
 }
 
@@ -49,8 +50,8 @@ impl Cell {
     }
 }
 
-/// The word and the cells of a statement that is a row of a form; none of one that is not. A row is one line with plain quotation
-/// marks.
+/// Keyword and cells of a statement that is a row of a form; `None` for other statements. A row is a single line with plain
+/// quotation marks.
 pub(super) fn row(source: &str, statement: &Statement) -> Option<(String, Vec<Cell>)> {
     let all = statement.span.range();
     let text = &source[all.clone()];
@@ -105,7 +106,7 @@ pub(super) fn row(source: &str, statement: &Statement) -> Option<(String, Vec<Ce
 
 const GROUP: &str = "group";
 
-/// The name in `group "Circuit"`, or where it would stand.
+/// The name in `group "Circuit"`, or the place of its insertion.
 fn group_name(source: &str, statement: &Statement) -> Option<Cell> {
     let all = trim(source, statement.span.range());
     let rest = source[all.clone()].strip_prefix(GROUP)?;
@@ -120,14 +121,14 @@ fn group_name(source: &str, statement: &Statement) -> Option<Cell> {
     }
 }
 
-/// Which parts a kind of parameter has besides name, value and label.
+/// Optional parts of a kind of parameter.
 struct Parts {
     unit: bool,
     range: bool,
     step: bool,
 }
 
-/// Value, unit, range and step of a parameter.
+/// Cells of a parameter: value, unit, range and step.
 fn of_parameter(source: &str, body: &Range<usize>, has: Parts) -> Vec<Cell> {
     let words = |word, wanted: bool| find_any_word(source, body.clone(), word).filter(|_| wanted);
     let (range, step) = (words("in", has.range), words("step", has.step));
@@ -164,7 +165,7 @@ fn of_parameter(source: &str, body: &Range<usize>, has: Parts) -> Vec<Cell> {
     cells
 }
 
-/// Value and unit of what has a value at the start.
+/// Cells of a quantity with an initial value: value and unit.
 fn of_start(source: &str, body: &Range<usize>) -> Vec<Cell> {
     let stated = find_any_word(source, body.clone(), "in");
     let value = trimmed(source, body.start..stated.as_ref().map_or(body.end, |word| word.start));
@@ -173,7 +174,7 @@ fn of_start(source: &str, body: &Range<usize>) -> Vec<Cell> {
     vec![Cell::of(source, CellKind::Value, value.clone(), value), unit(source, bracket, end, body.end)]
 }
 
-/// The unit whose bracket opens at `bracket`, after what ends at `before`.
+/// Cell of the unit whose bracket opens at byte `bracket`. `before`: end of the preceding text.
 fn unit(source: &str, bracket: Option<usize>, before: usize, until: usize) -> Cell {
     let Some(open) = bracket else {
         return Cell::of(source, CellKind::Unit, before..before, before..before);
@@ -182,7 +183,7 @@ fn unit(source: &str, bracket: Option<usize>, before: usize, until: usize) -> Ce
     Cell::of(source, CellKind::Unit, inside, before..trimmed_end(source, &(before..until)))
 }
 
-/// How long the word `hidden` with the blanks behind it is, where a statement begins with it.
+/// Length in bytes of `hidden` and the blanks after it, at the beginning of a statement; 0 if it has none.
 fn hidden_length(text: &str) -> usize {
     let rest = text.strip_prefix("hidden").unwrap_or(text);
     if rest.starts_with([' ', '\t']) { text.len() - rest.trim_start().len() } else { 0 }
@@ -196,18 +197,18 @@ fn begins_with(text: &str, word: &str) -> bool {
             || rest.trim_start().starts_with(|letter: char| letter.is_alphabetic() || letter == '_'))
 }
 
-/// `y'(0) =`
+/// True for `y'(0) =`.
 fn begins_as_initial_value(text: &str) -> bool {
     let left = text.split('=').next().unwrap_or_default().trim_end();
     left.strip_suffix("(0)").is_some_and(|name| !name.is_empty() && !name.contains([' ', '(', '[']))
 }
 
-/// The end of a text without the blanks there.
+/// End of a range without trailing blanks.
 fn trimmed_end(source: &str, range: &Range<usize>) -> usize {
     range.start + source[range.clone()].trim_end().len()
 }
 
-/// Without blanks at either end; of blanks alone, the beginning.
+/// Range without outer blanks; the beginning if it is blank.
 fn trimmed(source: &str, range: Range<usize>) -> Range<usize> {
     if source[range.clone()].trim().is_empty() { range.start..range.start } else { trim(source, range) }
 }

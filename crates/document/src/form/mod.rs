@@ -1,5 +1,5 @@
-//! The model of a document as forms show it: rows of cells for parameters and initial values, and the text of every other
-//! statement, each with its place. [`crate::edit`] changes a cell by its place.
+//! Form view of the model: rows of cells for parameters and initial values, and the text of every other statement, each
+//! with its place. [`crate::edit`] changes a cell by its place.
 
 mod cells;
 mod plots;
@@ -17,33 +17,33 @@ use crate::text::source::trim;
 use crate::{BlockKind, Outline};
 use model::Span;
 
-/// What the statements of a model are in a form.
+/// Form of the model of a document.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Form {
-    /// One part for each statement, in the order of the text.
+    /// One part per statement, in text order.
     pub parts: Vec<Part>,
 }
 
 /// A statement in a form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Under which heading it stands.
+    /// Section in which it is shown.
     pub section: Section,
-    /// The index of its block in [`Outline::blocks`].
+    /// Index of its block in [`Outline::blocks`].
     pub block: usize,
-    /// Where it stands, without its comment.
+    /// Place without the comment.
     pub span: Span,
-    /// The word with which a row begins: `parameter`, `switch`, `random`, `size`, `group`, `discrete`; otherwise empty.
+    /// Keyword of a row: `parameter`, `switch`, `random`, `size`, `group`, `discrete`; otherwise empty.
     pub word: String,
-    /// The whole text.
+    /// The whole text as one cell.
     pub whole: Cell,
-    /// What can be edited: the cells of a row in the order of [`CellKind`], or one cell with the whole text.
+    /// Editable cells: the cells of a row in the order of [`CellKind`], or one cell with the whole text.
     pub cells: Vec<Cell>,
-    /// The statement as `<math>` elements; empty where there is nothing to typeset.
+    /// The statement as `<math>` elements; empty if there is nothing to typeset.
     pub typeset: String,
 }
 
-/// Reads the form of a document. Every statement has a part, also one that has errors.
+/// Form of a document. Every statement has a part, even with errors.
 pub fn read(outline: &Outline) -> Form {
     let mut parts = structure(outline);
     let typeset = model::typeset_each(&statements(outline), &str::to_owned);
@@ -53,17 +53,17 @@ pub fn read(outline: &Outline) -> Form {
     Form { parts }
 }
 
-/// The same without typeset equations, for who looks for a place.
+/// Form without typeset equations, to find places.
 pub fn places(outline: &Outline) -> Form {
     Form { parts: structure(outline) }
 }
 
-/// The statements that the parts show.
+/// Statements of the parts, in the same order.
 pub(crate) fn statements(outline: &Outline) -> Vec<model::Statement> {
     outline.blocks().iter().flat_map(|block| &block.statements).cloned().collect()
 }
 
-/// The parts without typeset equations.
+/// Parts without typeset equations.
 pub(crate) fn structure(outline: &Outline) -> Vec<Part> {
     let source = outline.source();
     let blocks = outline.blocks().iter().enumerate();
@@ -81,14 +81,14 @@ pub(crate) fn structure(outline: &Outline) -> Vec<Part> {
 }
 
 impl Part {
-    /// The cell of a kind. A row has its whole text beside its cells.
+    /// The cell of a kind. [`CellKind::Text`] is the whole text, also of a row.
     pub fn cell(&self, kind: CellKind) -> Option<&Cell> {
         if kind == CellKind::Text { Some(&self.whole) } else { self.cells.iter().find(|cell| cell.kind == kind) }
     }
 }
 
 impl Form {
-    /// The part and the cell at a place, in bytes: the cell that holds it, or else the first one.
+    /// Index of the part and kind of the cell at a byte; outside all cells, the first cell of the part.
     pub fn at(&self, place: usize) -> Option<(usize, CellKind)> {
         let number = self.parts.iter().position(|part| part.span.start <= place && place <= part.span.end)?;
         let part = self.parts.get(number)?;

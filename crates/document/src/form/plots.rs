@@ -1,4 +1,4 @@
-//! The plots of a document as forms show them, found in their text, so that each part can hold something wrong while it is edited.
+//! Form view of the plots of a document. Cells are found in the text, so that a cell can have errors while it is edited.
 
 use crate::BlockKind;
 use crate::blocks::plots::{POINTS, begins_with, is_equal_axes};
@@ -9,18 +9,18 @@ use crate::text::source::trim;
 use model::Span;
 use std::ops::Range;
 
-/// What a cell of a plot holds.
+/// Kind of cell of a plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum PlotCell {
-    /// The title, without its quotation marks.
+    /// Title, without quotation marks.
     Title,
-    /// The word before the curves: `points`, `histogram`, or nothing.
+    /// Keyword before the curves: `points`, `histogram`, or empty.
     Kind,
-    /// What is drawn; of a plot with several abscissas, with these.
+    /// Curves; in a plot with several abscissas, including these.
     Curves,
-    /// What it is drawn against, with what follows: `t`, `x every 2 [s]`, `omega in 1..12`.
+    /// Abscissa with its options: `t`, `x every 2 [s]`, `omega in 1..12`.
     Across,
-    /// `equal axes`, or nothing.
+    /// `equal axes`, or empty.
     Equal,
     /// The whole plot.
     Text,
@@ -29,19 +29,19 @@ pub enum PlotCell {
 /// A plot in a form.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PlotPart {
-    /// The index of its block in [`Outline::blocks`].
+    /// Index of its block in [`Outline::blocks`].
     pub block: usize,
-    /// Where it stands, without its comment.
+    /// Place without the comment.
     pub span: Span,
     /// The whole text.
     pub whole: String,
-    /// Its cells with their texts and places, in the order of [`PlotCell`]; none of a plot without title and colon. A histogram and
-    /// a plot with several abscissas have no [`PlotCell::Across`].
+    /// Cells with their texts and places, in the order of [`PlotCell`]; none if the plot has no title and colon. A
+    /// histogram and a plot with several abscissas have no [`PlotCell::Across`].
     pub cells: Vec<(PlotCell, String, Span)>,
 }
 
 impl PlotPart {
-    /// The text of a cell and its place.
+    /// Text and place of a cell.
     pub fn cell(&self, kind: PlotCell) -> Option<(&str, Span)> {
         if kind == PlotCell::Text {
             return Some((&self.whole, self.span));
@@ -50,7 +50,7 @@ impl PlotPart {
     }
 }
 
-/// The plots of a document in their order.
+/// Plots of a document, in text order.
 pub fn plots(outline: &Outline) -> Vec<PlotPart> {
     let source = outline.source();
     let blocks = outline.blocks().iter().enumerate().filter(|(_, block)| block.kind == BlockKind::Plots);
@@ -72,7 +72,7 @@ fn cells(source: &str, statement: Range<usize>) -> Option<Vec<(PlotCell, String,
     let after = trim(source, end..statement.end);
     source[after.clone()].starts_with(':').then_some(())?;
     let body = trim(source, after.start + 1..after.end);
-    // Of blanks alone, their end.
+    // The range of a blank text is its end.
     let body = if body.is_empty() { after.end..after.end } else { body };
     let word = [HISTOGRAM, POINTS].into_iter().find(|word| begins_with(word, &source[body.clone()]));
     let drawn = trim(source, body.start + word.map_or(0, str::len)..body.end);
@@ -110,7 +110,7 @@ fn cells(source: &str, statement: Range<usize>) -> Option<Vec<(PlotCell, String,
     Some(cells)
 }
 
-/// Without blanks at either end; of blanks alone, the beginning.
+/// Range without outer blanks; the beginning if it is blank.
 fn trimmed(source: &str, range: Range<usize>) -> Range<usize> {
     if source[range.clone()].trim().is_empty() { range.start..range.start } else { trim(source, range) }
 }

@@ -1,11 +1,11 @@
-//! What a new statement begins as.
+//! Initial texts of new statements.
 
 use super::Section;
 use crate::Outline;
 use crate::assist::{self, names_in};
 
-/// A short statement of a section with names that are free, to be changed. A quantity with a value at the start needs an equation, which
-/// the author has to write: an invented one would run and mean nothing.
+/// A short statement of a section with unused names, to be edited. A quantity with an initial value needs an equation,
+/// which the author must write: an invented equation would run without meaning.
 pub fn proposal(outline: &Outline, section: Section) -> String {
     let taken = names_in(outline);
     let free = |letters: &str| {

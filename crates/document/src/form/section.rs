@@ -1,15 +1,15 @@
-//! Under which heading a statement stands in a form.
+//! Sections of a form.
 
 use model::{ExpressionKind, Statement, StatementKind};
 
-/// The headings of a form.
+/// Sections of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Section {
-    /// Parameters, switches, random seeds and sizes, and the groups of their controls.
+    /// Parameters, switches, random seeds and sizes, and groups of their controls.
     Parameters,
-    /// Quantities with a value at the start.
+    /// Quantities with initial values.
     InitialValues,
-    /// Equations, definitions and functions, and all that has no heading of its own.
+    /// Equations, definitions and functions, and statements without a section of their own.
     Equations,
     /// Events and buttons.
     Events,
@@ -20,12 +20,12 @@ pub enum Section {
 }
 
 impl Section {
-    /// All headings in the order of a form.
+    /// All sections, in the order of a form.
     pub const ALL: [Self; 6] =
         [Self::Parameters, Self::InitialValues, Self::Equations, Self::Events, Self::Choices, Self::Tables];
 }
 
-/// The heading of a statement. Where it could not be read, its first word decides, so that a card stays where it is while its text
+/// Section of a statement. The first word of an unreadable statement decides, so that a card keeps its place while its text
 /// is edited.
 pub(super) fn of(source: &str, statement: &Statement, is_row: bool) -> Section {
     let unread = |left: &model::Expression| left.kind == ExpressionKind::Error;

@@ -1,25 +1,25 @@
-//! What a page shows of the model, in its order: the controls of parameters, and the values that are read off.
+//! Controls and values of the model, in the order in which the page shows them.
 
 use crate::Outline;
 use crate::text::source::trim;
 use model::{Expression, Members, Quoted, Span, Statement, StatementKind};
 use program::{Kind, Program, Role};
 
-/// Among which others a control or value is shown.
+/// List in which a control or value is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Place {
-    /// The sizes of families, before the parameters.
+    /// Sizes of families, before the parameters.
     Size,
-    /// Parameters, switches, random seeds and choices, and the groups of their controls, in the order of the text.
+    /// Parameters, switches, random seeds, choices and groups of controls, in text order.
     Parameter,
-    /// Unknowns and what events change, in the order in which the equations name them first.
+    /// Unknowns and discrete quantities, in the order of their first mention in the equations.
     Unknown,
-    /// Definitions, in the order of the text, behind the unknowns.
+    /// Definitions, in text order, after the unknowns.
     Computed,
 }
 
 impl Place {
-    /// Whether the order of the statements is that of the page.
+    /// True if the page shows this list in the order of the statements.
     pub fn is_ordered(self) -> bool {
         self != Self::Unknown
     }
@@ -28,23 +28,23 @@ impl Place {
 /// A control or a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shown {
-    /// The number of its statement in the [form](super::Form).
+    /// Index of its statement in the [form](super::Form).
     pub number: usize,
-    /// Among which others it is shown.
+    /// List in which it is shown.
     pub place: Place,
-    /// Its name, with primes and indices; empty for a group of controls.
+    /// Name, with primes and indices; empty for a group of controls.
     pub name: String,
-    /// Its label, or the name of the group; empty without one.
+    /// Label, or name of the group; empty without one.
     pub label: String,
-    /// Where the label stands with its marks, or where it would begin.
+    /// Place of the label with its quotation marks, or place of its insertion.
     pub label_at: Span,
-    /// Whether its value is kept out of the values.
+    /// True if its value is left out of the readouts.
     pub is_hidden: bool,
-    /// Whether it is a group: the heading of the controls after it.
+    /// True for a group: the heading of the controls after it.
     pub is_group: bool,
 }
 
-/// The controls and values of a document, in the order of its text. Statements that could not be read are left out.
+/// Controls and values of a document, in text order. Unreadable statements are left out.
 pub fn shown(outline: &Outline) -> Vec<Shown> {
     let source = outline.source();
     let models = outline.blocks().iter().flat_map(|block| {
@@ -76,8 +76,8 @@ pub fn shown(outline: &Outline) -> Vec<Shown> {
     models.enumerate().filter_map(one).collect()
 }
 
-/// The quantities that can be drawn, each with its label: those that change during a run, and the independent variable before them if
-/// it is wanted.
+/// Quantities that can be plotted, with their labels: those that vary during a run, after the independent variable if
+/// `with_independent`.
 pub fn plottable(program: &Program, with_independent: bool) -> Vec<(String, Option<String>)> {
     let model = &program.model;
     let independent = with_independent.then(|| (model.independent.name.clone(), None));

@@ -1,4 +1,4 @@
-//! Blanks at the ends of lines of Markdown.
+//! Trailing blanks in Markdown.
 
 use super::html::options;
 use crate::text::source::lines;
@@ -6,8 +6,8 @@ use model::{Edit, Span};
 use pulldown_cmark::{Event, Parser, Tag};
 use std::ops::Range;
 
-/// The edits that remove the blanks at the ends of lines, but for the two that break a line, and outside of code. None where
-/// the Markdown would mean something else without them.
+/// Edits that remove trailing blanks outside code, except the two blanks of a line break. No edits if the meaning of the
+/// Markdown would change.
 pub fn without_trailing_blanks(source: &str, range: Range<usize>) -> Vec<Edit> {
     let text = &source[range.clone()];
     let events = Parser::new_ext(text, options()).into_offset_iter();

@@ -1,4 +1,4 @@
-//! From Markdown to HTML: only what is written here can come out.
+//! Markdown to HTML. Only elements written here can occur in the result.
 
 mod links;
 
@@ -10,30 +10,30 @@ use std::ops::Range;
 use units::markup::escaped;
 use units::words;
 
-/// How deep lists and quotations may be nested; beyond it they are flat.
+/// Maximum nesting depth of lists and quotations; deeper ones are flattened.
 const DEPTH: usize = 24;
 
-/// A part of the result.
+/// A part of the rendered HTML.
 pub enum Piece {
-    /// Elements below a heading.
+    /// HTML elements below a heading.
     Html(String),
     /// A heading that is not inside a list or quotation.
     Heading {
-        /// 1 to 6.
+        /// Level, 1 to 6.
         level: u8,
-        /// As plain text.
+        /// Title as plain text.
         title: String,
-        /// Its content.
+        /// Content of the heading.
         html: String,
     },
 }
 
-/// What the Markdown of documents has beside CommonMark.
+/// Extensions of CommonMark that documents use.
 pub fn options() -> Options {
     Options::ENABLE_TABLES | Options::ENABLE_MATH | Options::ENABLE_STRIKETHROUGH
 }
 
-/// The HTML of the Markdown in `range` of `source`.
+/// Renders the Markdown in `range` of `source`.
 pub fn render(source: &str, range: Range<usize>, formulas: &Formulas, diagnostics: &mut Vec<Diagnostic>) -> Vec<Piece> {
     let parser = Parser::new_ext(&source[range.clone()], options()).into_offset_iter();
     let mut writer = Writer::new(formulas, diagnostics);
@@ -57,35 +57,36 @@ pub fn render(source: &str, range: Range<usize>, formulas: &Formulas, diagnostic
     pieces
 }
 
-/// What has been written so far.
+/// HTML writer.
 struct Writer<'a> {
     formulas: &'a Formulas,
     diagnostics: &'a mut Vec<Diagnostic>,
     out: String,
-    /// The closing tags of the elements that are open.
+    /// Closing tags of the open elements.
     open: Vec<&'static str>,
-    /// Plain text, while a heading or the head of a table is being read.
+    /// Plain text, while a heading or a table head is read.
     plain: Option<String>,
     image: Option<Image>,
     table: Table,
-    /// Whether this paragraph's HTML has been reported.
+    /// True if HTML in this paragraph has been reported.
     told_of_html: bool,
 }
 
-/// The table being read.
+/// State of the current table.
 #[derive(Default)]
 struct Table {
     alignments: Vec<Alignment>,
-    /// How many cells of the row have been read.
+    /// Number of cells read in the current row.
     column: usize,
     in_head: bool,
-    /// Where in the output the name of the table goes.
+    /// Byte in the output at which the label of the table is inserted.
     name_at: usize,
 }
 
-/// The image being read. Markdown allows markup and further images in its alternative text; only the text counts.
+/// State of the current image. Markdown allows markup and further images in the alternative text; only its plain text is
+/// used.
 struct Image {
-    /// Up to the alternative text, and after it.
+    /// HTML before and after the alternative text.
     around: (String, &'static str),
     alternative: String,
     nested: usize,
@@ -128,7 +129,7 @@ impl<'a> Writer<'a> {
             Event::SoftBreak => self.text("\n"),
             Event::HardBreak => self.out.push_str("<br>"),
             Event::Rule => self.out.push_str("<hr>\n"),
-            // Not switched on.
+            // Not enabled in the options.
             Event::FootnoteReference(_) | Event::TaskListMarker(_) => {}
         }
     }
@@ -157,7 +158,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Reported once for each paragraph.
+    /// Writes HTML as text; reported once per paragraph.
     fn raw_html(&mut self, text: &str, span: Span) {
         if !self.told_of_html {
             self.told_of_html = true;
@@ -176,7 +177,7 @@ impl<'a> Writer<'a> {
         self.text(text);
     }
 
-    /// Opens an element; too deep inside others, only what it holds is written.
+    /// Opens an element; beyond the maximum depth only its content is written.
     fn open(&mut self, html: &str, closing: &'static str) {
         if self.open.len() < DEPTH {
             self.out.push_str(html);
@@ -218,7 +219,7 @@ impl<'a> Writer<'a> {
                 self.open("<tr>", "</tr>\n");
             }
             Tag::TableCell => self.start_cell(),
-            // Not switched on.
+            // Not enabled in the options.
             _ => self.open("", ""),
         }
     }
@@ -240,7 +241,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The table's name for a screen reader is its head. The wrapper scrolls on a narrow screen, by keyboard too.
+    /// Opens a table. Its head is the label for screen readers. The wrapper scrolls on narrow screens, also by keyboard.
     fn start_table(&mut self, alignments: Vec<Alignment>) {
         self.open("<div class=\"wide\" role=\"region\" tabindex=\"0\"><table>\n", "</tbody></table></div>\n");
         self.table = Table { alignments, name_at: self.out.rfind(" tabindex").unwrap_or(0), ..Table::default() };

@@ -5,24 +5,24 @@ use model::{Diagnostic, Span};
 use units::markup::escaped;
 use units::words;
 
-/// How deep a formula may be nested. The converter is recursive, and a page has little stack.
+/// Maximum nesting depth of a formula. The converter is recursive, and the stack in a page is small.
 const DEPTH: usize = 20;
-/// How long a formula may be, in bytes.
+/// Maximum length of a formula, in bytes.
 const LENGTH: usize = 4_000;
 
-/// Converts formulas; the converter's tables are made once.
+/// Converter for formulas. Its tables are created once.
 pub struct Formulas {
     converter: LatexToMathML,
 }
 
 impl Formulas {
-    /// A converter without macros of its own.
+    /// Converter without macros.
     pub fn new() -> Self {
-        // Only a macro can be refused, and there is none.
+        // Creation can fail only for an invalid macro, and there are none.
         Self { converter: LatexToMathML::new(MathCoreConfig::default()).unwrap_or_default() }
     }
 
-    /// The MathML of `latex`, which stands at `span` of the source; in case of an error, the text itself.
+    /// MathML of `latex`, which stands at `span` of the source; after an error, the text itself.
     pub fn html(&self, latex: &str, display: MathDisplay, span: Span, diagnostics: &mut Vec<Diagnostic>) -> String {
         let problem = if latex.len() > LENGTH {
             Diagnostic::error(
@@ -61,13 +61,13 @@ impl Formulas {
     }
 }
 
-/// With a small first letter, as after a colon.
+/// The text with a lower-case first letter, as after a colon.
 fn lower(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
 }
 
-/// The converter says what is wrong in English only; its short labels are few, and the usual ones stand here.
+/// Spanish text for an error of the converter, which is in English only. Covers the usual labels.
 fn spanish(label: &str) -> &'static str {
     match label {
         "a group was never closed" => "un grupo no se cierra",
@@ -88,9 +88,9 @@ fn spanish(label: &str) -> &'static str {
     }
 }
 
-/// An upper bound of how deep `latex` is nested: open groups, and commands and scripts that wait for an argument.
+/// Upper bound of the nesting depth of `latex`: open groups, and commands and scripts without their argument.
 fn nesting(latex: &str) -> usize {
-    // One count for each open group: the commands in it that have not been followed by anything else.
+    // For each open group, the number of commands whose argument has not come yet.
     let mut waiting = vec![0usize];
     let mut deepest = 0;
     let mut letters = latex.chars().peekable();
@@ -111,7 +111,7 @@ fn nesting(latex: &str) -> usize {
                     close(&mut waiting);
                 } else if let Some(count) = waiting.last_mut() {
                     *count += 1;
-                    // `\frac1\frac1...` nests although something stands between the commands.
+                    // `\frac1\frac1...` nests although there is text between the commands.
                     long_arguments |= takes_two(&command);
                 }
             }
@@ -126,7 +126,7 @@ fn nesting(latex: &str) -> usize {
     deepest
 }
 
-/// Ends a group; what waited for it has its argument.
+/// Ends a group, which is then the argument of the command before it.
 fn close(waiting: &mut Vec<usize>) {
     if waiting.len() > 1 {
         waiting.pop();

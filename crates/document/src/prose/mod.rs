@@ -1,4 +1,4 @@
-//! Markdown and mathematics to HTML and MathML that is safe to put into a page.
+//! Markdown and mathematics to safe HTML and MathML.
 
 mod blanks;
 mod html;
@@ -15,19 +15,19 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use text::anchor;
 
-/// Collects the prose of a document, piece by piece.
+/// Collects the prose of a document.
 pub struct Prose<'a> {
     source: &'a str,
     formulas: math::Formulas,
     sections: Vec<Section>,
-    /// Each id, and how many sections have its text for their title.
+    /// Ids in use, each with the number of sections with this title.
     ids: BTreeMap<String, usize>,
-    /// What was found.
+    /// Diagnostics found so far.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl<'a> Prose<'a> {
-    /// Nothing yet of the prose of `source`.
+    /// Empty prose of `source`.
     pub fn new(source: &'a str) -> Self {
         Self {
             source,
@@ -38,7 +38,7 @@ impl<'a> Prose<'a> {
         }
     }
 
-    /// Adds the Markdown in `range`.
+    /// Appends the Markdown in `range`.
     pub fn markdown(&mut self, range: Range<usize>) {
         for piece in self.render(range) {
             match piece {
@@ -51,13 +51,13 @@ impl<'a> Prose<'a> {
         }
     }
 
-    /// Adds the place of a question.
+    /// Appends the place of a question.
     pub fn question(&mut self, index: usize) {
         self.block(Block::Question(index));
     }
 
-    /// Adds the place of a question that stands in the section of this number of another edition, `theirs`: in the section of the same
-    /// number and level here, or else at the end, below the heading that it has there.
+    /// Adds the place of a question that stands in the section `theirs` with index `number` of another edition: to the
+    /// section here with the same level and the same index or title, or else to a copy of that section at the end.
     pub fn question_of(&mut self, index: usize, number: usize, theirs: &Section) {
         let counterpart = |(place, ours): &(usize, &mut Section)| {
             ours.level == theirs.level && (*place == number || ours.title == theirs.title)
@@ -71,7 +71,7 @@ impl<'a> Prose<'a> {
         }
     }
 
-    /// The HTML of a text that is part of something else. Headings in it are paragraphs in bold.
+    /// HTML of a text outside the sections. Headings in it become bold paragraphs.
     pub fn fragment(&mut self, range: Range<usize>) -> String {
         let range = trim(self.source, range);
         self.render(range)
@@ -83,7 +83,7 @@ impl<'a> Prose<'a> {
             .collect()
     }
 
-    /// The sections.
+    /// Returns the sections and the diagnostics.
     pub fn finish(self) -> (Vec<Section>, Vec<Diagnostic>) {
         (self.sections, self.diagnostics)
     }

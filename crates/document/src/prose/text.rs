@@ -1,6 +1,6 @@
-//! Plain texts as they stand in HTML.
+//! Plain texts in HTML.
 
-/// The id of a section with this title, and what a link `#title` becomes.
+/// Id of a section with this title, also the target of a link `#title`.
 pub fn anchor(title: &str) -> String {
     let mut id = String::from("doc");
     for word in title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()) {

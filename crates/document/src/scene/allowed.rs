@@ -1,7 +1,7 @@
-//! What a scene may consist of. Only what is listed here reaches the page; everything else is left out and reported.
+//! Allowlists of scenes. Only listed items reach the page; everything else is left out and reported.
 
-/// Elements: shapes, text, groups, and the paints and clips they refer to. Nothing that runs, loads, moves by itself
-/// or holds HTML (`script`, `image`, `use`, `a`, `animate`, `foreignObject` ...).
+/// Elements: shapes, text, groups, and the paints and clips that they refer to. Excluded is everything that executes,
+/// loads, animates itself or contains HTML (`script`, `image`, `use`, `a`, `animate`, `foreignObject` ...).
 pub const ELEMENTS: [&str; 20] = [
     "svg",
     "g",
@@ -107,7 +107,7 @@ pub const ATTRIBUTES: [&str; 79] = [
     "cursor",
     "baseline-shift",
     "word-spacing",
-    // Dragging, the laboratory's own.
+    // Dragging, an extension of the laboratory.
     "drag",
     "drag-up",
     "drag-right",
@@ -116,7 +116,7 @@ pub const ATTRIBUTES: [&str; 79] = [
 /// Attributes that may refer to an element of the same scene, `url(#glass)`.
 pub const REFERRING: [&str; 6] = ["fill", "stroke", "clip-path", "marker-start", "marker-mid", "marker-end"];
 
-/// Attributes that drawing programs write and that say nothing here; left out in silence.
+/// True for attributes written by drawing programs that have no effect here; they are left out without a message.
 pub fn is_idle(attribute: &str) -> bool {
     matches!(attribute, "xmlns" | "version" | "xml:space" | "baseProfile") || attribute.starts_with("xmlns:")
 }
@@ -124,28 +124,29 @@ pub fn is_idle(attribute: &str) -> bool {
 /// Properties that a `<style>` may set.
 pub fn is_property(name: &str) -> bool {
     const OTHERS: [&str; 2] = ["rx", "ry"];
-    // Those attributes that are also properties: from `fill` on, without what refers or belongs to dragging.
+    // Attributes that are also properties: from `fill` on, without references and dragging.
     let start = ATTRIBUTES.iter().position(|attribute| *attribute == "fill").unwrap_or(ATTRIBUTES.len());
     let plain = ATTRIBUTES[start..].contains(&name);
     (plain && !name.starts_with("drag") && !name.starts_with("marker") && name != "clip-path") || OTHERS.contains(&name)
 }
 
-/// What in a value would make a browser load or run something, or hide that it does.
+/// First part of a value that could make a browser load or execute something, or that could hide this; `None` for a safe
+/// value.
 pub fn danger(value: &str) -> Option<&'static str> {
-    // Browsers pass over blanks and control characters inside such words.
+    // Browsers ignore blanks and control characters inside such words.
     let value: String =
         value.chars().filter(|c| !c.is_whitespace() && !c.is_control()).flat_map(char::to_lowercase).collect();
     let words = ["javascript:", "vbscript:", "data:", "url(", "expression(", "@import", "image(", "image-set(", "\\"];
     words.into_iter().find(|word| value.contains(word))
 }
 
-/// The `id` in a value that is exactly `url(#id)`.
+/// The id in a value that is exactly `url(#id)`.
 pub fn reference(value: &str) -> Option<&str> {
     let id = value.trim().strip_prefix("url(#")?.strip_suffix(')')?;
     is_id(id).then_some(id)
 }
 
-/// Whether a text can be an id.
+/// True if a text can be an id.
 pub fn is_id(text: &str) -> bool {
     text.starts_with(|c: char| c.is_ascii_alphabetic())
         && text.len() <= 60

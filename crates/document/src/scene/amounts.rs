@@ -1,18 +1,18 @@
-//! Attributes whose value is a number: line widths, places, opacities.
+//! Attributes with numeric values: line widths, positions, opacities.
 
 use model::{Diagnostic, Span};
 use units::words;
 
-/// What a value may be.
+/// Permitted form of a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Amount {
-    /// A length, of either sign.
+    /// A length, positive or negative.
     Length,
-    /// Several of them.
+    /// A list of lengths.
     Lengths,
-    /// A length that is not negative, or one of these words.
+    /// A non-negative length, or one of these words.
     Extent(&'static [&'static str]),
-    /// Several lengths that are not negative, or `none`.
+    /// A list of non-negative lengths, or `none`.
     Dashes,
     /// A number or a percentage.
     Number,
@@ -34,7 +34,7 @@ fn amount(attribute: &str) -> Option<Amount> {
     }
 }
 
-/// Reports a value that browsers would pass over. Values of the model in it count as 0.
+/// Reports a value that browsers would ignore. `text` has 0 in place of values of the model.
 pub fn misfit(attribute: &str, text: &str, span: Span) -> Option<Diagnostic> {
     let amount = amount(attribute)?;
     let text = text.trim();
@@ -57,7 +57,7 @@ pub fn misfit(attribute: &str, text: &str, span: Span) -> Option<Diagnostic> {
         ),
     };
     let found = Diagnostic::error("scene-refused", message, span).with_hint(hint);
-    // `1,5` and `2 px`
+    // `1,5` and `2 px` have an unambiguous correction.
     let meant: String = text.replace(',', ".").split_whitespace().collect();
     let is_one = !matches!(amount, Amount::Lengths | Amount::Dashes);
     Some(if is_one && fits(amount, &meant) { found.with_fix(span, meant) } else { found })
@@ -79,7 +79,7 @@ fn fits(amount: Amount, text: &str) -> bool {
     }
 }
 
-/// A number with a unit of CSS or with none.
+/// A number with a CSS unit or without a unit.
 fn length(text: &str) -> Option<f64> {
     const UNITS: [&str; 11] = ["px", "rem", "em", "ex", "ch", "%", "pt", "pc", "mm", "cm", "in"];
     number(UNITS.into_iter().find_map(|unit| text.strip_suffix(unit)).unwrap_or(text))

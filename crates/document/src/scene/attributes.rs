@@ -1,4 +1,4 @@
-//! Attributes: those that are allowed, with the values of the model in them.
+//! Permitted attributes, with values of the model.
 
 use super::allowed::{ATTRIBUTES, REFERRING, danger, is_id, is_idle, reference};
 use super::appearance::misfit;
@@ -12,7 +12,7 @@ use std::ops::Range;
 use units::words;
 
 impl Builder<'_, '_> {
-    /// The attribute, unless it is not allowed.
+    /// The attribute; `None` if it is not permitted.
     pub fn attribute(&mut self, name: Range<usize>, value: Range<usize>) -> Option<Attribute> {
         let text = self.source(&name).to_owned();
         if is_idle(&text) {
@@ -106,7 +106,7 @@ impl Builder<'_, '_> {
         Some(Attribute { name: text, value })
     }
 
-    /// Reports a colour or a number that browsers would pass over.
+    /// Reports a colour or a number that browsers would ignore.
     fn misfit(&self, name: &str, raw: &[RawPiece], place: Range<usize>) -> Option<Diagnostic> {
         let written: String = raw
             .iter()
@@ -119,13 +119,13 @@ impl Builder<'_, '_> {
         let span = Span::new(place.start, place.end);
         let mut found = misfit(name, &written, span)?;
         if raw.iter().any(|piece| matches!(piece, RawPiece::Placeholder { .. })) {
-            // It would write over the values of the model.
+            // The fix would overwrite the values of the model.
             found.fixes.clear();
         }
         Some(found)
     }
 
-    /// `id` and `class`, which hold no values of the model.
+    /// `id` and `class`, which cannot contain values of the model.
     fn name_attribute(
         &mut self,
         name: String,

@@ -1,4 +1,4 @@
-//! From a scene as written to the one that is drawn: definitions, then one `svg` element.
+//! Builds a scene from its source: definitions, then one `svg` element.
 
 use super::allowed::is_id;
 use super::builder::Builder;
@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use units::{Language, words};
 
-/// Reads the scene in `range`: definitions, then one `svg` element. Also what its texts say, for translations.
+/// Reads the scene in `range`: definitions, then one `svg` element. Also returns its texts, for translations.
 pub fn build(
     expressions: &mut Expressions,
     range: Range<usize>,
@@ -24,7 +24,7 @@ pub fn build(
     Some((scene, words))
 }
 
-/// Reads the scene in `range` for what is to be known of its elements.
+/// Reads the scene in `range` and returns the places of its elements.
 pub fn build_marked(expressions: &mut Expressions, range: Range<usize>, language: Language) -> Option<Marks> {
     build_with(expressions, range, language, Some(Marks::default()))?.2
 }

@@ -1,4 +1,4 @@
-//! What a scene is built with: the values, texts and references so far, and where the building is.
+//! State of the construction of a scene: values, texts and references so far, and the current element.
 
 use super::space::Space;
 use super::space::marks::Marks;
@@ -10,58 +10,58 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use units::{Language, Words, words};
 
-/// How many elements and pieces of values the parts, copies and computed lines of a scene may consist of.
+/// Maximum number of elements and pieces of values in parts, copies and computed lines of a scene.
 const DRAWN: usize = 60_000;
 
 /// Builds one scene.
 pub struct Builder<'b, 'a> {
-    /// Where the values are compiled.
+    /// Compiler of the values.
     pub expressions: &'b mut Expressions<'a>,
-    /// The values so far.
+    /// Values so far.
     pub values: Vec<Compiled>,
-    /// Where points have been.
+    /// Trails of points.
     pub trails: Vec<Trail>,
-    /// How long a unit of the drawing is, by the first frame of lengths: the index of a value.
+    /// Index of the value that holds the length represented by one unit of the drawing, from the first frame of lengths.
     pub length: Option<usize>,
-    /// Which of the values have a node.
+    /// Indices of the values of each node.
     pub numbers: BTreeMap<NodeId, Vec<usize>>,
-    /// What the texts so far say.
+    /// Texts so far, for translations.
     pub words: Vec<SceneText>,
-    /// The ids that elements have.
+    /// Ids of elements.
     pub ids: BTreeSet<String>,
-    /// The ids that attributes refer to.
+    /// Ids to which attributes refer, with the places of the references.
     pub references: Vec<(String, Range<usize>)>,
-    /// The language of the document.
+    /// Language of the document.
     pub language: Language,
-    /// How much parts, copies and computed lines have been drawn with, in elements and pieces of values.
+    /// Number of elements and pieces of values drawn so far in parts, copies and computed lines.
     pub drawn: usize,
-    /// How many copies there are of repeated elements.
+    /// Number of copies of repeated elements so far.
     pub copied: usize,
-    /// How many repeated elements are around the one that is being built.
+    /// Number of repeated elements around the current one.
     pub repeating: usize,
-    /// Left, top, width and height of the drawing.
+    /// Left, top, width and height of the drawing, in units of the drawing.
     pub view_box: Option<[f64; 4]>,
-    /// What lengths mean here.
+    /// Current coordinate system.
     pub space: Space,
-    /// Where the element stands that is being built.
+    /// Place of the current element.
     pub place: Span,
-    /// Where everything comes to stand, where that is asked for.
+    /// Places of the elements in the picture; `None` if not requested.
     pub marks: Option<Marks>,
 }
 
-/// Where the values of the attributes for dragging stand.
+/// Places of the values of the attributes for dragging.
 #[derive(Default)]
 pub struct Dragging {
-    /// `drag`: the name of a state or a parameter.
+    /// `drag`: name of a state or a parameter.
     pub state: Option<Range<usize>>,
-    /// `drag-up`: what one unit upwards adds to it.
+    /// `drag-up`: its change per unit upwards.
     pub up: Option<Range<usize>>,
-    /// `drag-right`: what one unit to the right adds to it.
+    /// `drag-right`: its change per unit to the right.
     pub right: Option<Range<usize>>,
 }
 
 impl Dragging {
-    /// Takes the value of one of its attributes.
+    /// Records the value of one of the attributes.
     pub fn take(&mut self, attribute: &str, value: Range<usize>) {
         match attribute {
             "drag-up" => self.up = Some(value),
@@ -72,24 +72,24 @@ impl Dragging {
 }
 
 impl Builder<'_, '_> {
-    /// The source at a place.
+    /// The source text of a byte range.
     pub fn source(&self, range: &Range<usize>) -> &str {
         &self.expressions.source[range.clone()]
     }
 
-    /// Reports what is left out.
+    /// Reports something that is left out.
     pub fn refuse(&mut self, message: Words, range: Range<usize>, hint: Option<Words>) {
         let mut diagnostic = Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));
         diagnostic.hints.extend(hint);
         self.expressions.diagnostics.push(diagnostic);
     }
 
-    /// Reports what is left out.
+    /// Reports something that is left out.
     pub fn refuse_at(&mut self, message: Words, span: Span, hint: Option<Words>) {
         self.refuse(message, span.start..span.end, hint);
     }
 
-    /// Reports a word that is left out, with the one that was probably meant.
+    /// Reports a word that is left out, with the word that was probably meant.
     pub fn refuse_word(&mut self, message: Words, range: Range<usize>, meant: Option<&str>) {
         let mut diagnostic = Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));
         if let Some(meant) = meant {
@@ -98,7 +98,7 @@ impl Builder<'_, '_> {
         self.expressions.diagnostics.push(diagnostic);
     }
 
-    /// Whether so many more elements and pieces of values may be drawn. That they may not is said once.
+    /// Counts `more` elements and pieces of values. Returns false above the limit, which is reported once.
     pub fn fits(&mut self, more: usize, place: Range<usize>) -> bool {
         let before = self.drawn;
         self.drawn += more;
@@ -109,7 +109,7 @@ impl Builder<'_, '_> {
         self.drawn <= DRAWN
     }
 
-    /// The graph.
+    /// Graph of the model.
     pub fn graph(&mut self) -> &mut Graph {
         self.expressions.graph()
     }

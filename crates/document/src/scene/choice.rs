@@ -1,4 +1,4 @@
-//! Attributes that take one of several texts by the value of an expression: whether an element is shown, and colours.
+//! Attributes whose text depends on the value of an expression: visibility and colours.
 
 use super::builder::Builder;
 use super::colours::{colour, no_colour};
@@ -10,7 +10,7 @@ use std::ops::Range;
 use units::words;
 
 impl Builder<'_, '_> {
-    /// `visible="CONDITION"`
+    /// Compiles `visible="CONDITION"`.
     pub fn visible(&mut self, range: Range<usize>) -> Option<Attribute> {
         let range = self.inside_braces(range);
         let condition = self.expressions.compile(range)?;
@@ -28,7 +28,7 @@ impl Builder<'_, '_> {
         Some(Attribute { name: "display".to_owned(), value: vec![self.chosen(condition, texts)?] })
     }
 
-    /// A colour that an expression chooses among texts.
+    /// A colour that an expression selects among texts.
     pub fn colour(&mut self, chosen: Placed) -> Option<Piece> {
         let mut leaves = BTreeSet::new();
         let all_known = self.leaves(chosen.value.node, &mut leaves);
@@ -51,7 +51,7 @@ impl Builder<'_, '_> {
         self.chosen(chosen, texts)
     }
 
-    /// The text for a value; that of a constant at once.
+    /// Piece that selects a text by a value; a constant value is resolved at once.
     fn chosen(&mut self, value: Placed, texts: Vec<(u32, String)>) -> Option<Piece> {
         if let Some(constant) = self.graph().as_constant(value.value.node) {
             let (_, text) = texts.into_iter().find(|(number, _)| f64::from(*number) == constant)?;
@@ -60,7 +60,7 @@ impl Builder<'_, '_> {
         Some(Piece::Choice { index: self.value(value)?, texts })
     }
 
-    /// Collects the texts that a node chooses from; whether those are all it can be.
+    /// Collects the texts among which a node selects. Returns true if it can have no other value.
     fn leaves(&self, node: NodeId, leaves: &mut BTreeSet<u32>) -> bool {
         let graph = &self.expressions.model().graph;
         let (mut open, mut seen, mut all_known) = (vec![node], BTreeSet::new(), true);

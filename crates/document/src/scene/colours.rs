@@ -1,10 +1,10 @@
-//! Colours: those of the page's theme, and those of CSS.
+//! Colours of the page's theme and of CSS.
 
 use super::allowed::danger;
 use model::{Diagnostic, Span};
 use units::{nearest, words};
 
-/// The theme's colours by the names that documents use, each with a colour for where there is no theme.
+/// Colours of the theme by the names used in documents, each with a fallback for pages without a theme.
 pub const PALETTE: [(&str, &str); 6] = [
     ("text", "currentColor"),
     ("liquid", "var(--liquid, #3f9fc0)"),
@@ -35,11 +35,11 @@ const NAMED: [&str; 148] = [
     "tomato", "turquoise", "violet", "wheat", "white", "whitesmoke", "yellow", "yellowgreen",
 ];
 
-/// Words of CSS that stand for a colour or for none.
+/// Keywords of CSS in place of a colour.
 const KEYWORDS: [&str; 9] =
     ["none", "transparent", "currentcolor", "inherit", "initial", "unset", "revert", "context-fill", "context-stroke"];
 
-/// What authors who write in Spanish call a colour.
+/// Spanish names of colours.
 #[rustfmt::skip]
 const SPANISH: [(&str, &str); 19] = [
     ("amarillo", "yellow"), ("azul", "blue"), ("blanco", "white"), ("celeste", "skyblue"), ("cian", "cyan"), ("dorado", "gold"),
@@ -48,17 +48,17 @@ const SPANISH: [(&str, &str); 19] = [
     ("turquesa", "turquoise"), ("verde", "green"),
 ];
 
-/// Whether an attribute is a colour.
+/// True if the value of an attribute is a colour.
 pub fn is_colour(attribute: &str) -> bool {
     matches!(attribute, "fill" | "stroke" | "color" | "stop-color")
 }
 
-/// What a name of the palette stands for.
+/// CSS value of a colour of the theme.
 pub fn palette(name: &str) -> Option<&'static str> {
     PALETTE.iter().find(|(known, _)| *known == name.trim()).map(|(_, colour)| *colour)
 }
 
-/// A colour as it is written into the page: of the palette, or of CSS.
+/// CSS value of a colour of the theme or of CSS; `None` if the text is not a colour.
 pub fn colour(text: &str) -> Option<String> {
     let text = text.trim();
     palette(text).or_else(|| (is_css(text) && danger(text).is_none()).then_some(text)).map(str::to_owned)
@@ -74,7 +74,7 @@ fn is_css(text: &str) -> bool {
             let (name, otherwise) = inner.split_once(',').unwrap_or((inner, "none"));
             name.trim().starts_with("--") && is_css(otherwise)
         }
-        // Of these only what every browser rejects.
+        // Only checked as far as every browser rejects the same values.
         Some(("color" | "color-mix" | "light-dark", inner)) => !inner.trim().is_empty(),
         Some(("rgb" | "rgba" | "hsl" | "hsla" | "hwb" | "lab" | "lch" | "oklab" | "oklch", inner)) => {
             let numbers: Vec<&str> =
@@ -86,13 +86,13 @@ fn is_css(text: &str) -> bool {
     }
 }
 
-/// `30`, `50%`, `120deg`
+/// True for a component of a colour: `30`, `50%`, `120deg`.
 fn is_component(text: &str) -> bool {
     let number = ["%", "deg", "rad", "turn"].into_iter().find_map(|unit| text.strip_suffix(unit)).unwrap_or(text);
     text == "none" || number.parse::<f64>().is_ok_and(f64::is_finite)
 }
 
-/// Reports a written colour that browsers would pass over, with the one that was probably meant.
+/// Reports an invalid colour, with the colour that was probably meant.
 pub fn misfit(text: &str, span: Span) -> Option<Diagnostic> {
     if colour(text).is_some() {
         return None;
@@ -104,7 +104,7 @@ pub fn misfit(text: &str, span: Span) -> Option<Diagnostic> {
     })
 }
 
-/// That a text is no colour.
+/// Error for a text that is not a colour.
 pub fn no_colour(text: &str, span: Span) -> Diagnostic {
     let text = text.trim();
     let palette = PALETTE.map(|(name, _)| name).join(", ");

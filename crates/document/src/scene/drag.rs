@@ -1,4 +1,4 @@
-//! Parts of a scene that follow the hand.
+//! Dragging of elements of a scene.
 
 use super::builder::{Builder, Dragging};
 use super::space::Spot;
@@ -9,7 +9,7 @@ use std::ops::Range;
 use units::{Unit, words};
 
 impl Builder<'_, '_> {
-    /// What dragging an element does. `anchor` is the place of it that follows the hand, in the present space.
+    /// Effect of dragging an element. `anchor`: its point that follows the pointer, in the current coordinate system.
     pub fn drag(&mut self, dragging: Dragging, anchor: Option<Spot>) -> Option<Drag> {
         let Some(place) = dragging.state else {
             if let Some(place) = dragging.up.or(dragging.right) {
@@ -75,7 +75,7 @@ impl Builder<'_, '_> {
         None
     }
 
-    /// The unit of what is dragged, its name, and where it is declared.
+    /// Unit, name and place of declaration of a drag target.
     fn target(&self, target: Dragged) -> Option<(Unit, String, Span)> {
         let (model, places) = (self.expressions.model(), self.expressions.places);
         match target {
@@ -91,8 +91,8 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// Along the way that the place `anchor` of a part takes when what is dragged changes: the component of the pointer's
-    /// way in that direction, over the rate. With r(s) for the place, ds = r'·dr/|r'|².
+    /// Drag along the path of the point `anchor`, which depends on the target s: the component of the pointer's
+    /// displacement along the path, divided by the rate. With the position r(s), ds = r'·dr/|r'|².
     fn along(&mut self, target: Dragged, anchor: Option<Spot>, place: Range<usize>) -> Option<Drag> {
         let (unit, name, _) = self.target(target)?;
         let variable = match target {
@@ -135,7 +135,7 @@ impl Builder<'_, '_> {
         Some(Drag { target, up, right })
     }
 
-    /// What one unit of the drawing adds. In a frame the document counts in the frame's units.
+    /// Change of the target per unit of the drawing. In a frame, the document states it per unit of the frame.
     fn drag_rate(&mut self, range: Range<usize>, target: Dragged) -> Option<usize> {
         let inner = self.inside_braces(range);
         let mut rate = self.expressions.number(inner)?;

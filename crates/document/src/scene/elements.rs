@@ -1,4 +1,4 @@
-//! Elements of a scene: those of SVG, frames, parts and their copies, with what they hold.
+//! Elements of a scene: SVG elements, frames, parts and their copies, with their content.
 
 use super::allowed::ELEMENTS;
 use super::builder::{Builder, Dragging};
@@ -12,7 +12,7 @@ use program::{Child, Element, Piece};
 use units::words;
 
 impl Builder<'_, '_> {
-    /// An element, unless it is not allowed.
+    /// Builds an element; `None` if it is not permitted.
     pub fn element(&mut self, raw: RawElement) -> Option<Element> {
         let name = self.source(&raw.name).to_owned();
         self.place = Span::new(raw.name.start, raw.name.end);
@@ -37,7 +37,7 @@ impl Builder<'_, '_> {
         element
     }
 
-    /// An element, or its copies for each value of its index.
+    /// Builds an element, or its copies for each value of its index.
     fn repeated(&mut self, mut raw: RawElement, children: &mut Vec<Child>) {
         let Some(place) = raw.attributes.iter().position(|(name, _)| self.source(name) == "repeat") else {
             let place = raw.opening.start;
@@ -59,7 +59,7 @@ impl Builder<'_, '_> {
             self.release(&index);
             let fits = self.fits(copy.as_ref().map_or(0, size), raw.name.clone());
             children.extend(copy.map(Child::Element));
-            // What is wrong with one copy is wrong with all.
+            // An error in one copy occurs in all copies.
             if !fits || self.expressions.diagnostics.len() > before {
                 break;
             }
@@ -67,7 +67,8 @@ impl Builder<'_, '_> {
         self.repeating -= 1;
     }
 
-    /// An element with its attributes and what it holds. A frame and a group of a frame leave their own space behind.
+    /// Builds an element with attributes and content. After a frame, or a group in a frame, [`Self::space`] is the inner
+    /// coordinate system; the caller restores the outer one.
     fn placed(&mut self, name: String, raw: RawElement) -> Option<Element> {
         let is_frame = name == "frame";
         let mut element = Element {
@@ -127,7 +128,7 @@ impl Builder<'_, '_> {
         Some(element)
     }
 
-    /// A part: a group with its name, what it is drawn with, and what the document sets on the whole.
+    /// Builds a part: a group with a name, the drawn elements, and the attributes that the document sets on the whole.
     fn part(&mut self, part: Part, raw: RawElement) -> Option<Element> {
         let mut element = Element { name: "g".to_owned(), attributes: Vec::new(), children: Vec::new(), drag: None };
         let mut dragging = Dragging::default();
@@ -157,7 +158,7 @@ impl Builder<'_, '_> {
             self.words.push(SceneText { generated: Some(words), ..SceneText::default() });
         }
         let mut drawn = self.draw_part(part, &given)?;
-        // Behind what is drawn: translations take the texts in this order.
+        // After the drawn elements: translations take the texts in this order.
         let mut further = Element { name: "g".to_owned(), attributes: Vec::new(), children: Vec::new(), drag: None };
         let holder = drawn.children.first_mut().filter(|_| is_label).unwrap_or(&mut further);
         self.children(holder, inside);
@@ -210,7 +211,7 @@ impl Builder<'_, '_> {
     }
 }
 
-/// How many elements and pieces of values an element consists of.
+/// Number of elements and pieces of values of an element.
 fn size(element: &Element) -> usize {
     let pieces: usize = element.attributes.iter().map(|attribute| attribute.value.len()).sum();
     let inner = element.children.iter().map(|child| match child {

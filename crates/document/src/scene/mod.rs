@@ -1,4 +1,4 @@
-//! The drawing: SVG with `{expressions}`, reduced to what is known to be harmless.
+//! The drawing: SVG with `{expressions}`, restricted to safe elements and attributes.
 
 mod allowed;
 mod amounts;

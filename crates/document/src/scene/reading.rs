@@ -1,11 +1,11 @@
-//! Numbers that only scenes have: a component of a point, the ends of a range.
+//! Numbers in scenes: components of points, ends of ranges.
 
 use crate::expressions::{Expressions, Placed};
 use model::{BinaryOperator, Expression, ExpressionKind};
 use std::ops::Range;
 
 impl Expressions<'_> {
-    /// The number with a unit that stands at a place, as it is written.
+    /// Number and unit as written, without conversion; `None` for another expression.
     pub fn written(&self, range: Range<usize>) -> Option<(f64, String)> {
         let (expression, _, _) = model::parse_expression(self.source, range);
         match expression.kind {
@@ -14,7 +14,7 @@ impl Expressions<'_> {
         }
     }
 
-    /// The place between two ends that is so far from the first one, as a part of their distance.
+    /// Expression for the point at the fraction `part` between two ends: `low` for 0, `high` for 1.
     pub fn part_of(&mut self, low: Range<usize>, high: Range<usize>, part: f64) -> Option<Expression> {
         let (low, _, found) = model::parse_expression(self.source, low);
         let (high, _, further) = model::parse_expression(self.source, high);
@@ -30,7 +30,7 @@ impl Expressions<'_> {
         Some(Expression { kind, span })
     }
 
-    /// The number that is left of `range` without the places in `without`: one component of a point.
+    /// Compiles one component of a point: the expression in `range` with the byte ranges `without` blanked.
     pub fn component(&mut self, range: Range<usize>, without: &[Range<usize>]) -> Option<Placed> {
         let source = self.source;
         let covered = self.covered.get_or_insert_with(|| source.to_owned());
@@ -45,8 +45,8 @@ impl Expressions<'_> {
         self.expect_number(placed)
     }
 
-    /// The first two components of the vector that fills `range`. None if nothing like a vector stands there; nothing in it
-    /// where that has an error.
+    /// First two components of the vector in `range`. `None` if the text cannot be parsed, `Some(None)` after an error in
+    /// the vector.
     pub fn vector(&mut self, range: Range<usize>) -> Option<Option<(Placed, Placed)>> {
         let (expression, _, diagnostics) = model::parse_expression(self.source, range);
         if model::has_errors(&diagnostics) {
@@ -57,7 +57,7 @@ impl Expressions<'_> {
         Some(Some((components.next()?, components.next()?)))
     }
 
-    /// The two ends of `LOW..HIGH`; a unit after `HIGH` is also that of a bare number before it.
+    /// Both ends of `LOW..HIGH`. A unit after `HIGH` also applies to a bare number before it.
     pub fn interval(&mut self, low: Range<usize>, high: Range<usize>) -> Option<(Placed, Placed)> {
         let (mut low, low_unit, mut diagnostics) = model::parse_expression(self.source, low);
         let (high, high_unit, further) = model::parse_expression(self.source, high);
@@ -78,7 +78,7 @@ impl Expressions<'_> {
     }
 }
 
-/// The unit of a number, with or without a sign.
+/// Unit of a number, with or without a sign.
 fn unit_of(expression: &Expression) -> Option<&units::Unit> {
     match &expression.kind {
         ExpressionKind::Number { unit, .. } => unit.as_ref(),
@@ -87,7 +87,7 @@ fn unit_of(expression: &Expression) -> Option<&units::Unit> {
     }
 }
 
-/// The place of that unit, where there is a number.
+/// Mutable unit of a number, with or without a sign.
 fn unit_mut(expression: &mut Expression) -> Option<&mut Option<units::Unit>> {
     match &mut expression.kind {
         ExpressionKind::Number { unit, .. } => Some(unit),

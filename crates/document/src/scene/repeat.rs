@@ -1,4 +1,4 @@
-//! Copies of an element for each value of an index, and lists of points that are computed: `i in 1..N`.
+//! Copies of an element for each value of an index, and computed lists of points: `i in 1..N`.
 
 use super::builder::Builder;
 use super::space::points;
@@ -7,14 +7,14 @@ use program::Piece;
 use std::ops::Range;
 use units::words;
 
-/// How many copies all elements of a scene may have together.
+/// Maximum number of copies in a scene.
 const COPIES: usize = 2_000;
-/// How many points a computed line may have.
+/// Maximum number of points of a computed line.
 const POINTS: i64 = 500;
-/// How many pieces a curve has.
+/// Number of pieces of a curve.
 const PIECES: u32 = 100;
 
-/// `i in 1..N`, by places in the source.
+/// `i in 1..N`, as byte ranges in the source.
 #[derive(Clone, Debug)]
 pub struct Index {
     name: Range<usize>,
@@ -23,7 +23,7 @@ pub struct Index {
 }
 
 impl Builder<'_, '_> {
-    /// The values of an index for which an element is repeated.
+    /// Index of a repeated element, and its values.
     pub fn copies(&mut self, range: Range<usize>) -> Option<(Index, Range<i64>)> {
         let index = self.index(range.clone())?;
         let Some(values) = self.whole_values(&index) else {
@@ -53,7 +53,7 @@ impl Builder<'_, '_> {
         Some((index, values))
     }
 
-    /// Lets the index stand for a number until [`Self::release`].
+    /// Binds the index to a number until [`Self::release`].
     pub fn hold(&mut self, index: &Index, value: i64) {
         let span = Span::new(index.name.start, index.name.end);
         let kind = ExpressionKind::Number { value: value as f64, unit: None };
@@ -65,14 +65,14 @@ impl Builder<'_, '_> {
         self.expressions.bind(name, Some(value));
     }
 
-    /// Forgets what the index stands for.
+    /// Removes the binding of the index.
     pub fn release(&mut self, index: &Index) {
         let name = self.source(&index.name).to_owned();
         self.expressions.bind(name, None);
     }
 
-    /// `(i*a, x) for i in 0..10`: a point for each whole number; where the ends are no whole numbers, a curve of
-    /// [`PIECES`] pieces. None where it is no such list.
+    /// `(i*a, x) for i in 0..10`: one point per integer, or a curve of [`PIECES`] pieces if the ends are not integers.
+    /// `None` if the text has another form.
     pub fn computed_points(&mut self, range: Range<usize>) -> Option<Option<Vec<Piece>>> {
         let (point, rest) = self.source(&range).split_once(" for ")?;
         let point = range.start..range.start + point.len();
@@ -114,7 +114,7 @@ impl Builder<'_, '_> {
         self.fits(pieces.len(), rest).then(|| super::space::shapes::merged(pieces))
     }
 
-    /// Takes `i in 1..N` apart.
+    /// Splits `i in 1..N`.
     fn index(&mut self, range: Range<usize>) -> Option<Index> {
         let range = crate::text::source::trim(self.expressions.source, range);
         let text = self.source(&range);
@@ -150,7 +150,7 @@ impl Builder<'_, '_> {
         Some(index)
     }
 
-    /// The values of an index whose ends are constant whole numbers.
+    /// Values of an index, if its ends are constant integers.
     fn whole_values(&mut self, index: &Index) -> Option<Range<i64>> {
         let before = self.expressions.diagnostics.len();
         let (low, high) = (self.expressions.number(index.low.clone()), self.expressions.number(index.high.clone()));

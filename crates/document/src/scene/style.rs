@@ -1,4 +1,4 @@
-//! A scene's `<style>`: rules of its own. The page shows each scene in a shadow tree, which its rules do not leave.
+//! The `<style>` of a scene. The page shows each scene in a shadow tree, to which its rules are confined.
 
 use super::allowed::{danger, is_id, is_property};
 use super::appearance::misfit;
@@ -7,7 +7,7 @@ use model::{Diagnostic, Span};
 use std::ops::Range;
 use units::{Words, words};
 
-/// The rules in `range` of `source` that may stand in the page.
+/// The permitted rules in `range` of `source`.
 pub fn rules(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> String {
     let mut allowed = String::new();
     let mut at = range.start;
@@ -37,7 +37,7 @@ fn refusal(message: Words, range: Range<usize>) -> Diagnostic {
 
 type Refusal = (Words, Range<usize>);
 
-/// `selectors { declarations`. What a browser would pass over is reported and left out.
+/// Checks `selectors { declarations`. Declarations that a browser would ignore are reported and left out.
 fn rule(source: &str, rule: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Result<String, Refusal> {
     let text = &source[rule.clone()];
     let Some((selectors, declarations)) = text.split_once('{') else {
@@ -79,12 +79,12 @@ fn rule(source: &str, rule: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> 
     Ok(format!("{}{{{confined}}}", selectors.join(",")))
 }
 
-/// `g.spring > path`: names, classes, ids and hovering, with single blanks.
+/// A permitted selector with single blanks, such as `g.spring > path`: names, classes, ids and `:hover`.
 fn selector(written: &str) -> Option<String> {
     let parts: Vec<&str> = written.split_whitespace().collect();
     let is_known = |part: &&str| {
         let name = part.strip_suffix(":hover").unwrap_or(part);
-        // `#c`, `g.b`: an element may be missing before the first mark, nothing else.
+        // `#c`, `g.b`: only the element before the first mark may be missing.
         let mut names = name.split(['.', '#']);
         let element = names.next().unwrap_or_default();
         (element.is_empty() && name.len() > 1 || is_id(element)) && names.all(is_id)
@@ -93,7 +93,7 @@ fn selector(written: &str) -> Option<String> {
     good.then(|| parts.join(" "))
 }
 
-/// Whether a value consists of words, numbers, colours and harmless functions.
+/// True if a value consists of words, numbers, colours and harmless functions.
 fn is_plain(value: &str) -> bool {
     !value.is_empty()
         && danger(value).is_none()

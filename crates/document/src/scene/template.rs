@@ -1,25 +1,25 @@
-//! Texts with `{expressions}` in them.
+//! Texts with `{expressions}`.
 
 use super::xml::placeholder;
 use model::{Diagnostic, Span};
 use std::ops::Range;
 use units::words;
 
-/// A part of a text, not compiled.
+/// A piece of a text before compilation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RawPiece {
-    /// A text, decoded.
+    /// A decoded text.
     Literal(String),
-    /// `{expression:.2}`
+    /// `{expression:.2}`.
     Placeholder {
-        /// The expression.
+        /// Byte range of the expression.
         expression: Range<usize>,
-        /// How many decimals are asked for.
+        /// Number of decimals; `None` if not stated.
         decimals: Option<u8>,
     },
 }
 
-/// Takes the text in `range` of `source` apart.
+/// Splits the text in `range` of `source` into pieces.
 pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Vec<RawPiece> {
     let mut pieces = Vec::new();
     let mut literal = String::new();
@@ -72,7 +72,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
     pieces
 }
 
-/// `t:.2`, without its braces.
+/// Parses `t:.2`, a placeholder without its braces.
 fn read_placeholder(source: &str, range: Range<usize>) -> RawPiece {
     let text = &source[range.clone()];
     let format = text.rsplit_once(":.").and_then(|(expression, digits)| {
@@ -85,7 +85,7 @@ fn read_placeholder(source: &str, range: Range<usize>) -> RawPiece {
     }
 }
 
-/// Decodes `&lt;`, `&#916;` and the like. The length of what was read.
+/// Decodes `&lt;`, `&#916;` and similar entities. Returns the number of bytes consumed.
 fn read_entity(text: &str, place: Span, literal: &mut String, diagnostics: &mut Vec<Diagnostic>) -> usize {
     let name = text[1..].find(';').filter(|end| *end <= 8).map(|end| &text[1..1 + end]);
     let decoded = name.and_then(|name| match name {
@@ -124,7 +124,7 @@ fn read_entity(text: &str, place: Span, literal: &mut String, diagnostics: &mut 
     }
 }
 
-/// Blanks as a browser shows them: one for any number. The key under which a text is translated.
+/// Text with runs of blanks replaced by one blank, as browsers show it. Key of a text in translations.
 pub fn normalised(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

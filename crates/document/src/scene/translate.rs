@@ -1,4 +1,4 @@
-//! The texts of a scene in another language.
+//! Translation of the texts of a scene.
 
 use super::template::{self, RawPiece};
 use crate::translating::translation::Texts;
@@ -6,21 +6,21 @@ use model::Diagnostic;
 use program::{Child, Element, Piece, Scene, Template};
 use units::{Language, Words, words};
 
-/// What a text of a scene says, for its translation.
+/// A text of a scene, for its translation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SceneText {
-    /// The text as written.
+    /// Text as written.
     pub(super) key: String,
-    /// Whether there is something to translate.
+    /// True if it contains words to translate.
     pub(super) needed: bool,
-    /// What it says where it is not the document's own: the name of a part.
+    /// Text that is not written in the document: the name of a part.
     pub(super) generated: Option<Words>,
-    /// Its values as written, and which of the scene's they are.
+    /// Its values as written, with their indices among the values of the scene.
     pub(super) values: Vec<(String, usize)>,
 }
 
 impl SceneText {
-    /// The text as written, if a translation has it.
+    /// The text as written, if it is to be translated in the document.
     pub(crate) fn translatable(&self) -> Option<&str> {
         (self.generated.is_none() && self.needed).then_some(self.key.as_str())
     }
@@ -34,7 +34,7 @@ impl SceneText {
             return None;
         }
         let (translated, span) = texts.translate(&self.key, self.needed)?;
-        // Each value of the translation must be one of the original, written the same way.
+        // Each value of the translation must be a value of the original, written in the same way.
         let mut scratch = Vec::new();
         let pieces = template::split(&translated, 0..translated.len(), &mut scratch);
         let pieces = pieces.into_iter().map(|piece| match piece {
@@ -60,14 +60,14 @@ impl SceneText {
     }
 }
 
-/// The scene in another language: the same drawing with the same values. `words` is what [`super::build`] has given with it.
+/// The scene in another language: the same drawing with the same values. `words`: the texts returned by [`super::build()`].
 pub fn translated(scene: &Scene, words: &[SceneText], texts: &mut Texts, language: Language) -> Scene {
     let mut scene = scene.clone();
     translate(&mut scene.root, &mut words.iter(), texts, language);
     scene
 }
 
-/// Takes from `originals` as many as there are texts in the element.
+/// Translates an element and consumes one entry of `originals` per text.
 fn translate(
     element: &mut Element,
     originals: &mut std::slice::Iter<SceneText>,
@@ -89,7 +89,7 @@ fn translate(
     }
 }
 
-/// Whether a text has something to translate.
+/// True if a text contains a word of more than two letters.
 pub fn has_word(text: &str) -> bool {
     text.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() > 2)
 }

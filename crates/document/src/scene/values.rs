@@ -8,11 +8,11 @@ use program::{Compiled, Kind, NodeId, Piece, Template};
 use std::ops::Range;
 use units::{Unit, words};
 
-/// How many values a scene may have; all of them are computed for every frame.
+/// Maximum number of values of a scene; all are computed for every frame.
 const VALUES: usize = 10_000;
 
 impl Builder<'_, '_> {
-    /// A text. What it says is kept for translations.
+    /// Compiles a text and records it for translations.
     pub fn text(&mut self, range: Range<usize>) -> Option<Template> {
         let raw = template::split(self.expressions.source, range.clone(), &mut self.expressions.diagnostics);
         let template: Option<Template> = raw.iter().cloned().map(|piece| self.piece(piece, false)).collect();
@@ -31,12 +31,12 @@ impl Builder<'_, '_> {
         Some(template)
     }
 
-    /// A text that the document does not say and no translation changes.
+    /// Records a text that is not in the document and is not translated.
     pub fn unsaid(&mut self) {
         self.words.push(SceneText::default());
     }
 
-    /// A part of a template, compiled.
+    /// Compiles a piece of a text.
     pub fn piece(&mut self, piece: RawPiece, in_attribute: bool) -> Option<Piece> {
         let RawPiece::Placeholder { expression, decimals } = piece else {
             let RawPiece::Literal(text) = piece else {
@@ -61,7 +61,7 @@ impl Builder<'_, '_> {
         Some(Piece::Value { index, decimals })
     }
 
-    /// The place of a value among those of the scene; equal ones are computed once.
+    /// Index of a value among those of the scene; equal values share one.
     pub fn value(&mut self, Placed { value: compiled, span }: Placed) -> Option<usize> {
         let same = self.numbers.entry(compiled.node).or_default();
         let known = same.iter().copied().find(|index| self.values.get(*index) == Some(&compiled));
@@ -84,11 +84,11 @@ impl Builder<'_, '_> {
         Some(self.values.len() - 1)
     }
 
-    /// A number in units of the drawing, for an attribute: written out where it never changes.
+    /// A number in units of the drawing, for an attribute; constants are written as text.
     pub fn drawn(&mut self, node: NodeId) -> Option<Piece> {
         if let Some(constant) = self.graph().as_constant(node) {
             let shown = constant as f32;
-            // Without the sign of a zero.
+            // Avoids `-0`.
             let text = if shown.is_finite() && shown != 0.0 { shown.to_string() } else { "0".to_owned() };
             return Some(Piece::Literal(text));
         }

@@ -1,31 +1,31 @@
-//! XML to a tree of places in the source. Only what drawings need: elements, attributes in quotes, text, comments.
-//! Braces hold expressions, in which `<` and quotes are ordinary characters.
+//! XML to a tree of byte ranges. Supports only what drawings need: elements, quoted attributes, text, comments. Braces
+//! enclose expressions, in which `<` and quotation marks are ordinary characters.
 
 use model::{Diagnostic, Span};
 use std::ops::Range;
 use units::{Words, words};
 
-/// How deep elements may be nested.
+/// Maximum nesting depth of elements.
 const DEPTH: usize = 32;
-/// How many elements there may be.
+/// Maximum number of elements.
 const ELEMENTS: usize = 3_000;
 
 /// An element as written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RawElement {
-    /// Where its name stands in the opening tag.
+    /// Its name in the opening tag.
     pub name: Range<usize>,
-    /// The opening tag.
+    /// Opening tag.
     pub opening: Range<usize>,
-    /// Where it ends, with its closing tag.
+    /// Byte after its closing tag.
     pub end: usize,
-    /// Names and values (inside their quotes).
+    /// Names and values (inside the quotation marks) of its attributes.
     pub attributes: Vec<(Range<usize>, Range<usize>)>,
-    /// What it holds.
+    /// Content.
     pub children: Vec<RawChild>,
 }
 
-/// What an element holds.
+/// A child of an element.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RawChild {
     /// An element.
@@ -34,10 +34,10 @@ pub enum RawChild {
     Text(Range<usize>),
 }
 
-/// Reads the elements in `range` of `source`.
+/// Parses the elements in `range` of `source`.
 pub fn parse(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Vec<RawChild> {
     let mut reader = Reader { source, at: range.start, end: range.end, elements: 0, diagnostics };
-    // The outermost entry is the document; each other one an element whose end has not come yet.
+    // The first entry is the document; the others are the open elements.
     let before = range.start..range.start;
     let mut open = vec![RawElement {
         name: before.clone(),
@@ -94,7 +94,7 @@ impl Reader<'_> {
         self.diagnostics.push(Diagnostic::error("scene-syntax", message, Span::new(range.start, range.end)));
     }
 
-    /// Says that an element ends at `end` without its tag.
+    /// Reports an element that ends at byte `end` without a closing tag.
     fn unclosed(&mut self, name: Range<usize>, end: usize) {
         let text = &self.source[name.clone()];
         let message = words!("`<{text}>` is not closed", "`<{text}>` no se cierra");
@@ -103,7 +103,7 @@ impl Reader<'_> {
         self.diagnostics.push(diagnostic.with_fix(Span::new(end, end), format!("</{text}>")));
     }
 
-    /// Up to the next tag.
+    /// Consumes text up to the next tag.
     fn text(&mut self) -> Range<usize> {
         let start = self.at;
         while let Some(letter) = self.rest().chars().next().filter(|letter| *letter != '<') {
@@ -112,7 +112,7 @@ impl Reader<'_> {
         start..self.at
     }
 
-    /// Comments, declarations, processing instructions and a `<` that begins nothing.
+    /// Skips comments, declarations, processing instructions and stray `<`. Returns true if there was one.
     fn skip_unreadable(&mut self) -> bool {
         let (start, rest) = (self.at, self.rest());
         let (length, message) = if let Some(comment) = rest.strip_prefix("<!--") {
@@ -147,7 +147,7 @@ impl Reader<'_> {
         true
     }
 
-    /// The greatest length up to `length` and 40 bytes from `start` that ends between characters.
+    /// Greatest length up to `length` and 40 bytes from `start` that ends on a character boundary.
     fn char_floor(&self, start: usize, length: usize) -> usize {
         (0..=length.min(40)).rev().find(|length| self.source.is_char_boundary(start + length)).unwrap_or(0)
     }
@@ -219,7 +219,7 @@ impl Reader<'_> {
                 push(open, RawChild::Element(element));
             }
         } else if open.len() > DEPTH {
-            // What it holds goes to the element around it; its closing tag will be reported.
+            // Its content is added to the enclosing element; its closing tag will be reported.
             self.error(
                 words!(
                     "elements cannot be nested deeper than {DEPTH} levels",
@@ -232,7 +232,7 @@ impl Reader<'_> {
         }
     }
 
-    /// One attribute; something else is skipped with a message.
+    /// Parses one attribute; other text is skipped and reported.
     fn attribute(&mut self) -> Option<(Range<usize>, Range<usize>)> {
         let name = self.name();
         if name.is_empty() {
@@ -277,7 +277,7 @@ impl Reader<'_> {
         }
         let value = start..self.at;
         if self.at == self.end {
-            // The quotation mark is missing: go on behind the line, or everything after it is lost.
+            // The closing quotation mark is missing: continue on the next line, to keep the rest of the scene.
             self.at = start + self.source[start..self.end].find('\n').unwrap_or(self.end - start);
             let message = words!(
                 "the value of `{}` has no closing quotation mark",
@@ -304,7 +304,7 @@ impl Reader<'_> {
     }
 }
 
-/// The length of the `{expression}` or doubled brace with which `text` begins.
+/// Length in bytes of the `{expression}` or doubled brace at the start of `text`.
 pub fn placeholder(text: &str) -> Option<usize> {
     if text.starts_with("{{") || text.starts_with("}}") {
         return Some(2);

@@ -1,9 +1,9 @@
-//! The blocks of a document.
+//! Blocks of a document.
 
 use model::{Span, Statement};
 use std::ops::Range;
 
-/// What a block of a document holds.
+/// Kind of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlockKind {
     /// Markdown between the fenced blocks. Fenced code of other kinds belongs to it.
@@ -27,7 +27,7 @@ pub enum BlockKind {
 }
 
 impl BlockKind {
-    /// The kinds that stand between fence lines: all but prose.
+    /// Kinds of fenced blocks: all except prose.
     pub const FENCED: [Self; 8] = [
         Self::Model,
         Self::Table,
@@ -39,7 +39,7 @@ impl BlockKind {
         Self::Translations,
     ];
 
-    /// The name; of a fenced block, the word after the backquotes.
+    /// Name of the kind; for a fenced block, the word after the backquotes.
     pub fn word(self) -> &'static str {
         match self {
             Self::Prose => "prose",
@@ -58,25 +58,25 @@ impl BlockKind {
 /// A block of a document.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
-    /// What it holds.
+    /// Kind of the block.
     pub kind: BlockKind,
-    /// All of it: fence lines and line ends included.
+    /// Whole block, including fence lines and line ends.
     pub span: Span,
-    /// What stands between the fence lines, with its last line end. Of prose, all of it.
+    /// Text between the fence lines, including the last line end; for prose, the whole block.
     pub content: Span,
-    /// The lines around the content; none around prose.
+    /// Fence lines; `None` for prose.
     pub fence: Option<Fence>,
-    /// The statements of a model or a table, in the order of the text; see [`model::parse`] for those that have errors. None of
-    /// other kinds, and none if the models of the document are too long to be parsed.
+    /// Statements of a model or a table, in text order; see [`model::parse`] for statements with errors. Empty for other
+    /// kinds, and if the models of the document are too long to be parsed.
     pub statements: Vec<Statement>,
 }
 
-/// The lines that begin and end a block, without their line ends.
+/// Fence lines of a block, without their line ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fence {
     /// The opening line.
     pub opening: Span,
-    /// The closing line. None if it is missing; the block ends with the text or where the next block begins.
+    /// Closing line. `None` if it is missing; the block then ends with the text or at the next block.
     pub closing: Option<Span>,
 }
 
@@ -85,7 +85,7 @@ impl Block {
         Self { kind: BlockKind::Prose, span, content: span, fence: None, statements: Vec::new() }
     }
 
-    /// Where statements of the equation language stand, if there are any.
+    /// Byte range of the statements of the equation language, for a model or a table.
     pub(crate) fn model_part(&self, source: &str) -> Option<Range<usize>> {
         match self.kind {
             BlockKind::Model => Some(self.content.range()),
@@ -98,7 +98,7 @@ impl Block {
         }
     }
 
-    /// Where to report a finding about the whole block: its opening line.
+    /// Place of errors about the whole block: its opening line.
     pub(crate) fn head(&self) -> Span {
         self.fence.map_or(self.span, |fence| fence.opening)
     }

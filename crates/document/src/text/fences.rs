@@ -1,4 +1,4 @@
-//! Where the blocks of a document begin and end.
+//! Boundaries of the blocks of a document.
 
 use super::block::{Block, BlockKind, Fence};
 use super::source::{Line, lines};
@@ -7,7 +7,7 @@ use std::ops::Range;
 use units::alphabet::without_accent;
 use units::{nearest, words};
 
-/// Other words that authors write for the kinds of blocks, in Spanish and in English, without accents.
+/// Other names of kinds of blocks, in Spanish and English, without accents.
 const OTHER_WORDS: [(&str, BlockKind); 33] = [
     ("models", BlockKind::Model),
     ("modelo", BlockKind::Model),
@@ -54,9 +54,10 @@ struct Opening<'a> {
 }
 
 impl<'a> Opening<'a> {
-    /// CommonMark's rule: at most three blanks, at least three marks, and no backquote after backquotes.
+    /// Opening line by the rule of CommonMark: at most three blanks, at least three marks, and no backquote after
+    /// backquotes.
     fn read(line: &'a str) -> Option<Self> {
-        // Most lines begin otherwise, and each is looked at several times.
+        // Fast rejection, because most lines are not fences and each is checked several times.
         if !matches!(line.as_bytes().first(), Some(b' ' | b'`' | b'~')) {
             return None;
         }
@@ -82,7 +83,7 @@ impl<'a> Opening<'a> {
         BlockKind::FENCED.into_iter().find(|kind| kind.word() == self.word).or_else(|| self.meant())
     }
 
-    /// The kind that another word means.
+    /// Kind that another word means.
     fn meant(&self) -> Option<BlockKind> {
         let plain: String = self.word.to_lowercase().chars().map(without_accent).collect();
         OTHER_WORDS.iter().find(|(word, _)| *word == plain).map(|(_, kind)| *kind)
@@ -94,7 +95,7 @@ impl<'a> Opening<'a> {
     }
 }
 
-/// Splits `range` of `source` into blocks; the statements of models are not parsed.
+/// Splits `range` of `source` into blocks. The statements of models are not parsed.
 pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Block> {
     let mut blocks = Vec::new();
     let mut prose = range.start;
@@ -106,7 +107,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
         let span = Span::new(line.start, line.end);
         let Some(kind) = opening.kind() else {
             warn_of_near_kind(source, &opening, span, diagnostics);
-            // A block of code: it belongs to the prose, and what stands inside means nothing.
+            // A block of code belongs to the prose, and its content is skipped.
             while rest.next_if(|line| !opening.is_closed_by(line.text(source))).is_some() {}
             rest.next();
             continue;
@@ -140,13 +141,14 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
     blocks
 }
 
-/// How many backquotes open a fence that no line of `content` can close.
+/// Number of backquotes for a fence that no line of `content` can close; at least 3.
 pub fn safe_length(content: &str) -> usize {
     let lines = lines(content, 0..content.len()).filter_map(|line| Opening::read(line.text(content)));
     lines.filter(|fence| fence.mark == '`').map(|fence| fence.length + 1).max().unwrap_or(3)
 }
 
-/// Whether a fence cannot go on with this line: it closes, or the next one begins because it was forgotten to close.
+/// True if the block ends before this line: the line closes the fence, or opens another block because the closing line is
+/// missing.
 fn ends_inside(source: &str, opening: &Opening, line: &Line) -> bool {
     let text = line.text(source);
     opening.is_closed_by(text)
@@ -168,7 +170,7 @@ fn unclosed(opening: &Opening, span: Span, next: Option<&Line>) -> Diagnostic {
     .with_hint(words!("end it with a line `{marks}`", "termínalo con una línea `{marks}`"))
 }
 
-/// Reports a block that another word names. It is read as it was meant, so that nothing else is said about it.
+/// Reports a block with another name of a kind. It is read as that kind, to avoid errors that follow from the first.
 fn other_word(source: &str, opening: &Opening, span: Span, kind: BlockKind) -> Diagnostic {
     let (written, ours) = (opening.word, kind.word());
     let message = words!(

@@ -1,12 +1,12 @@
-//! How many findings about one file are kept.
+//! Limit for the number of diagnostics per file.
 
 use model::Diagnostic;
 use units::words;
 
-/// An author reads no more findings about one file.
+/// Maximum number of diagnostics per file.
 const FINDINGS: usize = 100;
 
-/// The findings in the order of their places; if there are too many, errors go before warnings.
+/// Diagnostics in the order of their places. If there are too many, warnings are dropped before errors.
 pub fn limited(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let more = found.len().saturating_sub(FINDINGS);
     if more > 0 {

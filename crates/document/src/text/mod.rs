@@ -1,4 +1,4 @@
-//! The text of a document: its lines, its blocks, and where things stand in it.
+//! The text of a document: its lines, its blocks, and their places.
 
 pub(crate) mod block;
 pub(crate) mod fences;

@@ -1,5 +1,5 @@
-//! The structure of a document's text: its front matter and its blocks, with their places. The text need not make sense:
-//! names, units and values are not checked, so that an author sees the structure while there are errors in it.
+//! Structure of a document's text: front matter and blocks with their places. Names, units and values are not checked, so
+//! the structure is available even while the text has errors.
 
 use super::block::{Block, BlockKind};
 use super::fences;
@@ -10,27 +10,26 @@ use model::{Diagnostic, Span, Statement};
 use std::ops::Range;
 use units::words;
 
-/// How long a document may be, in bytes.
+/// Maximum length of a document, in bytes.
 pub(crate) const LENGTH: usize = 1 << 20;
 
-/// The structure of a document's text. Front matter and blocks together cover the text without gaps, but for a byte
-/// order mark before them.
+/// Structure of a document's text. Front matter and blocks cover the text without gaps, except for a byte order mark before
+/// them.
 #[derive(Clone, Debug)]
 pub struct Outline<'a> {
-    /// The text; empty if it was too long to be read.
+    /// The text; empty if it is too long to be read.
     source: &'a str,
     front_matter: FrontMatter,
     blocks: Vec<Block>,
-    /// Findings about front matter and fences.
+    /// Diagnostics about front matter and fences.
     pub(crate) layout: Vec<Diagnostic>,
-    /// Findings about the syntax of the model.
+    /// Diagnostics about the syntax of the model.
     syntax: Vec<Diagnostic>,
     is_too_long: bool,
 }
 
-/// Reads the structure of a document or of a translation. Always succeeds; what is wrong is in
-/// [`Outline::diagnostics`]. A text of more than 1 MB has no front matter and no blocks. Models of more than 200 kB together
-/// are not parsed.
+/// Reads the structure of a document or of a translation. Always succeeds; errors are in [`Outline::diagnostics`]. A text
+/// of more than 1 MB has no front matter and no blocks. Models with more than 200 kB in total are not parsed.
 pub fn read(source: &str) -> Outline<'_> {
     let mut layout = Vec::new();
     let is_too_long = source.len() > LENGTH;
@@ -50,7 +49,7 @@ pub fn read(source: &str) -> Outline<'_> {
     Outline { source, front_matter, blocks, layout, syntax, is_too_long }
 }
 
-/// Parses the statements of all models, and returns what was found.
+/// Parses the statements of all models and returns the diagnostics.
 fn parse_models(source: &str, blocks: &mut [Block]) -> Vec<Diagnostic> {
     let parts: Vec<Range<usize>> = blocks.iter().filter_map(|block| block.model_part(source)).collect();
     if let Some(refusal) = model::refuse_length(&parts) {
@@ -67,12 +66,12 @@ fn parse_models(source: &str, blocks: &mut [Block]) -> Vec<Diagnostic> {
 }
 
 impl<'a> Outline<'a> {
-    /// The text that was read; empty if it was too long.
+    /// The text; empty if it is too long to be read.
     pub fn source(&self) -> &'a str {
         self.source
     }
 
-    /// Whether the text was too long to be read.
+    /// True if the text is too long to be read.
     pub fn is_too_long(&self) -> bool {
         self.is_too_long
     }
@@ -82,7 +81,7 @@ impl<'a> Outline<'a> {
         &self.front_matter
     }
 
-    /// The blocks in the order of the text.
+    /// The blocks, in text order.
     pub fn blocks(&self) -> &[Block] {
         &self.blocks
     }
@@ -92,13 +91,13 @@ impl<'a> Outline<'a> {
         self.blocks.iter().filter(move |block| block.kind == kind)
     }
 
-    /// What is wrong with the structure and with the syntax of the model, in the order of the text. Errors in names, units
-    /// and everything else are found by [`crate::open`].
+    /// Errors in the structure and in the syntax of the model, in text order. Errors in names, units and everything else
+    /// are found by [`crate::open()`].
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
         limited(self.layout.iter().chain(&self.syntax).cloned().collect())
     }
 
-    /// Moves the statements of all models out of their blocks, with what was found in their syntax.
+    /// Moves the statements of all models and the diagnostics about their syntax out of the outline.
     pub(crate) fn take_model(&mut self) -> (Vec<Statement>, Vec<Diagnostic>) {
         let statements = self.blocks.iter_mut().flat_map(|block| std::mem::take(&mut block.statements)).collect();
         (statements, std::mem::take(&mut self.syntax))

@@ -1,8 +1,8 @@
-//! Finding commas, colons and words outside brackets, quotation marks and comments.
+//! Search for commas, colons and words outside brackets, quotation marks and comments.
 
 use std::ops::Range;
 
-/// The characters of `range` that stand outside brackets, texts and comments, with their places.
+/// Characters of `range` outside brackets, texts and comments, with their byte positions.
 pub fn top_level(source: &str, range: Range<usize>) -> impl Iterator<Item = (usize, char)> {
     let start = range.start;
     let mut depth = 0usize;
@@ -30,7 +30,7 @@ pub fn top_level(source: &str, range: Range<usize>) -> impl Iterator<Item = (usi
     })
 }
 
-/// The parts of `range` between the `separator`s at the top level.
+/// Parts of `range` between `separator`s at the top level.
 pub fn split(source: &str, range: Range<usize>, separator: char) -> Vec<Range<usize>> {
     let mut parts = Vec::new();
     let mut start = range.start;
@@ -44,12 +44,12 @@ pub fn split(source: &str, range: Range<usize>, separator: char) -> Vec<Range<us
     parts
 }
 
-/// Words that connect two expressions, as far as a line may have several.
+/// Words between two expressions that may occur in one line.
 const CONNECTING: [&str; 14] =
     ["against", "for", "in", "at", "every", "from", "within", "of", "by", "step", "and", "or", "then", "else"];
 
-/// The place of the last `word` at the top level that stands behind a value. At the beginning or behind an operator or another such
-/// word it is the name of a quantity: the first of `at + 1 at end`.
+/// Byte range of the last `word` at the top level that stands after a value. At the beginning, or after an operator or
+/// another connecting word, it is the name of a quantity, as the first `at` of `at + 1 at end`.
 pub fn find_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
     let (mut found, mut follows_value, mut read) = (None, false, range.start);
     for (at, letter) in top_level(source, range.clone()) {
@@ -73,7 +73,7 @@ pub fn find_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<
     found
 }
 
-/// The place of the last `word` at the top level, whatever stands before it.
+/// Byte range of the last `word` at the top level, regardless of the text before it.
 pub fn find_any_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
     let is_boundary = |letter: Option<char>| letter.is_none_or(|c| !c.is_alphanumeric() && c != '_');
     let first = word.chars().next();
@@ -87,15 +87,14 @@ pub fn find_any_word(source: &str, range: Range<usize>, word: &str) -> Option<Ra
         .last()
 }
 
-/// The text in quotation marks with which `range` begins: the text inside, and where it ends, marks included.
+/// Text in quotation marks at the beginning of `range`, and the byte after its closing mark.
 pub fn leading_text(source: &str, range: Range<usize>) -> Option<(&str, usize)> {
     let inner = source[range.clone()].strip_prefix('"')?;
     let end = inner.find(['"', '\n'])?;
     inner[end..].starts_with('"').then(|| (&inner[..end], range.start + end + 2))
 }
 
-/// The statements in `range`: lines, where one that ends with a comma or colon goes on in the next. Comments and empty
-/// lines are left out.
+/// Statements in `range`: lines, continued on the next line after a comma or colon. Comments and blank lines are left out.
 pub fn statements(source: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let mut statements: Vec<Range<usize>> = Vec::new();
     let mut goes_on = false;
@@ -113,7 +112,7 @@ pub fn statements(source: &str, range: Range<usize>) -> Vec<Range<usize>> {
     statements
 }
 
-/// A line without its comment and the blanks around it.
+/// A line without its comment and without outer blanks.
 fn without_comment(source: &str, line: Range<usize>) -> Range<usize> {
     let mut quoted = false;
     let end = source[line.clone()]
@@ -145,7 +144,7 @@ mod tests {
         assert_eq!(find_any_word("within é", 0..9, "within"), Some(0..6));
     }
 
-    /// Each word that connects expressions may be the name of a quantity, too.
+    /// Each connecting word can also be the name of a quantity.
     #[test]
     fn names_are_no_connecting_words() {
         for word in CONNECTING {

@@ -1,31 +1,31 @@
-//! Lines of a source, with their places.
+//! Lines of a source and their places.
 
 use std::ops::Range;
 
 /// A line of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// Where it begins.
+    /// First byte.
     pub start: usize,
-    /// Where it ends, before its line ending.
+    /// Byte after the last character, before the line end.
     pub end: usize,
-    /// Where the next line begins.
+    /// First byte of the next line.
     pub next: usize,
 }
 
 impl Line {
-    /// Its text.
+    /// Text without the line end.
     pub fn text<'a>(&self, source: &'a str) -> &'a str {
         &source[self.start..self.end]
     }
 
-    /// Its place.
+    /// Byte range without the line end.
     pub fn range(&self) -> Range<usize> {
         self.start..self.end
     }
 }
 
-/// The lines in `range` of `source`, whose bounds lie on character boundaries. Lines end in LF or CR LF.
+/// Lines in `range` of `source`; the bounds must lie on character boundaries. Lines end in LF or CR LF.
 pub fn lines(source: &str, range: Range<usize>) -> impl Iterator<Item = Line> {
     let mut start = range.start;
     std::iter::from_fn(move || {
@@ -44,7 +44,7 @@ pub fn lines(source: &str, range: Range<usize>) -> impl Iterator<Item = Line> {
     })
 }
 
-/// `range` of `source` without blanks at either end.
+/// `range` of `source` without outer blanks.
 pub fn trim(source: &str, range: Range<usize>) -> Range<usize> {
     let text = &source[range.clone()];
     let start = range.start + (text.len() - text.trim_start().len());

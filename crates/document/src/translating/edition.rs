@@ -1,4 +1,4 @@
-//! A translation: the words of a document in another language.
+//! Translations: the texts of a document in another language.
 
 use super::translation::Texts;
 use crate::blocks::{questions, settings};
@@ -99,7 +99,7 @@ impl File<'_> {
         self.diagnostics.extend(found);
     }
 
-    /// What belongs to the original only.
+    /// Warns of blocks that belong in the original only.
     fn check_kinds(&self, found: &mut Vec<Diagnostic>) {
         for kind in [
             BlockKind::Model,

@@ -1,31 +1,31 @@
-//! What texts a translation has.
+//! Keys of the texts of a document.
 
-/// Which text of a document is meant; its translation has the same key.
+/// Key of a text of a document; its translation has the same key.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TextKey {
-    /// The value of this key of the front matter: title, summary or topics.
+    /// Value of a key of the front matter: title, summary or topics.
     Front(&'static str),
     /// A label, title or text of the drawing, with single blanks.
     Short(String),
-    /// A piece of prose: behind how many questions it stands, and which one it is there.
+    /// A piece of prose: number of questions before it, and its index among the pieces after that question.
     Prose(usize, usize),
-    /// The prompt of the question with this number.
+    /// Prompt of the question with this index.
     Prompt(usize),
-    /// The hint of the question with this number.
+    /// Hint of the question with this index.
     Hint(usize),
-    /// The explanation of the question with this number.
+    /// Explanation of the question with this index.
     Explanation(usize),
 }
 
-/// A text of a document and what it is in a translation.
+/// A text of a document and its translation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pair {
-    /// Which text it is.
+    /// Key of the text.
     pub key: TextKey,
-    /// The text of the document.
+    /// Text of the document.
     pub original: String,
-    /// Its translation; empty where it is missing.
+    /// Translation; empty if it is missing.
     pub translation: String,
-    /// Whether a reader of the translation misses it while it is empty: not so of numbers and symbols.
+    /// True if a translation is needed; false for numbers and symbols.
     pub is_needed: bool,
 }

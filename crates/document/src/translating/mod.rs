@@ -1,4 +1,4 @@
-//! The texts of a document beside those of a translation. [`crate::edit::set_translation`] writes one.
+//! Texts of a document with their translations. [`crate::edit::set_translation`] changes one.
 
 pub(crate) mod edition;
 pub(crate) mod translation;
@@ -14,12 +14,12 @@ pub(crate) use values::{entry_in, prose_at, question_at, values};
 use crate::{FrontMatter, Outline};
 use units::Language;
 
-/// The texts of a document in their order, beside those of a translation. `short` are its [`short_texts`].
+/// Texts of a document in text order, with their translations. `short`: the [`short_texts()`] of the document.
 pub fn pairs(document: &Outline, short: &[String], translation: &Outline) -> Vec<Pair> {
     let translated = values(translation);
     let pair = |(key, original): (TextKey, String)| {
         let known = translated.iter().find(|(other, _)| *other == key);
-        // Several pieces of prose may stand for one, or one for several.
+        // Pieces of prose may be joined or split in a translation.
         let stands = match key {
             TextKey::Prose(segment, _) => {
                 translated.iter().any(|(other, _)| matches!(other, TextKey::Prose(of, _) if *of == segment))
@@ -36,13 +36,13 @@ pub fn pairs(document: &Outline, short: &[String], translation: &Outline) -> Vec
     texts.into_iter().map(pair).collect()
 }
 
-/// The file of a translation in which nothing is translated yet. `document` is the name of the file that it translates.
+/// Text of a new translation without translated texts. `document`: file name of the translated document.
 pub fn beginning(document: &str, matter: &FrontMatter, language: &str) -> String {
     let title = matter.get("title").map_or("", |title| title.text.as_str());
     format!("---\ntitle: {title}\nlanguage: {language}\ntranslates: {document}\n---\n")
 }
 
-/// Languages in which a translation can be begun, each with its own name. Others are begun in the text.
+/// Language tags offered for new translations, each with its own name. Others can be entered in the text.
 pub const LANGUAGES: [(&str, &str); 8] = [
     ("en", "English"),
     ("es", "Español"),
@@ -54,7 +54,7 @@ pub const LANGUAGES: [(&str, &str); 8] = [
     ("gl", "Galego"),
 ];
 
-/// The language that a new translation most probably has.
+/// The most probable language of a new translation.
 pub fn likely_language(matter: &FrontMatter) -> &'static str {
     let own = matter.get("language").map_or("en", |language| language.text.as_str());
     Language::ALL.iter().map(|language| language.tag()).find(|tag| *tag != own).unwrap_or("en")

@@ -1,9 +1,9 @@
-//! The labels, titles and texts of the drawing that a translation has in its blocks `translations`.
+//! Labels, titles and texts of the drawing, which a translation has in its blocks `translations`.
 
 use crate::open::File;
 use crate::scene::{has_word, normalised};
 
-/// Each once, in the order of the document; none of a document whose model has errors. Texts without a word are left out.
+/// Short texts of a document, each once, in text order. Empty if the model has errors. Texts without a word are left out.
 pub fn short_texts(source: &str) -> Vec<String> {
     let mut file = File::new(source);
     let Some(read) = file.model().map(|checked| file.document(checked)) else { return Vec::new() };

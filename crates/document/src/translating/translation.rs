@@ -1,4 +1,4 @@
-//! The texts of a document in another language: lines `"Damping" = "Amortiguamiento"`.
+//! Translations of short texts: lines `"Damping" = "Amortiguamiento"`.
 
 use crate::scene::normalised;
 use crate::text::scan::{leading_text, statements};
@@ -55,7 +55,7 @@ impl Texts {
         }
     }
 
-    /// The translation of a text of the document and where it stands. `needed` says whether one should be missed.
+    /// Translation of a text of the document, with its place. A missing one is recorded if `needed`.
     pub fn translate(&mut self, original: &str, needed: bool) -> Option<(String, Span)> {
         let key = normalised(original);
         let found = self.entries.get(&key).map(|entry| (entry.text.clone(), entry.span));
@@ -66,12 +66,12 @@ impl Texts {
         found
     }
 
-    /// Adds a finding about a translation.
+    /// Adds a diagnostic about a translation.
     pub fn refuse(&mut self, diagnostic: Diagnostic) {
         self.diagnostics.push(diagnostic);
     }
 
-    /// What was found, together with what is missing (reported at `place`) and what translates nothing.
+    /// Returns the diagnostics, including missing translations (reported at `place`) and translations of unknown texts.
     pub fn finish(mut self, place: Span) -> Vec<Diagnostic> {
         for (original, entry) in &self.entries {
             if self.known.contains(original) {
@@ -102,7 +102,7 @@ impl Texts {
     }
 }
 
-/// `"original" = "translation"`
+/// Splits `"original" = "translation"`.
 pub fn entry(source: &str, statement: Range<usize>) -> Option<(&str, &str)> {
     let (original, end) = leading_text(source, statement.clone())?;
     let equals = trim(source, end..statement.end);

@@ -1,4 +1,4 @@
-//! The texts of a file by their keys, with their places.
+//! Texts of a file by their keys, and their places.
 
 use super::key::TextKey;
 use super::translation::entry;
@@ -8,10 +8,10 @@ use crate::text::scan::statements;
 use crate::{BlockKind, Outline};
 use std::ops::Range;
 
-/// The keys of the front matter that have a translation.
+/// Keys of the front matter that are translated.
 const FRONT: [&str; 3] = ["title", "summary", "topics"];
 
-/// All texts of a file, but for those of its model and its drawing.
+/// All texts of a file, except those of its model and its drawing.
 pub fn values(outline: &Outline) -> Vec<(TextKey, String)> {
     let source = outline.source();
     let front = FRONT
@@ -51,7 +51,7 @@ pub fn values(outline: &Outline) -> Vec<(TextKey, String)> {
     found
 }
 
-/// The text of a translation entry, without its quotation marks, and its whole line.
+/// Byte ranges of a translation: its text without quotation marks, and its whole line.
 pub fn entry_in(outline: &Outline, key: &str) -> Option<(Range<usize>, Range<usize>)> {
     let source = outline.source();
     let lines = outline.blocks_of(BlockKind::Translations).flat_map(|block| statements(source, block.content.range()));
@@ -62,7 +62,8 @@ pub fn entry_in(outline: &Outline, key: &str) -> Option<(Range<usize>, Range<usi
     })
 }
 
-/// The block of a piece of prose; or else the block behind which it would stand.
+/// Index of the block of a piece of prose. The error is the index of the block after which it belongs; `None` for the
+/// beginning.
 pub fn prose_at(outline: &Outline, segment: usize, piece: usize) -> Result<usize, Option<usize>> {
     let (mut questions, mut pieces) = (0, 0);
     let mut after = None;
@@ -84,7 +85,7 @@ pub fn prose_at(outline: &Outline, segment: usize, piece: usize) -> Result<usize
     Err(after)
 }
 
-/// The block of a question.
+/// Index of the block of a question.
 pub fn question_at(outline: &Outline, number: usize) -> Option<usize> {
     let blocks = outline.blocks().iter().enumerate();
     blocks.filter(|(_, block)| block.kind == BlockKind::Question).map(|(place, _)| place).nth(number)

@@ -1,8 +1,8 @@
-//! Opening never panics, whatever the text; and every place it names lies in the text.
+//! Opening never panics, for any text, and all places lie in the text.
 
 use proptest::prelude::*;
 
-/// Fragments of documents, so that arbitrary texts reach beyond the first line.
+/// Fragments of documents, so that arbitrary texts get beyond the first line.
 fn fragment() -> impl Strategy<Value = String> {
     prop_oneof![
         "\\PC{0,12}",

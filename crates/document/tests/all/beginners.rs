@@ -1,9 +1,9 @@
-//! Documents with the faults of beginners: each message names the place and the reason, and its remedy makes the document run.
+//! Documents with beginners' mistakes: each message gives the place and the reason, and its fix makes the document run.
 //!
-//! The cases are in `beginners.txt`, as changes of the template *A mass on a spring*: a title, lines `- ` with what the template has,
-//! lines `+ ` with what a beginner writes instead. Below each stand the first message with its place and remedy and, after all
-//! remedies, the lines that have changed. `UPDATE_EXPECTED=1 cargo test -p document --test all beginners` writes these, to be read before they are
-//! committed.
+//! The cases are in `beginners.txt`, as changes of the template *A mass on a spring*: a title, lines `- ` from the
+//! template, and lines `+ ` as a beginner writes them instead. Below each case are the first message with its place and
+//! fix, and the lines that differ after all fixes. `UPDATE_EXPECTED=1 cargo test -p document --test all beginners` writes
+//! these, for review before a commit.
 
 use document::edit::apply;
 use document::{TEMPLATES, open};
@@ -12,7 +12,7 @@ use std::fmt::Write;
 use std::path::Path;
 use units::Language;
 
-/// As many remedies as a person might press one after the other.
+/// Maximum number of fixes applied one after the other.
 const MOST_REMEDIES: usize = 6;
 
 struct Case<'a> {
@@ -31,14 +31,14 @@ fn cases(text: &str) -> Vec<Case<'_>> {
         .collect()
 }
 
-/// What is wrong with a text, errors first.
+/// Diagnostics of a text, errors first.
 fn findings(text: &str) -> Vec<Diagnostic> {
     let mut found: Vec<Diagnostic> = open(text, &[]).diagnostics.into_iter().map(|(_, found)| found).collect();
     found.sort_by_key(|found| found.severity != Severity::Error);
     found
 }
 
-/// What a beginner reads about the first error: where it is, why, and what the buttons say.
+/// The first error as shown to a beginner: place, reason and titles of the fixes.
 fn message(text: &str, found: &Diagnostic) -> String {
     let span = found.span();
     let (line, start) =
@@ -57,7 +57,7 @@ fn message(text: &str, found: &Diagnostic) -> String {
     message
 }
 
-/// The lines that only one of the texts has, with `- ` and `+ `.
+/// Lines that occur in only one of the texts, with `- ` and `+ `.
 fn changed(before: &str, after: &str) -> String {
     let (before, after): (Vec<&str>, Vec<&str>) = (before.lines().collect(), after.lines().collect());
     let same = |a: &mut dyn Iterator<Item = (&str, &str)>| a.take_while(|(a, b)| a == b).count();

@@ -1,11 +1,11 @@
-//! What is written to a bundle and read back is the same program: the same texts, and runs of the same bits.
+//! A program that is written to a bundle and read back is the same: the same texts, and bit-identical runs.
 
 use crate::simulations::{faultless, names};
 use engine::checks::Checking;
 use engine::{Advance, Run, Setup};
 use program::{Entry, LinearSystem, NodeId, Program, bundle};
 
-/// Steps whose bits are compared.
+/// Number of steps whose bits are compared.
 const MOST_STEPS: usize = 4000;
 
 fn read_back(program: &Program) -> Program {
@@ -15,8 +15,8 @@ fn read_back(program: &Program) -> Program {
     read
 }
 
-/// The bits of all rows of a run of 20 units of the independent variable, or of its first steps where these are very small,
-/// with every value of the scene at its end.
+/// Bits of all rows of a run of 20 units of the independent variable, or of its first steps if these are very small, and of
+/// all values of the scene at its end.
 fn bits(program: &Program) -> Vec<u64> {
     let model = &program.model;
     let defaults = Setup::defaults(model);
@@ -70,7 +70,7 @@ fn damaged_bundles_are_refused() {
     assert_eq!(bundle::read(b"meniscus\x09").unwrap_err(), bundle::BundleError::OtherVersion(9));
     assert_eq!(bundle::read(&bytes[..bytes.len() - 1]).unwrap_err(), bundle::BundleError::Damaged);
     assert_eq!(bundle::read(&[&bytes[..], b"x"].concat()).unwrap_err(), bundle::BundleError::Damaged);
-    // Whatever single byte is wrong, what is read can be run.
+    // With any single wrong byte, a bundle that can be read can be run.
     for place in (9..bytes.len()).step_by(7) {
         let mut damaged = bytes.clone();
         damaged[place] ^= 0x15;

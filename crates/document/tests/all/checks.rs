@@ -1,4 +1,4 @@
-//! Claims of documents about their runs: what is measured is what the physics says, and what fails says how.
+//! Claims of documents about their runs: measured values agree with theory, and failures are explained.
 
 use document::{Document, open};
 use engine::checks::{Checking, Measured, Outcome, Verdict, claim_outcome, judge_all};
@@ -6,7 +6,7 @@ use program::{Moment, Program};
 use std::f64::consts::PI;
 use std::path::Path;
 
-/// A spring of angular frequency 2 rad/s whose oscillation may be damped.
+/// A spring with angular frequency 2 rad/s and optional damping.
 const SPRING: &str = "```model
 parameter gamma = 0.1 [1/s] in 0..3
 x'' = -4 [1/s^2]*x - 2*gamma*x'
@@ -59,7 +59,7 @@ fn energy_is_kept_without_damping_and_falls_with_it() {
     let claims = "\"Falls\": E within 1 % of E(0) always\nset: gamma = 0 [1/s]\n\"Kept\": E within 1e-6 of E(0) always";
     let (program, outcomes) = judged("step: 0.01 [s]\nuntil: 10 [s]", claims);
     assert!(outcomes[1].held() && !outcomes[0].held());
-    // E = E(0) exp(-2 gamma t) but for what swings within a period: off by 1 - exp(-2) = 0.8646647 at the end.
+    // E = E(0) exp(-2 gamma t), apart from oscillations within a period: off by 1 - exp(-2) = 0.8646647 at the end.
     let (worst, off) = (outcomes[0].worst.unwrap(), measured(&outcomes[0]).off);
     assert!(worst.time > 9.0 && (off - 0.864_664_7).abs() < 0.02, "{worst:?}");
     let text = claim_outcome(&program, &program.checks[0].claims[0], &outcomes[0]);
@@ -74,7 +74,7 @@ fn energy_is_kept_without_damping_and_falls_with_it() {
 
 #[test]
 fn moments_between_rows_are_judged_there() {
-    // x = cos 2t, which is sqrt(1/2) after a period of pi and one eighth of it: between rows.
+    // x = cos 2t, which is sqrt(1/2) after 9/8 of the period pi, between two rows.
     let claims = "set: gamma = 0 [1/s]\n\"Eighth\": x within 1e-5 of sqrt(1/2)*x(0) at 9*pi/8*1 [s]\n\"End\": x within 1e-5 of cos(7.03)*1 [m] at end";
     let (_, outcomes) = judged("step: 0.02 [s]\nuntil: 3.515 [s]", claims);
     assert!(outcomes.iter().all(Outcome::held), "{outcomes:?}");
@@ -86,7 +86,7 @@ fn moments_between_rows_are_judged_there() {
 fn a_moment_behind_the_end_is_reached_all_the_same() {
     let claims = "set: gamma = 0 [1/s]\n\"Later\": x within 1e-5 of cos(20)*1 [m] at 10 [s]\n\"Counts\": n <= 1 always";
     let (_, outcomes) = judged("step: 0.02 [s]\nuntil: 1 [s]", claims);
-    // Up to 1 s the body passes the middle once, up to 10 s three times.
+    // Up to 1 s the body passes the equilibrium once, up to 10 s three times.
     assert!(outcomes.iter().all(Outcome::held), "{outcomes:?}");
 }
 
@@ -145,7 +145,7 @@ fn a_run_that_stops_decides_nothing_that_comes_later() {
     let source = "---\nuntil: 3 [s]\nstep: 0.01 [s]\n---\n```model\ny' = y^2/(1 [m s])\ny(0) = 1 [m]\n```\n```check\n\"Before\": y within 1e-4 of 2 [m] at 0.5 [s]\n\"After\": y > 0 [m] at 2 [s]\n\"Always\": y > 0 [m] always\n\"Never\": y < 0 [m] always\n\"Step\": halving the step changes y by less than 1 %\n```\n";
     let opened = open(source, &[]);
     assert_eq!(opened.diagnostics, Vec::new());
-    // y = 1/(1 - t), until the numbers end.
+    // y = 1/(1 - t), until it is no longer finite.
     let outcomes: Vec<Outcome> = judge_all(&opened.document.unwrap().program).into_iter().flatten().collect();
     assert!(outcomes[0].held(), "{outcomes:?}");
     for index in [1, 2, 4] {
@@ -173,7 +173,7 @@ fn work_is_bounded_and_may_be_divided() {
     assert_eq!(checking.outcomes(), judge_all(&program));
 }
 
-/// All documents that ship, theories included, by file name.
+/// All documents of Meniscus, including theories, by file name.
 fn gallery() -> Vec<(String, Program)> {
     let simulations = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../simulations");
     let files = [simulations.clone(), simulations.join("theories")].map(|folder| std::fs::read_dir(folder).unwrap());

@@ -1,12 +1,13 @@
-//! Short documents that ask for enormous computations: each is refused with a reason, or stays small and runs.
+//! Short documents that cause enormous computations: each is refused with a reason, or stays small and runs.
 
 use engine::{Run, Setup};
 use program::Program;
 
-/// What a document may be at most: nodes of its graph.
+/// Maximum number of nodes in the graph of a document.
 const NODES: usize = 250_000;
 
-/// Opens a document on a stack as small as that of a web page's module; the messages, and the program if there is one.
+/// Opens a document on a stack as small as that of a web page's module. Returns the messages, and the program if there is
+/// one.
 fn open(text: String) -> (Vec<String>, Option<Program>) {
     let open = move || {
         let opened = document::open(&text, &[]);
@@ -31,7 +32,7 @@ fn check(what: &str, model: &str, blocks: &str, expected: &str) {
     }
 }
 
-/// Some work of a run: it goes on, or ends with a reason.
+/// Takes some steps of a run, which continues or ends with a reason.
 fn run(program: &Program) {
     let Ok(mut run) = Run::start(&program.model, Setup::of(program)) else { return };
     for _ in 0..5 {

@@ -1,11 +1,11 @@
-//! Whole documents: what comes of them, and what is said about them.
+//! Whole documents: the opened document and its diagnostics.
 
 use document::Document;
 use program::{Block, Tolerance};
 
 const MODEL: &str = "```model\nparameter h = 2 [m] in 0..9 \"Height\"\ny'' = -9.8 [m/s^2]\ny(0) = h \"Place\"\ny'(0) = 0\nmood = if y > 0 then \"high\" else \"low\"\n```\n";
 
-/// The document, and `FILE: MESSAGE` of all findings.
+/// The document, and `FILE: MESSAGE` for each diagnostic.
 fn open(source: &str, translations: &[&str]) -> (Option<Document>, Vec<String>) {
     let opened = document::open(source, translations);
     let findings = opened.diagnostics.iter().map(|(file, d)| format!("{file}: {}", d.message.english)).collect();
@@ -150,7 +150,7 @@ fn what_is_wrong_with_a_translation() {
     assert_eq!(findings, ["0: this is a translation, which has no model of its own"]);
 }
 
-/// Where each question stands, and what the reader of a translation sees of it.
+/// Place of each question, and its text for the reader of a translation.
 #[test]
 fn what_a_translation_lacks_of_questions_is_shown_in_the_language_of_the_document() {
     let question = |text: &str| format!("```question\n{text}\nanswer: h within 2 %\n```\n");
@@ -189,7 +189,7 @@ fn what_a_translation_lacks_of_questions_is_shown_in_the_language_of_the_documen
             "[doc ][doc-two Two] Why? Mira. Así.[doc-two-2 Two] ¿Cómo? ¿Cuándo?",
             "1: question 1 has no translation",
         ),
-        // Without the words before the first heading the numbers of the sections differ.
+        // Without the text before the first heading, the numbers of the sections differ.
         (
             "# Uno\n\n```question\n¿Por qué?\nhint: Mira.\nexplanation: Así.\n```\n",
             "[doc-uno Uno] ¿Por qué? Mira. Así.[doc-two Two] How? When?",
@@ -206,14 +206,14 @@ fn sizes_are_bounded() {
     let (document, findings) = open(&"é".repeat(600_000), &[]);
     assert!(document.is_none());
     assert_eq!(findings, ["0: a document cannot be longer than 1048576 bytes; this one has 1200000"]);
-    // Of very many findings the warnings go first.
+    // Of too many diagnostics, the warnings are dropped first.
     let source = format!("{MODEL}{}", "[a](b)\n\n<b>\n\n".repeat(300));
     let opened = document::open(&source, &[]);
-    // A hundred findings and a word on how many more there are.
+    // A hundred diagnostics, and one about the number of the others.
     assert_eq!(opened.diagnostics.len(), 101);
     assert_eq!(opened.diagnostics.last().map(|(_, diagnostic)| diagnostic.code), Some("more-findings"));
     assert!(opened.has_errors());
-    // Names that stand for ever larger expressions.
+    // Names that stand for larger and larger expressions.
     let doubling: String = (1..60).map(|k| format!("a_{k} = a_{} + a_{}\n", k - 1, k - 1)).collect();
     let (_, findings) = open(&format!("{MODEL}```scene\na_0 = y\n{doubling}<svg viewBox='0 0 1 1'/>\n```\n"), &[]);
     assert_eq!(findings[0], "0: with the scene's own names written out this expression is too large");

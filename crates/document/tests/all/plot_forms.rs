@@ -1,4 +1,4 @@
-//! Plots, controls and values by forms: text and form agree, other bytes stay, and what was changed can be taken back.
+//! Plots, controls and values in forms: text and form agree, other bytes are unchanged, and edits can be undone.
 
 use crate::editing::edit::documents;
 use crate::editing::form::inverse;
@@ -70,7 +70,7 @@ fn a_cell_of_a_plot_changes_its_place_alone() {
             assert_eq!(errors(&set(SPRING, number, kind, value).unwrap()), 0, "{kind:?} {value}");
         }
     }
-    // Emptied and typed again.
+    // Emptied and entered again.
     let empty = set(SPRING, 0, Across, "").unwrap();
     assert_eq!(set(&empty, 0, Across, "t").unwrap(), SPRING);
     let empty = set(SPRING, 1, Curves, "").unwrap();
@@ -230,7 +230,7 @@ fn asked() -> impl Strategy<Value = Asked> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
 
-    /// Whatever is asked of the plots, controls and values of the gallery, one thing after the other.
+    /// Arbitrary sequences of edits of the plots, controls and values of the gallery.
     #[test]
     fn text_and_plots_agree(which in any::<prop::sample::Index>(), wishes in prop::collection::vec(asked(), 1..12)) {
         let all = documents();

@@ -1,6 +1,6 @@
-//! Every example of the language reference, of the page for those who come from other tools, and of the tutorial is opened. One that a
-//! ```text block follows must give exactly the findings in it; any other must be without fault. `UPDATE_EXPECT=1 cargo test -p document --test all reference` writes the findings
-//! into the page, to be read before they are committed.
+//! Opens every example of the language reference, of the page for users of other tools, and of the tutorial. An example
+//! followed by a ```text block must give exactly the diagnostics in it; any other must be free of errors. `UPDATE_EXPECT=1
+//! cargo test -p document --test all reference` writes the diagnostics into the page, for review before a commit.
 
 use model::{Diagnostic, Severity};
 use std::path::{Path, PathBuf};
@@ -12,9 +12,9 @@ fn page(name: &str) -> PathBuf {
 /// A fenced block of the page.
 struct Block {
     kind: String,
-    /// What stands inside, in bytes of the page.
+    /// Byte range of its content in the page.
     content: std::ops::Range<usize>,
-    /// Whether only a blank line separates it from the block before.
+    /// True if only a blank line separates it from the block before.
     follows: bool,
 }
 
@@ -45,7 +45,7 @@ fn blocks(page: &str) -> Vec<Block> {
     blocks
 }
 
-/// The document that an example is, or stands in. The second part is where the example begins in it.
+/// The document that contains the example, and the byte at which the example begins in it.
 fn surroundings(page: &str, block: &Block, model: &str) -> Option<String> {
     let text = &page[block.content.clone()];
     match block.kind.as_str() {
@@ -58,7 +58,7 @@ fn surroundings(page: &str, block: &Block, model: &str) -> Option<String> {
     }
 }
 
-/// The findings in plain text.
+/// Diagnostics in plain text.
 fn print(source: &str, diagnostic: &Diagnostic) -> String {
     let severity = match diagnostic.severity {
         Severity::Error => "error",
@@ -95,7 +95,7 @@ fn every_example_for_those_who_come_from_other_tools_runs() {
     assert!(examples >= 5, "{examples}");
 }
 
-/// Each step of the tutorial, and what they add up to: the last document with its question, its check and its translation.
+/// Each step of the tutorial, and the result: the last document with its question, its check and its translation.
 #[test]
 fn every_step_of_the_tutorial_runs() {
     let name = "first-simulation.md";
@@ -114,11 +114,11 @@ fn every_step_of_the_tutorial_runs() {
     assert_eq!((program.questions.len(), program.checks.len(), program.editions.len()), (1, 1, 2));
 }
 
-/// How many examples a page has.
+/// Number of examples of a page.
 fn check_examples(name: &str) -> usize {
     let page_text = std::fs::read_to_string(page(name)).unwrap();
     let blocks = blocks(&page_text);
-    // The first model of the page is the one that scenes, plots, presets and questions are about; in the tutorial, that of its last
+    // Scenes, plots, presets and questions refer to the first model of the page; in the tutorial, to that of its last
     // document.
     let whole = blocks.iter().rfind(|block| block.kind == "markdown");
     let of_document = whole

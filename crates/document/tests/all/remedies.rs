@@ -1,7 +1,7 @@
-//! Documents with one fault each, in English and Spanish: one message, at the right place, with a remedy that works.
+//! Documents with one fault each, in English and Spanish: one message, at the right place, with a working fix.
 //!
-//! The faults are in `remedies.txt`, one in a line, as changes of one document without faults. Each remedy is applied, and the document is
-//! opened again.
+//! The faults are in `remedies.txt`, one per line, as changes of one valid document. Each fix is applied, and the document
+//! is opened again.
 
 use document::edit::apply;
 use document::open;
@@ -9,7 +9,7 @@ use model::Diagnostic;
 use std::path::Path;
 use units::Language;
 
-/// A document in which every change of `remedies.txt` can be made.
+/// A document in which every change of `remedies.txt` is possible.
 const BASE: &str = r#"---
 title: Base
 language: en
@@ -63,7 +63,7 @@ fn findings(text: &str) -> Vec<Diagnostic> {
     open(text, &[]).diagnostics.into_iter().map(|(_, found)| found).collect()
 }
 
-/// Why a fault is not reported as it should be; `None` if it is.
+/// Error in the report of a fault, or `None`.
 fn problem(line: &str) -> Option<String> {
     let fields: Vec<&str> = line.split(" | ").collect();
     let [language, code, before, after, place, number, mended] = fields.as_slice() else {
@@ -93,7 +93,7 @@ fn problem(line: &str) -> Option<String> {
         return Some(format!("the remedy gives {line:?}"));
     }
     let left: Vec<String> = findings(&text).iter().map(|found| found.message.english.to_string()).collect();
-    // The SI value can lie outside the range of the parameter: then that is said.
+    // The SI value can be outside the range of the parameter, which is then reported.
     let is_of_range = left.iter().all(|said| said.contains("cannot have this value")) && number == 2;
     (!left.is_empty() && !is_of_range).then(|| format!("after the remedy: {left:?}"))
 }

@@ -1,4 +1,4 @@
-//! The documents that come with Meniscus are without fault, in all their languages, and their numbers are sensible.
+//! The documents of Meniscus have no errors in any of their languages, and their values are plausible.
 use document::{Document, Opened};
 use engine::{Routine, Run, Setup};
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ fn directory() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../simulations")
 }
 
-/// Opens `NAME.md` with every `NAME.LANGUAGE.md` beside it.
+/// Opens `NAME.md` with all translations `NAME.LANGUAGE.md`.
 fn open(name: &str) -> (Vec<String>, Opened) {
     let read = |file: &str| std::fs::read_to_string(directory().join(file)).unwrap();
     let mut translations: Vec<String> = std::fs::read_dir(directory())
@@ -22,7 +22,7 @@ fn open(name: &str) -> (Vec<String>, Opened) {
     (translations, opened)
 }
 
-/// The names of all documents that come with Meniscus.
+/// Names of all documents of Meniscus.
 pub fn names() -> Vec<String> {
     std::fs::read_dir(directory())
         .unwrap()
@@ -32,7 +32,7 @@ pub fn names() -> Vec<String> {
         .collect()
 }
 
-/// A document without any finding, warnings included.
+/// A document without diagnostics, including warnings.
 pub fn faultless(name: &str) -> Document {
     let (_, opened) = open(name);
     let findings: Vec<String> = (opened.diagnostics.iter())
@@ -60,7 +60,7 @@ fn defaults(document: &Document) -> Vec<f64> {
     document.program.model.parameters.iter().map(|parameter| parameter.value).collect()
 }
 
-/// Makes assignments one after the other.
+/// Applies assignments in order.
 fn assigned(document: &Document, values: &[program::Assignment]) -> Vec<f64> {
     let mut parameters = defaults(document);
     for assignment in values {
@@ -153,7 +153,7 @@ fn every_document_runs_with_every_preset() {
     }
 }
 
-/// The block sticks and slips for the times that its readouts say, from the first slip on.
+/// The block sticks and slips for the durations in its readouts, from the first slip on.
 #[test]
 fn the_block_on_the_belt_keeps_its_times() {
     let document = faultless("stick-slip");
@@ -179,7 +179,7 @@ fn the_block_on_the_belt_keeps_its_times() {
     assert!(changes.len() > 10);
 }
 
-/// What is measured on the run is what the readout of the pendulum says; a swing of 90 degrees.
+/// The period measured in the run agrees with the readout of the pendulum, for an amplitude of 90 degrees.
 #[test]
 fn the_period_of_a_large_swing() {
     let document = faultless("pendulum");
@@ -189,7 +189,7 @@ fn the_period_of_a_large_swing() {
     let period = document.program.model.lookup("T", 0).unwrap().node;
     let said = evaluate(&document, &[period], &parameters)[0];
     let mut run = run(&document, parameters);
-    // The angle passes through zero, downwards first, after a quarter of a period and then at each half.
+    // The angle passes through zero after a quarter of a period, downwards first, and then after each half period.
     let mut crossings = Vec::new();
     let mut state = vec![0.0; document.program.model.states.len()];
     let mut angle = |run: &mut Run, time: f64| {

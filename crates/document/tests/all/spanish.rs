@@ -1,6 +1,6 @@
-//! Every diagnostic of the documents in `wrong.txt`, and every refusal of an edit, in Spanish: nothing is left in English,
-//! names and numbers are those of the English text, and the words are those of `spanish.txt`.
-//! `UPDATE_EXPECTED=1 cargo test -p document --test all spanish` writes that file, to be read before it is committed.
+//! Spanish texts of all diagnostics of the documents in `wrong.txt`, and of all refused edits: no English is left, names
+//! and numbers are those of the English text, and the texts are those of `spanish.txt`. `UPDATE_EXPECTED=1 cargo test -p
+//! document --test all spanish` writes that file, for review before a commit.
 
 use crate::catalogue::Catalogue;
 use document::edit::{EditError, Obstacle};

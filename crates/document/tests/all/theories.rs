@@ -1,9 +1,9 @@
-//! The gallery of theories: each is without fault in its languages, and does what its law says.
+//! The gallery of theories: each opens without diagnostics in its languages, and obeys its law.
 use document::Document;
 use engine::{Readings, Run, Setup};
 use std::path::PathBuf;
 
-/// The distance of the rows, in seconds.
+/// Time between rows, s.
 const STEP: f64 = 0.002;
 
 const THEORIES: [&str; 9] = [
@@ -22,7 +22,7 @@ fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../simulations/theories")
 }
 
-/// Opens a theory with its Spanish translation. There must be nothing to find, not even a warning.
+/// Opens a theory with its Spanish translation, without diagnostics.
 fn theory(name: &str) -> Document {
     let read = |file: String| std::fs::read_to_string(folder().join(&file)).unwrap_or_else(|_| panic!("{file}"));
     let opened = document::open(&read(format!("{name}.md")), &[&read(format!("{name}.es.md"))]);
@@ -33,13 +33,13 @@ fn theory(name: &str) -> Document {
     opened.document.unwrap()
 }
 
-/// A run that has ended, and its document.
+/// A finished run and its document.
 struct Done {
     document: Document,
     run: Run,
 }
 
-/// Runs a theory over its whole time with some parameters set, to 1e-12 and with a row at each step.
+/// Runs a theory over its whole time with some parameters set, with tolerance 1e-12 and a row at each step.
 fn run(name: &str, values: &[(&str, f64)]) -> Done {
     let document = theory(name);
     let mut setup = Setup::defaults(&document.program.model);
@@ -58,7 +58,7 @@ fn run(name: &str, values: &[(&str, f64)]) -> Done {
 }
 
 impl Done {
-    /// The values of an expression on the grid of the rows, without those of the events between.
+    /// Values of an expression at the regular rows, without rows of events between.
     fn values(&self, expression: &str) -> Vec<f64> {
         let mut model = self.document.program.model.clone();
         let (tree, unit, found) = model::parse_expression(expression, 0..expression.len());
@@ -86,7 +86,7 @@ impl Done {
         self.values(expression)[0]
     }
 
-    /// The displacement where the velocity is zero, the start from rest included.
+    /// Displacement where the velocity is zero, including a start from rest.
     fn turning_points(&mut self) -> Vec<f64> {
         let (x, v) = (self.state("x", 0), self.state("x", 1));
         let mut state = vec![0.0; self.document.program.model.states.len()];
@@ -152,7 +152,7 @@ fn every_theory_can_be_fitted_to_a_measured_level_and_its_velocity() {
             assert!(!damping || low == 0.0, "{name}: {}", parameter.name);
         }
         assert!(document.source.len() < 4500, "{name}: every page carries it");
-        // The level is what is measured: offset and drift are in it, and only the drift in its velocity.
+        // The level is the measured quantity: it contains offset and drift; its velocity contains only the drift.
         let (level, velocity) = (done.values("y"), done.values("y'"));
         assert!((level[0] - 0.037).abs() < 1e-12, "{name}: {}", level[0]);
         let mean = velocity.iter().sum::<f64>() * STEP;
@@ -195,19 +195,19 @@ fn the_theories_agree_where_they_are_the_same() {
     same(quadratic, ("linear-quadratic", &[beta, ("gamma", 0.0)]), 1e-10);
     same(quadratic, ("quadratic-contact-line", &[beta, ("mu", 0.0)]), 1e-10);
     same(quadratic, ("power-law", &[("D", 5.0 * 0.1 * 0.1), ("n", 2.0)]), 1e-8);
-    // A line that yields at once is dry friction. The time it takes at a turning point goes with the root of its yield
-    // length, and so does what is left of the difference.
+    // A contact line that yields at once is dry friction. The time that it takes at a turning point is proportional to the
+    // square root of its yield length, and so is the remaining difference.
     let dry = run("dry-friction", &[gamma, ("mu", 0.1)]).values("y");
     let [coarse, fine] = [1e-5, 2.5e-6].map(|s| {
         let line = run("linear-contact-line", &[gamma, ("mu", 0.1), ("s", s)]).values("y");
         difference(&dry[..1000], &line[..1000])
     });
     assert!(coarse < 3e-4 && (0.45..0.55).contains(&(fine / coarse)), "{coarse} {fine}");
-    // A spring that never gives way is a spring.
+    // A spring that never saturates is a linear spring.
     same(("linear", &[("gamma", 0.0)]), ("saturating-spring", &[("x_s", 100.0)]), 1e-6);
 }
 
-/// The textbook: each half swing costs 2 mu/omega_0^2, and the first turning point in the dead zone is the last.
+/// Textbook result: each half swing loses 2 mu/omega_0^2, and the motion stops at the first turning point in the dead zone.
 #[test]
 fn dry_friction_takes_the_same_piece_from_each_swing_and_stops_for_good() {
     let mut done = run("dry-friction", &[("gamma", 0.0), ("mu", 0.2), ("drift", 1e-3)]);
@@ -229,7 +229,7 @@ fn dry_friction_takes_the_same_piece_from_each_swing_and_stops_for_good() {
             assert_eq!((x[row], drift[row]), (*x.last().unwrap(), 1e-3), "{time}");
         }
     }
-    // What begins in the dead zone stays there.
+    // A start in the dead zone remains there.
     let still = run("dry-friction", &[("mu", 5.0), ("y_0", 0.01)]);
     assert!(still.values("x").iter().all(|x| *x == 0.01));
     // A push out of it does not.
@@ -262,14 +262,14 @@ fn the_contact_line_pulls_no_more_than_it_can_and_never_gives_energy() {
         let (pull, x, v) = (done.values("f"), done.values("x"), done.values("x'"));
         assert!(pull.iter().all(|f| f.abs() <= mu), "{name}");
         assert!(pull.iter().any(|f| f.abs() > 0.99 * mu), "{name}");
-        // On the first way down the law can be integrated: f depends on the way gone alone.
+        // During the first descent the law can be integrated: f depends on the distance alone.
         let first = v.iter().skip(1).position(|v| *v >= 0.0).unwrap();
         for row in 0..first {
             let expected = -mu * (1.0 - libm::exp(-(0.04 - x[row]) / s));
             assert!((pull[row] - expected).abs() < 1e-9, "{name} {row}");
         }
-        // With what the line stores like a spring, f^2/(2k), the energy only falls; around a loop what is stored is
-        // back, and the area of the loop is lost.
+        // Including the elastic energy of the line, f^2/(2k), the energy only falls. In a loop the elastic energy is
+        // recovered, and the area of the loop is lost.
         let energy = done.values("x'^2/2 + omega_0^2*x^2/2 + f^2/(2*k)");
         assert!(energy.windows(2).all(|pair| pair[1] <= pair[0] + 1e-12), "{name}");
         assert!(*energy.last().unwrap() < 0.2 * energy[0], "{name}");

@@ -1,4 +1,4 @@
-//! The parts of expressions that decide their dimensions: they are equal in all members of a family.
+//! Keys of expressions for the check of dimensions. Corresponding expressions of all members of a family have equal keys.
 
 use crate::components::vector_or_family;
 use crate::names::{Meaning, Unknown};
@@ -7,39 +7,40 @@ use std::collections::{HashMap, HashSet};
 use std::mem::Discriminant;
 use units::Dimension;
 
-/// A part of an expression, as far as it decides a dimension. Expressions with equal parts, in the order of the text, have the same
-/// dimension under the same conditions.
+/// A node of an expression, reduced to the data that affect dimensions. Expressions with equal lists of parts, in text
+/// order, have the same dimension under the same conditions.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Part {
-    /// What has no further properties, and how many operands it has if their number varies.
+    /// An expression without further data; the number of operands if it varies, otherwise 0.
     Kind(Discriminant<ExpressionKind>, usize),
     Unary(UnaryOperator),
     Binary(BinaryOperator),
-    /// The dimension of a number; the bits of its value where it decides: in exponents, and of a bare zero, which fits any dimension.
+    /// Dimension of a number. The bits of its value are included where the value affects dimensions: in exponents, and for
+    /// a bare zero, which fits every dimension.
     Number(Option<Dimension>, Option<u64>),
-    /// A name with its primes; the bits of its value where it decides. Members of a family, components of a vector and definitions that are alike
-    /// have the meaning of the first.
+    /// Meaning of a name, derivative order, and the bits of its value in exponents. Members of a family, components of a
+    /// vector and definitions with equal keys have the meaning of the first one.
     Name(Meaning, u32, Option<u64>),
-    /// A function or a table, or a name without a meaning, and the number of arguments.
+    /// Name of a function, a table or an undeclared name, and the number of arguments.
     Call(String, usize),
     Component(usize),
-    /// A call of a function of the author's own, and the dimension stated for it.
+    /// A call of a user-defined function, and its stated dimension.
     Expansion(String, Option<Dimension>),
 }
 
-/// Which unknowns and definitions have the same dimension, and what has been checked.
+/// Unknowns and definitions with equal dimensions, and the keys that have been checked.
 #[derive(Debug, Default)]
 pub(crate) struct Alike {
-    /// Of each unknown the first one of its family.
+    /// For each unknown, the index of the first unknown of its family or vector.
     pub(super) unknowns: Vec<usize>,
-    /// Of definitions the first one that is alike, if it is another.
+    /// For definitions with the same key as an earlier one, the index of the first.
     pub(super) definitions: HashMap<usize, usize>,
     pub(super) checked: HashSet<Vec<Part>>,
     pub(super) defined: HashMap<Vec<Part>, usize>,
 }
 
 impl Alike {
-    /// With the families and vectors of these unknowns.
+    /// Groups these unknowns by family and vector.
     pub fn of(unknowns: &[Unknown]) -> Self {
         let mut first: HashMap<&str, usize> = HashMap::new();
         let families = unknowns.iter().map(|unknown| vector_or_family(unknown.name)).enumerate();
@@ -48,7 +49,7 @@ impl Alike {
         Self { unknowns: of_family.collect(), ..Self::default() }
     }
 
-    /// The first unknown of the family or vector of one.
+    /// Index of the first unknown of the same family or vector.
     pub fn first(&self, unknown: usize) -> usize {
         self.unknowns.get(unknown).copied().unwrap_or(unknown)
     }

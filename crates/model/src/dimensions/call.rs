@@ -1,4 +1,4 @@
-//! What kind of value a call has.
+//! Type of a function call.
 
 use super::form::{Conflict, Form};
 use super::infer::Inference;
@@ -10,7 +10,7 @@ use program::functions::{Function, Rule};
 use units::{Exponent, Words, words};
 
 impl Inference<'_> {
-    /// The type of a call, of a function of the language or of a table.
+    /// Type of a call of a built-in function or of a table.
     pub(super) fn call(&mut self, name: &Name, arguments: &[Expression]) -> Type {
         if let (Some(table), [argument]) = (self.scope.table(&name.text), arguments) {
             return self.look_up(name, table, argument);
@@ -59,7 +59,7 @@ impl Inference<'_> {
         }
     }
 
-    /// The value of a table at an argument of the right dimension.
+    /// Type of a table's value. Checks the dimension of the argument.
     fn look_up(&mut self, name: &Name, table: &TableFunction, argument: &Expression) -> Type {
         let user = || words!("the argument of `{}`", "el argumento de `{}`", name.text);
         if let Some(form) = self.number(argument, &user) {

@@ -1,9 +1,9 @@
 //! Infers and checks the dimensions of a whole model.
 //!
-//! What the author states counts before what follows from it: first stated units, then definitions without one, initial
-//! values, equations, and at last the values of definitions with a stated unit, which are only checked against it. So a
-//! slip in a definition is reported there, and not in the equations that use it. An initial value that is a bare number comes
-//! after the equations: its unit was likely forgotten.
+//! Dimensions are settled in this order: stated units, definitions without a unit, initial values, equations, and last the
+//! values of definitions with a stated unit, which are only checked against it. So a mistake in a definition is reported
+//! there, not in the equations that use it. Initial values that are bare numbers come after the equations, because their
+//! unit was probably forgotten.
 
 use super::alike::{Alike, Part};
 use super::describe::with_article;
@@ -19,8 +19,8 @@ use crate::{Diagnostic, Expression, ParameterStatement, Span, StatedUnit, has_er
 use std::collections::HashMap;
 use units::{Dimension, Words, words};
 
-/// What is known about the names of a model once it has been checked; every dimension in it is known. `order` is that of
-/// the definitions.
+/// Types of all names after the check of a model; every dimension is known. `order` is the evaluation order of the
+/// definitions.
 pub(crate) fn check_dimensions(
     declarations: &Declarations,
     order: &[usize],
@@ -84,14 +84,14 @@ fn place(parameter: &ParameterStatement) -> ParameterPlace {
 }
 
 impl Inference<'_> {
-    /// The members of a family have one dimension, and so have the components of a vector.
+    /// Requires one dimension for the members of a family and for the components of a vector.
     fn families(&mut self, unknowns: &[Unknown]) {
         let mut first: HashMap<&str, usize> = HashMap::new();
         for (index, unknown) in unknowns.iter().enumerate() {
             let Some(family) = vector_or_family(unknown.name) else { continue };
             let first = *first.entry(family).or_insert(index);
             if first != index {
-                // Nothing is known of either yet, so this cannot fail.
+                // Both dimensions are still unknown, so this cannot fail.
                 let (one, other) = (&self.types.unknowns[first], &self.types.unknowns[index]);
                 let _ = self.solver.unify(one, other, unknown.span);
             }
@@ -123,12 +123,12 @@ impl Inference<'_> {
         }
     }
 
-    /// The dimension of an unknown with primes.
+    /// Dimension of the derivative of an unknown with `order` primes.
     fn state(&self, index: usize, order: u32) -> Option<Form> {
         self.derivative(self.types.unknowns.get(index)?, order)
     }
 
-    /// Definitions in an order in which each comes after those it uses. A stated unit is believed for now.
+    /// Infers definitions in evaluation order. A stated unit is trusted here and checked later.
     fn definitions(&mut self, declarations: &Declarations, order: &[usize]) {
         for &index in order {
             let definition = &declarations.definitions[index];
@@ -140,7 +140,7 @@ impl Inference<'_> {
         }
     }
 
-    /// Those that are `wanted`.
+    /// Checks the initial values that `wanted` selects.
     fn initial_values(&mut self, unknowns: &[Unknown], wanted: impl Fn(&InitialEntry) -> bool) {
         for (index, unknown) in unknowns.iter().enumerate() {
             for entry in unknown.initial.iter().flatten().filter(|entry| wanted(entry)) {
@@ -161,7 +161,7 @@ impl Inference<'_> {
         }
     }
 
-    /// What becomes the value of a state must have its dimension.
+    /// Requires that a value assigned to a state has the dimension of the state.
     fn assigned(&mut self, value: &Expression, written: &str, own: &Form, span: Span) {
         let found = self.expression(value);
         let Some(form) = self.as_number(value, &found, &Words::same(format!("`{written}`"))) else { return };
@@ -178,7 +178,7 @@ impl Inference<'_> {
         }
     }
 
-    /// The dimension of what must be a number.
+    /// Dimension of a value that must be a number. Reports other types.
     fn as_number(&mut self, value: &Expression, found: &Type, user: &Words) -> Option<Form> {
         match found {
             Type::Number(form) => return Some(form.clone()),
@@ -195,13 +195,13 @@ impl Inference<'_> {
         None
     }
 
-    /// Infers a value and checks it against the unit stated for it.
+    /// Infers a value and checks it against its stated unit.
     fn stated(&mut self, value: &Expression, stated: &StatedUnit) {
         let found = self.expression(value);
         self.check_stated(value, &found, stated);
     }
 
-    /// Checks a value against the unit stated for it.
+    /// Checks a value of type `found` against its stated unit.
     pub fn check_stated(&mut self, value: &Expression, found: &Type, stated: &StatedUnit) {
         let Some(form) = self.as_number(value, found, &words("what has a unit", "lo que tiene unidad")) else { return };
         let needed = Form::from(stated.unit.dimension);
@@ -233,7 +233,7 @@ impl Inference<'_> {
         self.equal(&left, Place::Sum);
     }
 
-    /// Notes that the parameters in expressions fit there, also those in definitions without a stated unit.
+    /// Marks the parameters in consistent expressions as confirmed, also those in definitions without a stated unit.
     fn confirm(&mut self, expressions: &[&Expression], declarations: &Declarations) {
         let mut waiting = expressions.to_vec();
         let mut seen = vec![false; declarations.definitions.len()];
@@ -249,7 +249,7 @@ impl Inference<'_> {
         }
     }
 
-    /// The dimension of terms that are all known and all of one dimension.
+    /// Common dimension of the terms, if all are known and equal.
     fn common(&self, terms: &[Term]) -> Option<Dimension> {
         let dimension = |term: &Term| self.solver.resolve(term.form.as_ref()?).ok()?.dimension();
         let first = dimension(terms.first()?)?;
@@ -273,8 +273,8 @@ impl Inference<'_> {
         }
     }
 
-    /// Puts what was found out into the types; what nothing decides is a pure number. With an error elsewhere, `warn` is
-    /// false: the dimension is open only because of that.
+    /// Writes the inferred dimensions into the types; an undetermined dimension becomes a pure number. `warn` is false
+    /// after an error elsewhere, which may be the cause of the undetermined dimension.
     fn settle(&mut self, unknowns: &[Unknown], warn: bool) {
         for (index, unknown) in unknowns.iter().enumerate() {
             let own = self.types.unknowns[index].clone();
@@ -295,7 +295,7 @@ impl Inference<'_> {
                     ),
                 ));
             }
-            // A pure number fits what is free, so this cannot fail.
+            // A pure number fits a free dimension, so this cannot fail.
             let _ = self.solver.unify(&own, &Form::pure(), unknown.span);
         }
         let settled = |solver: &Solver, form: &Form| {

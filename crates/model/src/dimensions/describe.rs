@@ -11,7 +11,7 @@ pub(crate) fn with_article(dimension: Dimension) -> Words {
     )
 }
 
-/// `a length`, `something with the dimension kg m^3`: what could be multiplied.
+/// `a length`, `something with the dimension kg m^3`: the object of "multiply by".
 pub(crate) fn as_factor(dimension: Dimension) -> Words {
     named(dimension).map_or_else(
         || words!("something with the dimension {dimension}", "una magnitud de dimensión {dimension}"),
@@ -19,19 +19,19 @@ pub(crate) fn as_factor(dimension: Dimension) -> Words {
     )
 }
 
-/// The usual name of what has this dimension.
+/// Usual name of a quantity of this dimension.
 fn named(dimension: Dimension) -> Option<QuantityName> {
     if dimension.is_none() { Some(QuantityName::PURE_NUMBER) } else { dimension.quantity_names().first().copied() }
 }
 
-/// What stands in a comparison of dimensions.
+/// One row in a comparison of dimensions.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
     pub title: Words,
     pub form: Form,
 }
 
-/// The rows under each other, with a column for each base unit, and at the end the usual name of such a quantity.
+/// Comparison table: the rows below one another, one column per base unit, and last the usual name of the quantity.
 pub(crate) fn table(rows: &[Row], language: Language, name_of: impl Fn(usize) -> String) -> String {
     let cells: Vec<Vec<(String, Exponent)>> = rows.iter().map(|row| cells(&row.form, &name_of)).collect();
     let mut columns: Vec<String> = Vec::new();
@@ -64,7 +64,7 @@ pub(crate) fn table(rows: &[Row], language: Language, name_of: impl Fn(usize) ->
     lines.join("\n")
 }
 
-/// The base units in the order of the columns.
+/// Base units in the order of the columns.
 const BASE: [&str; 8] = ["kg", "m", "s", "A", "K", "mol", "cd", "px"];
 
 fn cells(form: &Form, name_of: &impl Fn(usize) -> String) -> Vec<(String, Exponent)> {
@@ -91,7 +91,7 @@ fn align(lines: &mut [String]) {
     }
 }
 
-/// By which factor one of two sides differs from the other, said in the simplest way.
+/// Factor between the dimensions of two sides, in the simpler of two forms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Factor {
     /// The first side would have to be multiplied by something of this dimension.
@@ -101,10 +101,10 @@ pub(crate) enum Factor {
 }
 
 impl Factor {
-    /// From the dimension of `found` divided by that of `expected`.
+    /// From the quotient of the dimensions of `found` and `expected`.
     pub fn of(ratio: Dimension) -> Self {
         let inverse = ratio.inverse();
-        // "a length too many" says more than "a wave number is lacking".
+        // "A length too many" is clearer than "a wave number is lacking".
         let oddness = |dimension: Dimension| {
             let negative = dimension.base().filter(|(_, exponent)| exponent.numerator() < 0).count();
             let nameless = usize::from(named(dimension).is_none());
@@ -113,7 +113,7 @@ impl Factor {
         if oddness(inverse) < oddness(ratio) { Self::Lacking(inverse) } else { Self::Excess(ratio) }
     }
 
-    /// `lacks a factor with the dimension of mass`, `has one length too many`; in Spanish what lacks or is too many in it:
+    /// `lacks a factor with the dimension of mass`, `has one length too many`; the Spanish sentence begins with the factor:
     /// `falta un factor con dimensión de masa`.
     pub fn verdict(self) -> Words {
         let dimension = self.dimension();
@@ -155,7 +155,7 @@ impl Factor {
         }
     }
 
-    /// What the first side would have to be multiplied by.
+    /// Dimension by which the first side must be multiplied.
     pub fn lacking(self) -> Dimension {
         match self {
             Self::Lacking(dimension) => dimension,
@@ -163,7 +163,7 @@ impl Factor {
         }
     }
 
-    /// The dimension of what is lacking or too many.
+    /// Dimension of the lacking or surplus factor.
     pub fn dimension(self) -> Dimension {
         match self {
             Self::Lacking(dimension) | Self::Excess(dimension) => dimension,
@@ -171,7 +171,7 @@ impl Factor {
     }
 }
 
-/// The base quantity of which the dimension is a small positive whole power.
+/// Base quantity and exponent, if the dimension is an integer power from 1 to 9 of one base unit.
 fn single(dimension: Dimension) -> Option<(Words, i32)> {
     let mut base = dimension.base();
     let (Some((symbol, exponent)), None) = (base.next(), base.next()) else {
@@ -189,7 +189,7 @@ fn single(dimension: Dimension) -> Option<(Words, i32)> {
     is_small.then_some((quantity, exponent.numerator()))
 }
 
-/// `one length`, `two masses`, `two factors of time` (two times would be something else)
+/// `one length`, `two masses`, `two factors of time` ("two times" would mean twice).
 fn counted(base: &str, count: i32) -> String {
     let things = match (base, count) {
         ("time", 1) => "factor of time".to_owned(),
@@ -201,7 +201,7 @@ fn counted(base: &str, count: i32) -> String {
     format!("{} {things}", number(count).english)
 }
 
-/// In Spanish as it stands before a masculine noun.
+/// Number word; the Spanish one is the form before a masculine noun.
 fn number(count: i32) -> Words {
     match count {
         1 => words("one", "un"),

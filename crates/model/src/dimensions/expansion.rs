@@ -1,4 +1,4 @@
-//! Calls of functions of the author's own, which are checked one by one.
+//! Types of calls of user-defined functions; each call is checked separately.
 
 use super::infer::Inference;
 use super::types::Type;
@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use units::words;
 
 impl Inference<'_> {
-    /// A call of a function of the author's own: what does not fit in its body says with which call.
+    /// Type of a call of a user-defined function. Errors in its body also show the place of the call.
     pub(super) fn expansion(&mut self, expansion: &Expansion, call: Span) -> Type {
         let before = self.diagnostics.len();
         let found = self.expression(&expansion.body);
@@ -20,7 +20,7 @@ impl Inference<'_> {
                 let place = words!("with this call of `{}`", "con esta llamada a `{}`", expansion.function);
                 diagnostic = diagnostic.with_label(call, place);
             }
-            // An argument that is used twice is wrong once.
+            // A wrong argument that is used twice in the body is reported once.
             if places.insert(diagnostic.labels.iter().map(|label| label.span).collect::<Vec<_>>()) {
                 self.diagnostics.push(diagnostic);
             }

@@ -1,12 +1,12 @@
-//! Dimensions with unknowns in them, and their unification: products of powers, so that every condition is one linear
-//! equation over rational exponents (A. J. Kennedy, "Programming Languages and Dimensions", 1996, without his
-//! polymorphism, for which a model has no use).
+//! Dimensions with unknowns, and their unification. Dimensions are products of powers, so every condition is one linear
+//! equation with rational exponents. After A. J. Kennedy, "Programming Languages and Dimensions", 1996, without
+//! polymorphism, which models do not need.
 
 use crate::Span;
 use std::collections::BTreeMap;
 use units::{Dimension, Exponent};
 
-/// A dimension that is not known yet.
+/// Index of an unknown dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Variable(pub usize);
 
@@ -14,11 +14,11 @@ pub(crate) struct Variable(pub usize);
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Form {
     pub known: Dimension,
-    /// Sorted, each once, no exponent 0.
+    /// Sorted by variable, each variable once, no exponent 0.
     pub unknown: Vec<(Variable, Exponent)>,
 }
 
-/// An exponent has left its bound. No physical quantity comes near it.
+/// An exponent is out of bounds. No physical quantity comes near the bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TooLarge;
 
@@ -79,12 +79,12 @@ impl Form {
     }
 }
 
-/// Why two dimensions cannot be made equal.
+/// Reason why two dimensions cannot be made equal.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Conflict {
     /// They differ by a known factor.
     Different,
-    /// An exponent has left its bound.
+    /// An exponent is out of bounds.
     TooLarge,
 }
 
@@ -94,40 +94,40 @@ impl From<TooLarge> for Conflict {
     }
 }
 
-/// What has been found out about the unknown dimensions.
+/// State of the inference: the solutions found so far.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solver {
     variables: Vec<Option<Solution>>,
     solved: usize,
 }
 
-/// What an unknown dimension turned out to be.
+/// Solution for an unknown dimension.
 #[derive(Clone, Debug)]
 struct Solution {
-    /// In terms of variables that were unknown when it was found, so of those that were found later, or not yet.
+    /// In terms of variables that were unsolved at that time: those solved later, and those still free.
     form: Form,
-    /// How many were found before it.
+    /// Number of solutions found before it.
     rank: usize,
-    /// What made it known.
+    /// Place in the source that determines it.
     origin: Span,
 }
 
 impl Solver {
-    /// A dimension of which nothing is known.
+    /// Returns a new free dimension.
     pub fn fresh(&mut self) -> Form {
         let variable = Variable(self.variables.len());
         self.variables.push(None);
         Form { known: Dimension::NONE, unknown: vec![(variable, Exponent::ONE)] }
     }
 
-    /// The form with everything put in that has been found out.
+    /// Substitutes all known solutions.
     pub fn resolve(&self, form: &Form) -> Result<Form, TooLarge> {
         if form.unknown.is_empty() {
             return Ok(form.clone());
         }
         let mut known = form.known;
         let mut open: BTreeMap<Variable, Exponent> = BTreeMap::new();
-        // In the order in which they were found, each variable has to be put in only once.
+        // In the order of their ranks, each variable is substituted only once.
         let mut found: BTreeMap<usize, (&Solution, Exponent)> = BTreeMap::new();
         let mut factors = form.unknown.clone();
         loop {
@@ -152,7 +152,7 @@ impl Solver {
         Ok(Form { known, unknown })
     }
 
-    /// Makes two dimensions equal, because of what stands at `origin`.
+    /// Makes two dimensions equal. `origin` is the place that requires it.
     pub fn unify(&mut self, a: &Form, b: &Form, origin: Span) -> Result<(), Conflict> {
         if a == b {
             return Ok(());
@@ -168,7 +168,7 @@ impl Solver {
         Ok(())
     }
 
-    /// Where the dimension of the form's first variable was found out.
+    /// Place that determined the dimension of the first variable of the form.
     pub fn origin(&self, form: &Form) -> Option<Span> {
         let (variable, _) = form.unknown.first()?;
         self.variables[variable.0].as_ref().map(|solution| solution.origin)

@@ -1,4 +1,4 @@
-//! Infers what kind of value an expression has, and of which dimension.
+//! Infers types and dimensions of expressions.
 
 use super::alike::Alike;
 use super::form::{Conflict, Form, Solver};
@@ -15,11 +15,11 @@ const POWER: Words = words("a power", "una potencia");
 
 #[cfg(test)]
 thread_local! {
-    /// Expressions whose type was inferred.
+    /// Number of expressions whose type was inferred.
     pub(super) static INFERRED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
 }
 
-/// Infers the types of expressions and collects what does not fit.
+/// Infers the types of expressions and collects mismatches.
 #[derive(Debug)]
 pub(crate) struct Inference<'a> {
     pub scope: &'a Scope,
@@ -65,7 +65,7 @@ impl Inference<'_> {
             }
             ExpressionKind::Expansion(expansion) => self.expansion(expansion, expression.span),
             ExpressionKind::Component { of, axis } => self.component(of, *axis),
-            // What belongs to families has been written out.
+            // Families have been expanded before.
             ExpressionKind::Tuple { .. }
             | ExpressionKind::Member { .. }
             | ExpressionKind::Reduction { .. }
@@ -99,7 +99,7 @@ impl Inference<'_> {
         self.derivative(&form, order).map_or_else(|| self.too_large(span), Type::Number)
     }
 
-    /// The dimension of the derivative with `order` primes.
+    /// Dimension of the derivative with `order` primes.
     pub fn derivative(&self, form: &Form, order: u32) -> Option<Form> {
         if order == 0 {
             return Some(form.clone());
@@ -108,7 +108,7 @@ impl Inference<'_> {
         form.per(&divisor).ok()
     }
 
-    /// The terms of a sum, through nested sums and signs; a literal 0, which fits anything, is left out.
+    /// Collects the terms of a sum, through nested sums and signs. A literal 0 is left out because it fits every dimension.
     pub fn terms<'e>(&mut self, expression: &'e Expression, terms: &mut Vec<Term<'e>>) {
         let mut waiting = vec![expression];
         while let Some(next) = waiting.pop() {
@@ -127,7 +127,7 @@ impl Inference<'_> {
         }
     }
 
-    /// The dimension of what must be a number; `None` if it is not, which is reported.
+    /// Dimension of an operand that must be a number; `None` after reporting any other type.
     pub(super) fn number(&mut self, expression: &Expression, user: &dyn Fn() -> Words) -> Option<Form> {
         let found = match self.expression(expression) {
             Type::Number(form) => return Some(form),
@@ -152,7 +152,7 @@ impl Inference<'_> {
         None
     }
 
-    /// Checks what must be true or false.
+    /// Requires a truth value.
     pub fn truth(&mut self, expression: &Expression, user: &Words) {
         let found = self.expression(expression);
         if matches!(found, Type::Truth | Type::Unknown) {
@@ -196,7 +196,7 @@ impl Inference<'_> {
         }
     }
 
-    /// `left*right` or `left/right`. Long products are nested to the left: a loop spares the stack.
+    /// `left*right` or `left/right`. Long products are nested to the left; a loop avoids deep recursion.
     fn product(&mut self, left: &Expression, operator: BinaryOperator, right: &Expression) -> Type {
         let mut factors = vec![(operator, right)];
         let mut first = left;
@@ -222,7 +222,7 @@ impl Inference<'_> {
         product.map_or(Type::Unknown, Type::Number)
     }
 
-    /// `left and right` or `left or right`, which are nested to the left like products.
+    /// `left and right` or `left or right`, nested to the left like products.
     fn connection(&mut self, left: &Expression, operator: BinaryOperator, right: &Expression) -> Type {
         let mut sides = vec![(operator, right)];
         let mut first = left;
@@ -246,7 +246,7 @@ impl Inference<'_> {
         Type::Truth
     }
 
-    /// Two values of which one or the other is taken, or that are compared.
+    /// Requires one type of two branches or two sides of a comparison, and returns it.
     fn same_kind(&mut self, left: (&Expression, Type), right: (&Expression, Type), place: Place) -> Type {
         match (&left.1, &right.1) {
             (Type::Unknown, other) | (other, Type::Unknown) => other.clone(),
@@ -300,7 +300,7 @@ impl Inference<'_> {
         Type::Number(Form::pure())
     }
 
-    /// The value of an expression of plain numbers.
+    /// Value of an expression of literal numbers without units.
     pub fn constant(&self, expression: &Expression) -> Option<f64> {
         match &expression.kind {
             ExpressionKind::Number { value, unit: None } => Some(*value),
@@ -325,7 +325,7 @@ impl Inference<'_> {
         }
     }
 
-    /// Requires a pure number.
+    /// Requires a dimensionless number.
     pub(super) fn pure(&mut self, expression: &Expression, form: &Form, what: impl FnOnce() -> Words) {
         match self.solver.unify(form, &Form::pure(), expression.span) {
             Ok(()) => {}
@@ -340,13 +340,13 @@ impl Inference<'_> {
         }
     }
 
-    /// Tells an error; the type of what has it.
+    /// Reports an error and returns [`Type::Unknown`].
     pub fn refuse(&mut self, diagnostic: Diagnostic) -> Type {
         self.diagnostics.push(diagnostic);
         Type::Unknown
     }
 
-    /// Tells that an exponent has left its bound.
+    /// Reports that an exponent is out of bounds.
     pub fn too_large(&mut self, span: Span) -> Type {
         let message = words(
             "the dimension of this has an exponent beyond all reason",

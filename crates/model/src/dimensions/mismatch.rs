@@ -1,4 +1,4 @@
-//! What must have one dimension and does not: which part is to blame, what it lacks, and what in the model would help.
+//! Reports of dimension mismatches: the part at fault, the factor it lacks, and possible remedies in the model.
 
 use super::describe::{Factor, Row, as_factor, table, with_article};
 use super::form::{Conflict, Form};
@@ -10,7 +10,7 @@ use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
 use units::{Dimension, Exponent, Words, words};
 
-/// Whether it is a number without a unit.
+/// True for a number without a unit, possibly negated, and for components of such numbers.
 pub(crate) fn is_bare(expression: &Expression) -> bool {
     match &expression.kind {
         ExpressionKind::Number { unit, .. } => unit.is_none(),
@@ -21,8 +21,8 @@ pub(crate) fn is_bare(expression: &Expression) -> bool {
 }
 
 impl Inference<'_> {
-    /// Requires one dimension of all terms, and returns it. If they differ, those that differ from most terms are reported, and
-    /// nothing more is said about what is computed from them.
+    /// Requires one dimension of all terms, and returns it. If they differ, the terms that differ from most others are
+    /// reported, and the result is unknown, to avoid errors that follow from this one.
     pub fn equal(&mut self, terms: &[Term], place: Place) -> Type {
         let usable: Vec<(usize, &Term, &Form)> = terms
             .iter()
@@ -49,12 +49,12 @@ impl Inference<'_> {
         if odd.is_empty() { Type::Number(reference) } else { Type::Unknown }
     }
 
-    /// Whether the author has enough to read. Explaining takes time, and a bad text could ask for it many times.
+    /// True once [`limits::TOLD`] diagnostics are reported. Explanations take time, and a hostile text could ask for many.
     pub fn has_told_enough(&self) -> bool {
         self.diagnostics.len() >= limits::TOLD
     }
 
-    /// The known dimension that most terms have; the first of several.
+    /// Known dimension of most terms; the first of several.
     fn most_common(&self, terms: &[(usize, &Term, &Form)]) -> Option<Form> {
         let mut counts: Vec<(Dimension, usize)> = Vec::new();
         for (_, _, form) in terms {
@@ -96,7 +96,7 @@ impl Inference<'_> {
         self.diagnostics.push(self.without_units(diagnostic, form, normal_form));
     }
 
-    /// For a model that has no unit anywhere, adds how to do without that of the independent variable.
+    /// For a model without any units, adds the hint to remove the unit of the independent variable.
     fn without_units(&self, diagnostic: Diagnostic, found: &Form, expected: &Form) -> Diagnostic {
         let is_pure = |form: &Form| form.dimension().is_some_and(|dimension| dimension.is_none());
         let independent = self.types.independent.known;
@@ -113,7 +113,7 @@ impl Inference<'_> {
         ))
     }
 
-    /// Tells that the sides of an equation differ, each being consistent in itself.
+    /// Reports an equation whose sides are consistent but have different dimensions.
     pub fn report_sides(&mut self, span: Span, left: (&Expression, &Form), right: (&Expression, &Form)) {
         if self.has_told_enough() {
             return;
@@ -163,7 +163,7 @@ impl Inference<'_> {
         self.diagnostics.push(self.without_units(diagnostic, left.1, right.1));
     }
 
-    /// Tells that a value has not the dimension that is stated or needed at `place`.
+    /// Reports a value whose dimension differs from the one stated or needed.
     pub fn report_value(&mut self, value: (&Expression, &Form), needed: (&str, &Form, Span), context: &Words) {
         if self.has_told_enough() {
             return;
@@ -171,7 +171,7 @@ impl Inference<'_> {
         let subject = Words::same(format!("`{}`", quote(value.0)));
         let title = Words::same(needed.0.to_owned());
         let what = self.what(needed.1);
-        // A stated unit stands there itself, of a name there is only the part before its primes.
+        // The label of a stated unit is at the unit itself; that of a name covers the name only, without its primes.
         let is_name = needed.0.starts_with('`');
         let label =
             if is_name { words!("{title} is {what}", "{title} es {what}", title = title, what = what) } else { what };
@@ -194,7 +194,7 @@ impl Inference<'_> {
         self.diagnostics.push(diagnostic);
     }
 
-    /// What must be a pure number and is not.
+    /// Diagnostic for a value that must be dimensionless and is not.
     pub fn not_pure(&self, expression: &Expression, form: &Form, what: &Words) -> Diagnostic {
         let kind = self.what(form);
         let quoted = quote(expression);
@@ -251,7 +251,7 @@ impl Inference<'_> {
         ratio.dimension().map(Factor::of)
     }
 
-    /// `a length`, `the dimension kg m^3`
+    /// `a length`, `the dimension kg m^3`.
     pub fn what(&self, form: &Form) -> Words {
         let resolved = self.solver.resolve(form).ok().and_then(|form| form.dimension());
         resolved.map_or_else(|| words("of unknown dimension", "de dimensión desconocida"), with_article)
@@ -269,7 +269,7 @@ impl Inference<'_> {
         Words::each(|language| table(&rows, language, name_of))
     }
 
-    /// Adds where the dimensions of unknown functions come from.
+    /// Adds the places that determined the dimensions of the unknown functions involved.
     fn with_origins(&self, mut diagnostic: Diagnostic, forms: &[&Form]) -> Diagnostic {
         for (name, form) in self.types.unknown_names.iter().zip(&self.types.unknowns) {
             let involved = forms.iter().any(|found| {

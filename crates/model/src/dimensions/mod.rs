@@ -1,4 +1,4 @@
-//! Dimensions of expressions: inferred where they are not stated, and checked everywhere.
+//! Dimensions of expressions: inferred where not stated, and checked everywhere.
 
 mod alike;
 mod call;

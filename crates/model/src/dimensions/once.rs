@@ -1,4 +1,4 @@
-//! Expressions that are alike, as those of all members of a family, are checked once.
+//! Expressions with equal keys, such as those of all members of a family, are checked once.
 
 use super::alike::Part;
 use super::infer::Inference;
@@ -7,11 +7,11 @@ use crate::names::Meaning;
 use crate::{BinaryOperator, Expression, ExpressionKind};
 use std::mem::discriminant;
 
-/// Calls with fewer arguments are not those of a sum over a family.
+/// Minimum number of arguments of a call that is examined as a sum over a family.
 const LEAST_ARGUMENTS: usize = 3;
 
 impl Inference<'_> {
-    /// Checks what has these parts, unless something with them has been checked and found right.
+    /// Runs `check` unless an expression with these parts was checked before without errors.
     pub(super) fn check_once(&mut self, parts: Vec<Part>, check: impl FnOnce(&mut Self)) {
         if self.alike.checked.contains(&parts) {
             return;
@@ -23,7 +23,7 @@ impl Inference<'_> {
         }
     }
 
-    /// True if the arguments are those of a sum over members of a family, which are all alike.
+    /// True if all arguments have equal parts, as in a sum over the members of a family.
     pub(super) fn are_alike(&self, arguments: &[Expression]) -> bool {
         let [first, others @ ..] = arguments else { return false };
         if arguments.len() < LEAST_ARGUMENTS {
@@ -33,7 +33,7 @@ impl Inference<'_> {
         others.iter().all(|other| self.parts(&[other]) == first)
     }
 
-    /// The parts of expressions that stand together.
+    /// Parts of several expressions that are checked together.
     pub(super) fn parts(&self, expressions: &[&Expression]) -> Vec<Part> {
         let mut parts = Vec::new();
         for expression in expressions {
@@ -42,7 +42,7 @@ impl Inference<'_> {
         parts
     }
 
-    /// The type of a definition without a stated unit: that of one before that is alike, if there is one.
+    /// Type of a definition without a stated unit; that of an earlier definition with equal parts, if there is one.
     pub(super) fn defined(&mut self, index: usize, value: &Expression) -> Type {
         let parts = self.parts(&[value]);
         if let Some(&first) = self.alike.defined.get(&parts) {
@@ -59,7 +59,7 @@ impl Inference<'_> {
         found
     }
 
-    /// `is_exact` in exponents, whose values decide.
+    /// Appends the parts of an expression. `is_exact` is true in exponents, where values affect the dimension.
     fn add_parts(&self, expression: &Expression, is_exact: bool, parts: &mut Vec<Part>) {
         parts.push(match &expression.kind {
             ExpressionKind::Number { value, unit } => {
@@ -91,7 +91,7 @@ impl Inference<'_> {
         });
     }
 
-    /// The meaning of a name, and its value where it is a fixed number that decides.
+    /// Meaning of a name, and the bits of its value if `is_exact` and the value is a known constant.
     fn meaning(&self, name: &str, is_exact: bool) -> Option<(Meaning, Option<u64>)> {
         Some(match self.scope.meaning(name)? {
             Meaning::Variable(index) => (Meaning::Variable(self.alike.first(index)), None),

@@ -1,5 +1,5 @@
-//! What to do about a wrong dimension: what to multiply or divide by, which names of the model would do, and which
-//! parameter probably lacks its unit.
+//! Remedies for a wrong dimension: a factor to multiply or divide by, names in the model with that dimension, and a
+//! parameter that probably lacks its unit.
 
 use super::describe::{Factor, as_factor};
 use super::form::Form;
@@ -11,11 +11,11 @@ use crate::notation::quote;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
 use units::{Dimension, Words, words};
 
-/// The most names that a hint offers.
+/// Maximum number of names in a hint.
 const MOST_OFFERS: usize = 3;
 
 impl Inference<'_> {
-    /// The diagnostic with what to do about a part of the wrong dimension.
+    /// Adds a remedy for a part with a wrong dimension.
     pub fn with_remedy(
         &self,
         diagnostic: Diagnostic,
@@ -40,9 +40,10 @@ impl Inference<'_> {
             .with_fix(expression.span.after(), format!(" [{unit}]"))
     }
 
-    /// Where a parameter among the factors of a product would get another unit, with which the product fits: one without a unit, or
-    /// the only one of a product with an unknown, such as `k*y`. Where a name of the model could be the factor that is missing or too
-    /// many, that is likelier. A parameter that fits elsewhere keeps its unit.
+    /// Unit that one parameter among the factors of a product would need for the product to fit, with its place. Candidates
+    /// are a parameter without a unit, or the only parameter of a product with an unknown, such as `k*y`; the latter only
+    /// if no name of the model could be the missing or surplus factor, which is more likely. Parameters that fit elsewhere
+    /// are not considered.
     fn other_unit(&self, product: &Expression, found: &Form, expected: &Form) -> Option<(Span, String)> {
         let factor = self.factor(found, expected)?;
         let mut parameters = self.parameters_of(product);
@@ -66,7 +67,7 @@ impl Inference<'_> {
         self.types.parameter_places.get(parameter).is_some_and(|place| place.is_confirmed)
     }
 
-    /// Whether there are parameters in an expression, and all of them fit elsewhere.
+    /// True if the expression contains parameters and all of them fit elsewhere.
     pub fn has_confirmed_parameters(&self, expression: &Expression) -> bool {
         let mut found = Vec::new();
         for_each_name(expression, |name, _, _| {
@@ -83,7 +84,7 @@ impl Inference<'_> {
         found
     }
 
-    /// Whether what is too many stands in the expression, or what is lacking somewhere in the model.
+    /// True if the surplus factor is a name in the expression, or the missing factor a name of the model.
     pub fn has_offer(&self, factor: Factor, expression: &Expression) -> bool {
         match factor {
             Factor::Excess(_) => !self.offered_inside(factor, expression).is_empty(),
@@ -91,7 +92,7 @@ impl Inference<'_> {
         }
     }
 
-    /// What to multiply or divide by.
+    /// Hint by what to multiply or divide.
     fn change(&self, expression: &Expression, found: &Form, expected: &Form) -> Words {
         let Some(factor) = self.factor(found, expected) else {
             return words(
@@ -116,7 +117,7 @@ impl Inference<'_> {
         )
     }
 
-    /// `, or give `omega` the unit [1/s]`, if a parameter without a unit is a factor of the expression.
+    /// `, or give `omega` the unit [1/s]`, if a factor of the expression is a parameter without a unit.
     pub fn forgotten_unit(&self, expression: &Expression, lacking: Dimension) -> Words {
         match self.factor_without_unit(expression) {
             Some(name) => {
@@ -127,7 +128,7 @@ impl Inference<'_> {
         }
     }
 
-    /// A parameter among the factors of a product that is a pure number: perhaps its unit was forgotten.
+    /// First dimensionless parameter among the factors of a product: perhaps its unit was forgotten.
     fn factor_without_unit(&self, product: &Expression) -> Option<&str> {
         let pure =
             self.parameters_of(product).into_iter().find(|index| self.types.parameters[*index] == Form::pure())?;
@@ -136,7 +137,7 @@ impl Inference<'_> {
             .find(|name| matches!(self.scope.meaning(name), Some(Meaning::Parameter(index)) if index == pure))
     }
 
-    /// The parameters among the factors of a product, each once.
+    /// Parameters among the factors of a product, each once.
     fn parameters_of(&self, product: &Expression) -> Vec<usize> {
         let mut found = Vec::new();
         let mut waiting = vec![product];
@@ -160,8 +161,8 @@ impl Inference<'_> {
         found
     }
 
-    /// `, such as L, h_l or h_r`: the names of the model with just this dimension. What is too many is first looked for in
-    /// the expression itself, what is lacking everywhere.
+    /// `, such as L, h_l or h_r`: names with exactly this dimension. A surplus factor is first looked for in the expression
+    /// itself, a missing one in the whole model.
     pub fn offers(&self, factor: Factor, expression: &Expression) -> Words {
         let inside = match factor {
             Factor::Excess(_) => self.offered_inside(factor, expression),
@@ -176,7 +177,7 @@ impl Inference<'_> {
         words!(", such as {names}", ", por ejemplo {names}", names = alternatives(&names))
     }
 
-    /// The names in an expression with the dimension of a factor.
+    /// Names in an expression with the dimension of a factor.
     fn offered_inside<'e>(&self, factor: Factor, expression: &'e Expression) -> Vec<&'e str> {
         let mut names: Vec<&str> = Vec::new();
         for_each_name(expression, |name, order, _| {
@@ -187,12 +188,12 @@ impl Inference<'_> {
         names
     }
 
-    /// The names of the model with the dimension of a factor.
+    /// Names of the model with the dimension of a factor.
     fn offered_anywhere(&self, factor: Factor, expression: &Expression) -> Vec<&str> {
         self.scope.names().filter(|name| self.is_offer(name, factor, expression)).collect()
     }
 
-    /// Whether a name has the dimension of a factor and is not the whole expression.
+    /// True if a name has the dimension of a factor and is not the whole expression.
     fn is_offer(&self, name: &str, factor: Factor, expression: &Expression) -> bool {
         let wanted = factor.dimension();
         !wanted.is_none()
@@ -200,7 +201,8 @@ impl Inference<'_> {
             && quote(expression).trim_start_matches('-') != name
     }
 
-    /// The dimension of a parameter, definition or unknown; the independent variable is no factor to offer.
+    /// Dimension of a parameter or definition; `None` for unknowns and the independent variable, which are not offered as
+    /// factors.
     fn dimension_of(&self, name: &str) -> Option<Dimension> {
         let form = match self.scope.meaning(name)? {
             Meaning::Parameter(index) => self.types.parameters.get(index)?,

@@ -1,4 +1,4 @@
-//! Expressions that must have one dimension.
+//! Groups of expressions that must have one dimension.
 
 use super::form::Form;
 use crate::Expression;
@@ -8,14 +8,14 @@ use units::{Words, words};
 pub(super) const LEFT_SIDE: Words = words("left side", "miembro izquierdo");
 pub(super) const RIGHT_SIDE: Words = words("right side", "miembro derecho");
 
-/// One of several expressions that must have one dimension; without a form when something is wrong with it already.
+/// One of several expressions that must have one dimension. The form is `None` if an error was already reported.
 #[derive(Clone, Debug)]
 pub(crate) struct Term<'e> {
     pub expression: &'e Expression,
     pub form: Option<Form>,
 }
 
-/// Where several expressions must have one dimension.
+/// Construct in which several expressions must have one dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Place {
     /// The terms of a sum, or of both sides of an equation.
@@ -31,7 +31,7 @@ pub(crate) enum Place {
 }
 
 impl Place {
-    /// One of the expressions in a sentence.
+    /// Noun phrase for one of the expressions in a message.
     pub(super) fn part(self, index: usize, term: &Expression) -> Words {
         match (self, index) {
             (Self::Sum, _) => words!("the term `{}`", "el término `{}`", quote(term)),

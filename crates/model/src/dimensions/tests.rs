@@ -1,9 +1,9 @@
-//! The dimensions of a family are checked once, whatever the number of its members.
+//! The dimensions of a family are checked once, regardless of the number of its members.
 
 use super::infer::INFERRED;
 use crate::compile;
 
-/// How many types are inferred to check a model, and what is found.
+/// Number of types inferred during the check of a model, and its diagnostics.
 fn inferred(model: &str, members: usize) -> (usize, Vec<(&'static str, String)>) {
     let source = model.replace("MEMBERS", &members.to_string());
     let before = INFERRED.get();
@@ -46,7 +46,7 @@ fn a_family_is_checked_once() {
     }
 }
 
-/// What does not fit in one member alone is found.
+/// A mismatch in a single member is found.
 #[test]
 fn each_member_that_differs_is_checked() {
     for (model, code) in [
@@ -67,7 +67,7 @@ fn each_member_that_differs_is_checked() {
         let (_, told) = inferred(model, 0);
         assert!(told.iter().any(|(found, _)| *found == code), "{model}: {told:?}");
     }
-    // Zeros of different dimensions.
+    // Zeros with different dimensions.
     let apart = "independent t in [s]\na = 0\nb = 0\nx' = a + 1 [m/s]\ny' = b + 1 [kg/s]\nx(0) = 0\ny(0) = 0";
     assert_eq!(inferred(apart, 0).1, []);
 }

@@ -1,4 +1,4 @@
-//! Vectors by their components, which have one dimension.
+//! Dimensions of vectors: all components have one.
 
 use super::infer::Inference;
 use super::terms::{Place, Term};
@@ -9,8 +9,8 @@ use units::{Words, words};
 const COMPONENT: Words = words("a component of a vector", "una componente de un vector");
 
 impl Inference<'_> {
-    /// One component of `(a, b)`, which has the dimension of the others: so a literal 0 gets one. What does not fit is said
-    /// with the first component, and what is wrong inside another one with that.
+    /// Type of one component of `(a, b)`. It has the dimension of the others, so a literal 0 gets one. A mismatch between
+    /// components is reported with the first component, an error inside a component with that component.
     pub(super) fn component(&mut self, of: &Expression, axis: usize) -> Type {
         let ExpressionKind::Tuple { parts, .. } = &of.kind else { return Type::Unknown };
         let mut terms = Vec::with_capacity(parts.len());

@@ -1,11 +1,11 @@
-//! What kinds of values there are, and of which kind is what has a name.
+//! Types of values and of names.
 
 use super::form::Form;
 use crate::Span;
 use program::Kind;
 use units::{Words, words};
 
-/// What an expression's value is.
+/// Type of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Type {
     /// A number of this dimension.
@@ -14,39 +14,40 @@ pub(crate) enum Type {
     Truth,
     /// A text.
     Text,
-    /// Something is wrong with it and has been reported; nothing more is said about what depends on it.
+    /// An error was already reported; no errors that depend on it are reported.
     Unknown,
 }
 
-/// What is known about the names of a model.
+/// Types of the names of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct Types {
     pub independent: Form,
     pub parameters: Vec<Form>,
-    /// Where the number of each parameter and its unit stand; nothing where the parameters are those of another text.
+    /// Places of the number and the unit of each parameter; empty if the parameters are declared in another text.
     pub parameter_places: Vec<ParameterPlace>,
-    /// What the value of each parameter is.
+    /// Kind of value of each parameter.
     pub parameter_kinds: Vec<Kind>,
     pub definitions: Vec<Type>,
-    /// The values of definitions that are plain numbers, for exponents.
+    /// Values of definitions that are plain numbers, for use in exponents.
     pub numbers: Vec<Option<f64>>,
-    /// The dimension of each unknown function, without primes.
+    /// Dimension of each unknown function, without primes.
     pub unknowns: Vec<Form>,
-    /// The names of the unknown functions.
+    /// Names of the unknown functions.
     pub unknown_names: Vec<String>,
 }
 
-/// Where a parameter's number and its unit in brackets stand, and whether they can be relied on.
+/// Places of the number of a parameter and of its unit in brackets.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ParameterPlace {
     pub value: Span,
     pub unit: Option<Span>,
-    /// Whether an equation or a stated unit uses the parameter and fits: its own unit is then hardly to blame for what does not fit.
+    /// True if a consistent equation or a stated unit uses the parameter. Its own unit is then hardly the cause of a
+    /// mismatch.
     pub is_confirmed: bool,
 }
 
 impl Type {
-    /// What it is called after "is".
+    /// Noun phrase after "is" in a message.
     pub fn described(&self) -> Words {
         match self {
             Self::Number(_) => words("a number", "un número"),

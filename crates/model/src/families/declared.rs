@@ -1,13 +1,13 @@
-//! Which names statements declare.
+//! Names that statements declare.
 
 use crate::{Expression, ExpressionKind, Statement, StatementKind};
 
-/// The names that statements give a meaning; an index cannot have one of them.
+/// All declared names; an index must not have one of them.
 pub(super) fn taken(statements: &[Statement]) -> Vec<&str> {
     statements.iter().filter_map(declared).collect()
 }
 
-/// The name that a statement gives a meaning.
+/// The name that a statement declares.
 pub(crate) fn declared(statement: &Statement) -> Option<&str> {
     match &statement.kind {
         StatementKind::Parameter(parameter) => Some(&parameter.name.text),

@@ -1,50 +1,50 @@
-//! Whole numbers in indices and their ranges.
+//! Integers in indices and their ranges.
 
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, UnaryOperator};
 use program::Size;
 use units::{Unit, words};
 
-/// The values that indices have.
+/// Current values of the indices.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Bindings {
     names: Vec<(String, i64)>,
 }
 
 impl Bindings {
-    /// Gives an index a value for as long as it is not taken back with [`Self::pop`].
+    /// Binds an index to a value until [`Self::pop`].
     pub fn push(&mut self, name: &str, value: i64) {
         self.names.push((name.to_owned(), value));
     }
 
-    /// Takes back the last index.
+    /// Removes the last binding.
     pub fn pop(&mut self) {
         self.names.pop();
     }
 
-    /// Whether no index has a value.
+    /// True if no index is bound.
     pub fn is_empty(&self) -> bool {
         self.names.is_empty()
     }
 
-    /// The value of an index.
+    /// Value of an index.
     pub fn value(&self, name: &str) -> Option<i64> {
         self.names.iter().rfind(|(known, _)| known == name).map(|(_, value)| *value)
     }
 }
 
-/// Why an expression is no whole number.
+/// Reason why an expression is not an integer.
 #[derive(Clone, Copy, Debug)]
 enum Fault<'a> {
-    /// This is neither a whole number nor made of such.
+    /// Neither an integer nor composed of integers, sizes and indices.
     NotWhole(&'a Expression),
-    /// Beyond all bounds.
+    /// Absolute value above the limit.
     TooLarge(&'a Expression),
 }
 
-/// The whole number that an index or the end of its range is.
+/// Integer value of an index or of an end of its range.
 ///
 /// # Errors
-/// What is not made of whole numbers, sizes and indices, or is too large.
+/// If the expression is not composed of integers, sizes and indices, or is too large.
 pub(crate) fn whole_number(
     expression: &Expression,
     sizes: &[Size],
@@ -53,7 +53,7 @@ pub(crate) fn whole_number(
     evaluate(expression, sizes, bindings).map_err(|fault| {
         let (Fault::NotWhole(part) | Fault::TooLarge(part)) = fault;
         if part.kind == ExpressionKind::Error {
-            // It has been said already, with the error that it is.
+            // The parser has already reported the syntax error.
             let message = words("this index could not be read", "no se pudo leer este índice");
             return Box::new(Diagnostic::error("index-not-whole", message, part.span));
         }
@@ -80,7 +80,7 @@ pub(crate) fn whole_number(
 }
 
 fn evaluate<'a>(expression: &'a Expression, sizes: &[Size], bindings: &Bindings) -> Result<i64, Fault<'a>> {
-    /// All whole numbers up to here are exact as numbers of an expression.
+    /// Limit of an index. All integers up to it are exact as numbers of an expression.
     const GREATEST: i64 = 1 << 40;
     let of = |operand: &'a Expression| evaluate(operand, sizes, bindings);
     let value = match &expression.kind {

@@ -1,6 +1,6 @@
-//! Families: what is written once for all values of its indices is written out for each. `m*x[i]'' = -k*x[i] for i in 1..N`
-//! becomes N equations of the unknowns `x[1]` to `x[N]`, whose names have their numbers in them. All that follows (names,
-//! dimensions, lowering) then has to do with single quantities only.
+//! Families: a statement for all values of its indices is expanded to one statement for each. `m*x[i]'' = -k*x[i] for i in
+//! 1..N` becomes N equations of the unknowns `x[1]` to `x[N]`. All later stages (names, dimensions, lowering) see single
+//! quantities only.
 
 mod declared;
 mod index;
@@ -18,7 +18,7 @@ use std::borrow::Cow;
 use units::words;
 use write_out::WriteOut;
 
-/// The statements without families. Those that declare sizes are gone.
+/// Expands all families. Statements that declare sizes are removed.
 pub(crate) fn without_families<'a>(
     statements: &'a [Statement],
     sizes: &[Size],
@@ -44,7 +44,7 @@ pub(crate) fn without_families<'a>(
     Cow::Owned(written)
 }
 
-/// An expression without families, with the values of indices put in.
+/// Expands the families in an expression and substitutes the values of the bound indices.
 pub(crate) fn expression_without_families<'e>(
     expression: &'e Expression,
     sizes: &[Size],
@@ -68,12 +68,12 @@ pub(crate) fn expression_without_families<'e>(
     (Cow::Owned(written), diagnostics)
 }
 
-/// The family of a member with the name `x[3]`.
+/// Family of a member: `x` for `x[3]`.
 pub(crate) fn family(name: &str) -> Option<&str> {
     name.split_once('[').map(|(family, _)| family)
 }
 
-/// Whether anything in an expression belongs to families.
+/// True if an expression contains members or reductions of families.
 fn belongs_to_families(expression: &Expression) -> bool {
     let mut found = false;
     crate::names::for_each(expression, |part| {
@@ -82,7 +82,7 @@ fn belongs_to_families(expression: &Expression) -> bool {
     found
 }
 
-/// Whether anything in a statement belongs to families.
+/// True if a statement contains families.
 fn has_families(statement: &Statement) -> bool {
     let belongs = belongs_to_families;
     !statement.over.is_empty()

@@ -1,11 +1,11 @@
-//! The sizes that statements declare.
+//! Sizes that statements declare.
 
 use super::declared::declared;
 use crate::{Diagnostic, SizeStatement, Statement, StatementKind};
 use program::Size;
 use units::words;
 
-/// The sizes of a model, in the order of the text.
+/// Sizes of a model, in text order.
 pub(crate) fn sizes(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> Vec<Size> {
     let mut sizes: Vec<Size> = Vec::new();
     for statement in statements {
@@ -15,7 +15,7 @@ pub(crate) fn sizes(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>)
             .iter()
             .find(|other| !std::ptr::eq(*other, statement) && declared(other).is_some_and(|declared| declared == name));
         if let Some(other) = other {
-            // Said once, of the later one.
+            // Reported once, at the later declaration.
             if other.span.start < statement.span.start || !matches!(other.kind, StatementKind::Size(_)) {
                 let message = words!("`{name}` is declared twice", "`{name}` se declara dos veces");
                 diagnostics.push(
@@ -36,7 +36,7 @@ pub(crate) fn sizes(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>)
     sizes
 }
 
-/// The range of a size, in whole numbers.
+/// Range of a size as integers. Reports a range that is not one.
 fn range(size: &SizeStatement, diagnostics: &mut Vec<Diagnostic>) -> Option<(u32, u32)> {
     let bounds = size.range.as_ref()?;
     let name = &size.name.text;

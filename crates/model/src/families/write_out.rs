@@ -1,4 +1,4 @@
-//! Statements and expressions with all members of families written out.
+//! Expands statements and expressions with families.
 
 use super::index::{Bindings, whole_number};
 use crate::components::component_name;
@@ -9,30 +9,30 @@ use crate::{
 use program::Size;
 use units::words;
 
-/// Writes families out.
+/// Expands families.
 #[derive(Debug)]
 pub(crate) struct WriteOut<'a> {
     sizes: &'a [Size],
-    /// Names of the model, which no index can have.
+    /// Names of the model; an index must not have one of them.
     taken: Vec<&'a str>,
     pub(super) bindings: Bindings,
-    /// Operations that have been written.
+    /// Number of operations written so far.
     operations: usize,
     diagnostics: Vec<Diagnostic>,
 }
 
 impl<'a> WriteOut<'a> {
-    /// With no index bound.
+    /// Expander without bound indices.
     pub fn new(sizes: &'a [Size], taken: Vec<&'a str>) -> Self {
         Self { sizes, taken, bindings: Bindings::default(), operations: 0, diagnostics: Vec::new() }
     }
 
-    /// Whether more has been written than a model may have; from here on nothing is written any more.
+    /// True if more has been written than a model may have; nothing more is written then.
     pub fn is_full(&self) -> bool {
         self.operations > limits::MEMBER_OPERATIONS
     }
 
-    /// What was found, each fault once: it may be that of every member.
+    /// Returns the diagnostics. A fault that occurs in every member is reported once.
     pub fn finish(mut self) -> Vec<Diagnostic> {
         let mut told: Vec<(&'static str, Span)> = Vec::new();
         self.diagnostics.retain(|diagnostic| {
@@ -44,7 +44,7 @@ impl<'a> WriteOut<'a> {
         self.diagnostics
     }
 
-    /// Adds what a statement states for each of its indices.
+    /// Appends a copy of a statement for each combination of its indices.
     pub fn statement(&mut self, statement: &Statement, written: &mut Vec<Statement>) {
         if let StatementKind::Size(_) = statement.kind {
             return;
@@ -92,7 +92,7 @@ impl<'a> WriteOut<'a> {
             if self.is_full() {
                 return;
             }
-            // What binds an index costs too: ranges in ranges are bounded by it.
+            // Each binding counts as an operation, to limit nested ranges.
             self.operations += 1;
             self.bindings.push(&index.text, value);
             self.for_each_index(rest, visit);
@@ -106,7 +106,7 @@ impl<'a> WriteOut<'a> {
             .ok()
     }
 
-    /// What a statement states for the present values of the indices; none where that cannot be said.
+    /// The statement for the present values of the indices; `None` after an error.
     fn kind(&mut self, kind: &StatementKind) -> Option<StatementKind> {
         Some(match kind {
             StatementKind::Parameter(_)
@@ -183,7 +183,7 @@ impl<'a> WriteOut<'a> {
         Some(Action::of(name, action.order, value))
     }
 
-    /// `x[3]` for `x[i+1]`
+    /// `x[3]` for `x[i+1]`.
     fn member(&mut self, family: &str, indices: &[Expression]) -> Option<String> {
         let mut numbers = Vec::with_capacity(indices.len());
         for index in indices {
@@ -192,7 +192,7 @@ impl<'a> WriteOut<'a> {
         Some(format!("{family}[{}]", numbers.join(",")))
     }
 
-    /// An expression for the present values of the indices.
+    /// The expression for the present values of the indices.
     pub fn expression(&mut self, expression: &Expression) -> Expression {
         self.operations += 1;
         let span = expression.span;
@@ -245,7 +245,7 @@ impl<'a> WriteOut<'a> {
         Expression { kind, span }
     }
 
-    /// The value of an index or a size.
+    /// Value of an index or a size.
     fn number(&self, name: &str) -> Option<f64> {
         let size = || self.sizes.iter().find(|size| size.name == name).map(|size| f64::from(size.value));
         self.bindings.value(name).map(|value| value as f64).or_else(size)

@@ -1,4 +1,4 @@
-//! The tokens and the comment of a line, with the blanks before each.
+//! Tokens and the comment of a line, with the blanks before each.
 
 use super::gaps::{Gap, gap};
 use super::roles::Role;
@@ -7,28 +7,28 @@ use crate::lexer::{Token, TokenKind, tokens};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// How far a level of braces or a statement's next line is indented.
+/// Blanks per level of indentation: of braces, and of the continuation lines of a statement.
 pub(super) const LEVEL: usize = 4;
 
 /// A token or a comment.
 pub(super) struct Cell<'a> {
-    /// Where it stands.
+    /// Place in the text.
     pub(super) span: Span,
-    /// How it is written.
+    /// Formatted text.
     pub(super) text: Cow<'a, str>,
     pub(super) role: Role,
-    /// The blanks between it and the one before it.
+    /// Blanks between it and the preceding cell.
     pub(super) before: Span,
-    /// How many these are in the text.
+    /// Number of blanks in the original text.
     pub(super) found: usize,
-    /// How many belong there.
+    /// Kind of gap that belongs before it.
     pub(super) gap: Gap,
-    /// How many there are after this.
+    /// Number of blanks before it after formatting.
     pub(super) blanks: usize,
 }
 
 impl Cell<'_> {
-    /// How many blanks belong before it where it need not stand in a column.
+    /// Number of blanks before the cell if it is not aligned to a column.
     pub(super) fn natural(&self) -> usize {
         match self.gap {
             Gap::None => 0,
@@ -39,7 +39,7 @@ impl Cell<'_> {
     }
 }
 
-/// The tokens of a line that fills `range`, and the comment at its end.
+/// Tokens of the line in the byte range `range`, and the comment at its end.
 pub(super) fn line_cells<'a>(source: &'a str, line: &[Token], roles: &[Role], range: Range<usize>) -> Vec<Cell<'a>> {
     let tokens = line.iter().zip(roles).filter(|(token, _)| token.kind != TokenKind::End);
     let mut parts: Vec<(Span, Cow<str>, Role)> =
@@ -67,12 +67,12 @@ pub(super) fn line_cells<'a>(source: &'a str, line: &[Token], roles: &[Role], ra
     cells
 }
 
-/// How many columns a text takes; a tabulator as many as a level of indentation.
+/// Width of a text in columns; a tab counts as one level of indentation.
 pub(super) fn width(text: &str) -> usize {
     text.chars().map(|c| if c == '\t' { LEVEL } else { 1 }).sum()
 }
 
-/// A token as it is written: units without blanks at their ends, indices without any.
+/// Formatted text of a token: units without outer blanks, indices without any blanks.
 fn tidied<'a>(source: &'a str, token: &Token) -> Cow<'a, str> {
     let text = &source[token.span.range()];
     let TokenKind::Brackets(inside) = &token.kind else {
@@ -84,7 +84,7 @@ fn tidied<'a>(source: &'a str, token: &Token) -> Cow<'a, str> {
     if tight == content { Cow::Borrowed(text) } else { Cow::Owned(format!("[{tight}]")) }
 }
 
-/// An index such as `i - 1`; one with words in it only loses the blanks at its ends.
+/// An index such as `i - 1` without blanks; one that contains keywords only loses its outer blanks.
 fn without_blanks(source: &str, range: Range<usize>) -> String {
     let content = source[range.clone()].trim();
     let (inside, found) = tokens(source, range);

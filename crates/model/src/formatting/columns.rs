@@ -1,8 +1,7 @@
-//! Columns: in neighbouring lines of one kind, what they have in common stands below one another - equals signs, units, ranges,
-//! labels.
+//! Alignment in columns: equals signs, units, ranges and labels of neighbouring lines of one kind stand below one another.
 //!
-//! Where a column stands follows from the tokens alone and not from the blanks that are found, so a layout is reached in one step
-//! whoever wrote the text.
+//! Columns depend on the tokens alone, not on the existing blanks. So formatting is idempotent and independent of the
+//! original layout.
 
 use super::cells::{Cell, width};
 use super::gaps::Gap;
@@ -10,7 +9,7 @@ use super::line::Line;
 use super::roles::Role;
 use std::ops::RangeInclusive;
 
-/// What lines are in the same columns.
+/// Kind of a line; lines of one kind share columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// `parameter k = 4 [N/m] in 1..9 step 1 "Stiffness"`
@@ -23,13 +22,13 @@ enum Kind {
     Titled,
     /// `"Mercury" = "Mercurio"`
     Translated,
-    /// A comment alone, which ends no group.
+    /// A comment alone on its line; it does not end a group.
     Comment,
     /// Anything else.
     Other,
 }
 
-/// A column of a kind of line, in their order from left to right.
+/// Columns of a line, from left to right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Column {
     Titled,
@@ -53,7 +52,7 @@ const COLUMNS: [Column; 8] = [
     Column::Comment,
 ];
 
-/// Sets the blanks before all cells but the first ones of their lines.
+/// Sets the blanks before all cells except the first one of each line.
 pub(super) fn align(lines: &mut [Line]) {
     let kinds: Vec<Kind> = lines.iter().map(kind).collect();
     let mut start = 0;
@@ -68,8 +67,8 @@ pub(super) fn align(lines: &mut [Line]) {
     }
 }
 
-/// Where the lines end that are in the columns of the first one: at a blank line or at another kind. Comments and the further
-/// lines of a statement, which are indented, stand between them.
+/// End of the group of lines that share columns with the line `start`: at a blank line or at another kind of line. Comments
+/// and indented continuation lines do not end a group.
 fn end_of_group(lines: &[Line], kinds: &[Kind], start: usize) -> usize {
     let goes_on = |index: usize| {
         let (line, first) = (&lines[index], &lines[start]);
@@ -97,12 +96,12 @@ fn kind(line: &Line) -> Kind {
     }
 }
 
-/// Whether a derivative stands before the equals sign, and no value at the start.
+/// True if a derivative, not an initial value, stands before the equals sign.
 fn is_rate(cells: &[Cell]) -> bool {
     cells.last().is_some_and(|cell| cell.text.ends_with('\''))
 }
 
-/// `function f(x) = ...`, possibly after another word.
+/// True for `function f(x) = ...`, possibly after another word.
 fn is_function(cells: &[Cell]) -> bool {
     cells.iter().take(2).any(|cell| cell.text == "function")
 }
@@ -111,12 +110,12 @@ fn is_equals(cell: &Cell) -> bool {
     cell.role == Role::Operator && cell.text == "="
 }
 
-/// Whether a name alone stands before the equals sign, possibly with primes, an index or the place of a value at the start.
+/// True if a single name stands before the equals sign, possibly with primes, an index or `(0)`.
 fn is_defined(cells: &[Cell]) -> bool {
     !cells.iter().any(|cell| matches!(cell.role, Role::Operator | Role::Tight | Role::Sign | Role::Brace))
 }
 
-/// The cell of a line that begins each of its columns.
+/// Columns of a line, each with the index of its first cell.
 fn columns(line: &Line, kind: Kind) -> Vec<(Column, usize)> {
     let mut found: Vec<(Column, usize)> = Vec::new();
     let mut depth = 0_usize;
@@ -130,7 +129,7 @@ fn columns(line: &Line, kind: Kind) -> Vec<(Column, usize)> {
         let Some(column) = before.filter(|_| depth == 0).and_then(|before| column(before, cell, kind)) else {
             continue;
         };
-        // What stands on the right of a column in another order, as the `in` of `for k in 1..9`, is in none.
+        // A token out of column order, such as the `in` of `for k in 1..9`, is not aligned.
         if found.last().is_none_or(|(last, _)| *last < column) {
             found.push((column, index));
         }
@@ -159,7 +158,7 @@ fn column(before: &Cell, cell: &Cell, kind: Kind) -> Option<Column> {
     }
 }
 
-/// Sets the columns of lines one after the other, from left to right, so that all before one of them is where it will be.
+/// Sets the columns from left to right, so that everything before a column is final when it is set.
 fn align_group(lines: &mut [Line], kinds: &[Kind]) {
     let first = lines.first().map(|line| (kinds[0], line.indented));
     let is_member = |line: &Line, kind: Kind| first == Some((kind, line.indented));
@@ -180,18 +179,18 @@ fn align_group(lines: &mut [Line], kinds: &[Kind]) {
     }
 }
 
-/// How many blanks stand before a column at least.
+/// Minimum number of blanks before a column.
 fn blanks(column: Column) -> usize {
     if column == Column::Label { 2 } else { 1 }
 }
 
-/// How many blanks a column may put into a line. Where lines differ by more, the column is that of most of them, and the others
-/// are not in it.
+/// Maximum number of blanks for alignment in one line. If line lengths differ by more, the column follows the majority, and
+/// the other lines are not aligned.
 fn widest(column: Column) -> usize {
     if column == Column::Equals { 16 } else { 48 }
 }
 
-/// From the shortest to the longest of as many lines as are in one column, by the places where they end.
+/// Range of line ends, in columns, that contains the most lines and is no wider than `widest`.
 fn reach(mut ends: Vec<usize>, widest: usize) -> RangeInclusive<usize> {
     ends.sort_unstable();
     let mut most = (0, 0..=0);
@@ -204,7 +203,7 @@ fn reach(mut ends: Vec<usize>, widest: usize) -> RangeInclusive<usize> {
     most.1
 }
 
-/// The column of text in which the cell before this one ends.
+/// Text column at which the preceding cell ends.
 fn end_before(line: &Line, cell: usize) -> usize {
     line.indented + line.cells[..cell].iter().map(|cell| cell.blanks + width(&cell.text)).sum::<usize>()
 }

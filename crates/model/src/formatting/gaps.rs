@@ -1,20 +1,20 @@
-//! How many blanks belong between two tokens.
+//! Blanks between two tokens.
 
 use super::roles::Role;
 use program::functions::Function;
 
-/// How many blanks belong between two tokens.
+/// Rule for the number of blanks between two tokens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Gap {
     None,
     One,
-    /// One where there are any.
+    /// One blank if the text has any.
     OneIfAny,
-    /// As many as there are.
+    /// As many blanks as the text has.
     Exact,
 }
 
-/// The gap between two tokens with these roles and texts. `apart` says whether there are blanks between them now.
+/// Gap between two tokens with these roles and texts. `apart`: true if there are blanks between them now.
 pub(super) fn gap(roles: [Role; 2], texts: [&str; 2], apart: bool) -> Gap {
     use Role::{
         Attached, Brace, Brackets, Closing, Colon, Comment, Dots, Keyword, Name, Number, Opening, Operator, Point,

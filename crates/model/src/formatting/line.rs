@@ -1,4 +1,4 @@
-//! A line of a text that gets its layout.
+//! A line of a text to be formatted.
 
 use super::cells::{Cell, line_cells, width};
 use super::roles::roles;
@@ -8,23 +8,23 @@ use std::ops::Range;
 
 /// A line of the text.
 pub(super) struct Line<'a> {
-    /// The blanks with which it begins.
+    /// Leading blanks.
     pub(super) indentation: Span,
-    /// How many there are after this.
+    /// Number of leading blanks after formatting.
     pub(super) indented: usize,
     pub(super) cells: Vec<Cell<'a>>,
-    /// The blanks with which it ends, its line end left out.
+    /// Trailing blanks, without the line end.
     pub(super) trailing: Span,
-    /// Where the next line begins.
+    /// Byte at which the next line begins.
     pub(super) next: usize,
-    /// How many paragraphs come before it.
+    /// Number of paragraphs before it.
     pub(super) paragraph: usize,
-    /// The token with which it begins, in the order of the text.
+    /// Index of its first token.
     pub(super) first: usize,
 }
 
 impl Line<'_> {
-    /// What changes in the text.
+    /// Appends the edits that format the line.
     pub(super) fn edit(&self, source: &str, edits: &mut Vec<Edit>) {
         let mut replace = |span: Span, text: &str| {
             if &source[span.range()] != text {
@@ -40,7 +40,7 @@ impl Line<'_> {
     }
 }
 
-/// The lines of a text, as they stand there.
+/// Splits a text into lines, with their layout unchanged.
 pub(super) fn lines<'a>(source: &'a str, range: Range<usize>, tokens: &[Token]) -> Vec<Line<'a>> {
     let roles = roles(source, tokens);
     let mut lines = Vec::new();
@@ -74,7 +74,7 @@ pub(super) fn lines<'a>(source: &'a str, range: Range<usize>, tokens: &[Token]) 
             first,
         };
         if let Some(cell) = line.cells.first_mut() {
-            // What stands before the first one is the indentation.
+            // Blanks before the first cell are the indentation.
             cell.before = Span::new(from, from);
             cell.blanks = 0;
         }

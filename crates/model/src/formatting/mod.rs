@@ -1,7 +1,7 @@
-//! One layout for the text of a model, whoever wrote it: how many blanks stand between two tokens, at the beginning and at the
-//! end of a line, and how many blank lines between statements. Line ends, comments and the spelling of tokens stay.
+//! Formatter for the text of a model: blanks between tokens, at the beginning and at the end of lines, and blank lines
+//! between statements. Line ends, comments and the spelling of tokens are kept.
 //!
-//! Neighbouring lines of one kind are set in columns.
+//! Neighbouring lines of one kind are aligned in columns.
 
 mod cells;
 mod columns;
@@ -17,17 +17,17 @@ use gaps::Gap;
 use line::{Line, lines};
 use std::ops::Range;
 
-/// What the lines of a text are.
+/// Kind of text to be formatted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Statements of the equation language, which decide how far a line is indented.
+    /// Statements of the equation language; they determine the indentation of each line.
     Model,
-    /// Lines made of texts and expressions, such as plots and presets: one that begins with a text is not indented, others
-    /// stay as they are.
+    /// Lines of texts and expressions, such as plots and presets. A line that begins with a text is not indented; other
+    /// lines keep their indentation.
     Lines,
 }
 
-/// The edits that give the text in `range` its layout. None if it has characters or marks that cannot be read.
+/// Edits that format the text in the byte range `range`. `None` if the lexer reports an error there.
 pub fn format(source: &str, range: Range<usize>, form: Form) -> Option<Vec<Edit>> {
     let (tokens, found) = tokens(source, range.clone());
     if !is_readable(source, &found) {
@@ -46,7 +46,7 @@ pub fn format(source: &str, range: Range<usize>, form: Form) -> Option<Vec<Edit>
     Some(edits)
 }
 
-/// An expression, or a line made of texts and expressions, in one line with the blanks that belong there.
+/// An expression, or a line of texts and expressions, in one line with normalized blanks.
 pub fn spaced(source: &str, range: Range<usize>) -> String {
     let (mut tokens, found) = tokens(source, range.clone());
     if !is_readable(source, &found) {
@@ -62,7 +62,7 @@ pub fn spaced(source: &str, range: Range<usize>) -> String {
     text
 }
 
-/// Whether nothing but a sign for percent is strange in a text.
+/// True if the lexer reports nothing, apart from percent signs.
 fn is_readable(source: &str, found: &[Diagnostic]) -> bool {
     found.iter().all(|diagnostic| source.get(diagnostic.span().range()) == Some("%"))
 }
@@ -102,7 +102,7 @@ fn indent_texts(lines: &mut [Line]) {
     }
 }
 
-/// Leaves one blank line where there are several, and none at the beginning and at the end.
+/// Keeps at most one blank line in a row, and none at the beginning and at the end.
 fn remove_blank_lines(lines: &mut Vec<Line>) -> Vec<Edit> {
     let mut edits = Vec::new();
     let last = lines.iter().rposition(|line| !line.cells.is_empty());

@@ -1,18 +1,18 @@
-//! What tokens are to their neighbours: a sign or an operator, a point of a table, a bound of a range.
+//! Roles of tokens with respect to their neighbours: sign or operator, point of a table, bound of a range.
 
 use crate::lexer::{Symbol, Token, TokenKind};
 
-/// What a token is to its neighbours.
+/// Role of a token with respect to its neighbours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
     Number,
     Name,
     Keyword,
-    /// `=`, a comparison, or a sum's `+` and `-`.
+    /// `=`, a comparison, or `+` and `-` of a sum.
     Operator,
-    /// An operator without blanks: of a product, of a power, and those of a sum in the bounds of a range.
+    /// An operator without blanks: of a product or power, and of a sum in the bounds of a range.
     Tight,
-    /// A sign of one operand.
+    /// A unary sign.
     Sign,
     Opening,
     Closing,
@@ -23,7 +23,7 @@ pub(super) enum Role {
     Text,
     /// A unit or an index.
     Brackets,
-    /// What belongs to the token before it: primes, components, raised digits.
+    /// Attached to the token before it: primes, components, superscript digits.
     Attached,
     Unknown,
     /// A point of a table or a mark between points.
@@ -31,16 +31,17 @@ pub(super) enum Role {
     Comment,
 }
 
-/// Words after which an expression begins. All of them are names, too: only the blanks around a `-` behind one tell a sign from an operator.
+/// Words before an expression. All of them are also valid names: only the blanks around a following `-` tell a sign from an
+/// operator.
 const WORDS: [&str; 13] =
     ["of", "at", "from", "until", "against", "points", "within", "than", "step", "changes", "every", "by", "histogram"];
 
-/// The role of each token.
+/// Role of each token.
 pub(super) fn roles(source: &str, tokens: &[Token]) -> Vec<Role> {
     let in_range = in_ranges(tokens);
     let points = points(tokens);
     let mut roles: Vec<Role> = Vec::with_capacity(tokens.len());
-    // The last token that is no line end: a sum may go on in the next line.
+    // Index of the last token that is not a line end: a sum may continue on the next line.
     let mut last: Option<usize> = None;
     for (index, token) in tokens.iter().enumerate() {
         let before = last.map(|last| roles[last]);
@@ -103,7 +104,8 @@ fn is_end_of_operand(role: Role) -> bool {
     matches!(role, Role::Number | Role::Name | Role::Closing | Role::Brackets | Role::Attached | Role::Text)
 }
 
-/// `of -x`: a `-` at `sign`, after the first of these tokens, that stands close to what follows and apart from a word.
+/// True for `of -x`: a `-` at byte `sign` after the first of `tokens`, which is one of [`WORDS`], with a blank before it
+/// and none after it.
 fn is_sign_after_word(source: &str, tokens: &[Token], sign: usize) -> bool {
     let is_word = tokens.first().is_some_and(|token| WORDS.contains(&&source[token.span.range()]));
     let apart = tokens.first().is_some_and(|token| token.span.end < sign);
@@ -111,7 +113,7 @@ fn is_sign_after_word(source: &str, tokens: &[Token], sign: usize) -> bool {
     is_word && apart && close
 }
 
-/// Which tokens are the points of a table.
+/// For each token, true if it is a point of a table.
 fn points(tokens: &[Token]) -> Vec<bool> {
     let mut table = false;
     let mut inside = false;
@@ -135,7 +137,7 @@ fn points(tokens: &[Token]) -> Vec<bool> {
     kinds.collect()
 }
 
-/// Which tokens are the `+` and `-` in the bounds of a range, as in `for i in 0..N+1`.
+/// For each token, true if it is `+` or `-` in the bounds of a range, as in `for i in 0..N+1`.
 fn in_ranges(tokens: &[Token]) -> Vec<bool> {
     let mut found = vec![false; tokens.len()];
     for (index, _) in tokens.iter().enumerate().filter(|(_, token)| token.kind == TokenKind::Symbol(Symbol::Dots)) {
@@ -145,7 +147,7 @@ fn in_ranges(tokens: &[Token]) -> Vec<bool> {
     found
 }
 
-/// Marks the signs of the sum whose tokens follow one another in this order, up to what cannot belong to it.
+/// Marks the signs of the sum that the tokens form in this order, up to the first token that cannot belong to it.
 fn mark_bound(tokens: &[Token], order: impl Iterator<Item = usize>, found: &mut [bool]) {
     let mut depth = 0_usize;
     let mut operand = false;

@@ -1,8 +1,8 @@
-//! How much may be written out: a short text can ask for very much.
+//! Limit for the expansion of functions: a short text can expand to a very long one.
 
 use crate::limits;
 
-/// How many parts may still be written out.
+/// Number of nodes that may still be written.
 #[derive(Debug)]
 pub(crate) struct Budget(usize);
 
@@ -13,12 +13,12 @@ impl Default for Budget {
 }
 
 impl Budget {
-    /// That of all expressions of a document outside its model together, such as those of the copies of a part.
+    /// Budget for all expressions of a document outside its model together, including repeated parts.
     pub fn of_document() -> Self {
         Self(limits::WRITTEN_OUT_IN_DOCUMENT)
     }
 
-    /// Whether one more part may be written out.
+    /// Takes one node from the budget. Returns false if none is left.
     pub fn take(&mut self) -> bool {
         let left = self.0 > 0;
         self.0 = self.0.saturating_sub(1);

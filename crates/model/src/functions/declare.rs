@@ -1,4 +1,4 @@
-//! Which functions there are, and that none of them calls itself.
+//! Collects the user-defined functions and rejects recursion.
 
 use super::{Function, Functions};
 use crate::components::split_component;
@@ -9,13 +9,13 @@ use std::collections::HashMap;
 use units::words;
 
 impl Functions {
-    /// Reads the functions of a model. None if they call each other in circles.
+    /// Functions of a model. `None` if they call each other recursively.
     pub(crate) fn collect(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> Option<Self> {
         let mut declared: Vec<&FunctionStatement> = Vec::new();
         let mut numbers: HashMap<&str, usize> = HashMap::new();
         for statement in statements {
             if let StatementKind::Function(function) = &statement.kind
-                // A second one is reported with the other names that are declared twice.
+                // A second one is reported with other duplicate names.
                 && !numbers.contains_key(function.name.text.as_str())
             {
                 numbers.insert(&function.name.text, declared.len());
@@ -48,7 +48,7 @@ impl Functions {
     }
 }
 
-/// Which functions are called in the body of one, each once.
+/// Indices of the functions called in the body of one, each once.
 fn called(function: &FunctionStatement, numbers: &HashMap<&str, usize>) -> Vec<usize> {
     let mut called = Vec::new();
     for_each(&function.body, |part| {
@@ -69,7 +69,7 @@ fn called(function: &FunctionStatement, numbers: &HashMap<&str, usize>) -> Vec<u
 fn check_parameters(function: &FunctionStatement, diagnostics: &mut Vec<Diagnostic>) {
     let mut used: Vec<&str> = Vec::new();
     for_each_name(&function.body, |name, _, _| {
-        // `r.x` of an argument `r` that is a vector.
+        // `r.x` is a component of an argument `r` that is a vector.
         let name = split_component(name).map_or(name, |(vector, _)| vector);
         if function.parameters.iter().any(|parameter| parameter.text == name) && !used.contains(&name) {
             used.push(name);

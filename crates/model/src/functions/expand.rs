@@ -1,4 +1,4 @@
-//! Writing out the calls in an expression.
+//! Expands the function calls in an expression.
 
 use super::budget::Budget;
 use super::substitute::Substitution;
@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use units::words;
 
 impl Functions {
-    /// The expression with all calls of these functions written out. A call that cannot be becomes
+    /// The expression with all calls of these functions expanded. A call that cannot be expanded becomes
     /// [`ExpressionKind::Error`], with a diagnostic.
     pub(crate) fn expanded<'e>(
         &self,
@@ -28,18 +28,18 @@ impl Functions {
 }
 
 impl Functions {
-    /// The function that an expression calls.
+    /// The user-defined function that an expression calls.
     fn called(&self, expression: &Expression) -> Option<&Function> {
         match &expression.kind {
             ExpressionKind::Call { function, .. } => self.by_name.get(&function.text),
-            // `f(0)` is read as a value at the start.
+            // The parser reads `f(0)` as an initial value.
             ExpressionKind::InitialValue { name, order: 0 } => self.by_name.get(name),
             _ => None,
         }
     }
 }
 
-/// Writes out calls.
+/// Expands calls.
 struct Writing<'a> {
     functions: &'a Functions,
     budget: &'a mut Budget,
@@ -47,7 +47,7 @@ struct Writing<'a> {
 }
 
 impl<'a> Writing<'a> {
-    /// Writes out the calls in what is nested so deeply.
+    /// Expands the calls in an expression at nesting depth `depth`.
     fn expand(&mut self, expression: &mut Expression, depth: usize) {
         if depth > limits::NESTING {
             self.refuse(expression);
@@ -90,7 +90,7 @@ impl<'a> Writing<'a> {
         }
     }
 
-    /// `a + b + c`, which is nested to the left as often as it has operators: a loop spares the stack.
+    /// `a + b + c`: operator chains are nested to the left, one level per operator. A loop avoids deep recursion.
     fn chain(&mut self, expression: &mut Expression, depth: usize) {
         let mut first = expression;
         while matches!(first.kind, ExpressionKind::Binary(..)) {
@@ -101,7 +101,7 @@ impl<'a> Writing<'a> {
         self.expand(first, depth + 1);
     }
 
-    /// What stands in the place of a call of `function`.
+    /// Replacement of a call of `function`.
     fn call(
         &mut self,
         function: &Function,
@@ -119,7 +119,8 @@ impl<'a> Writing<'a> {
             self.diagnostics.push(too_large(call));
             return ExpressionKind::Error;
         };
-        // Calls in the body come after its arguments: a name of the model in another function's body is none of them.
+        // Calls in the body are expanded after substitution, so that names of the model in another function's body are not
+        // taken for arguments.
         self.expand(&mut body, depth + 1);
         let (function, unit) = (function.name.clone(), function.unit.clone());
         ExpressionKind::Expansion(Box::new(Expansion { function, written, body, unit }))
@@ -131,14 +132,14 @@ impl<'a> Writing<'a> {
     }
 }
 
-/// Whether an expression is nested more deeply than one that can be read.
+/// True if an expression is nested more deeply than the parser allows.
 pub(crate) fn is_too_deep(expression: &Expression) -> bool {
     let mut waiting = vec![(expression, 1, 1)];
     while let Some((next, depth, height)) = waiting.pop() {
         if depth > limits::NESTING || height > limits::HEIGHT {
             return true;
         }
-        // What is chained to the left, as a sum of many terms, is no deeper for it.
+        // Left operands of a chain, as in a sum of many terms, do not count as nesting.
         let chained = matches!(next.kind, ExpressionKind::Binary(..));
         let mut below = if chained { depth } else { depth + 1 };
         next.for_each_operand(|part| {

@@ -1,5 +1,5 @@
-//! Functions of the author's own. A call is written out: the body of the function with the arguments in it takes its place
-//! before names get their meanings, so that units, dependences and derivatives are those of each call.
+//! User-defined functions. A call is replaced by the body of the function with its arguments substituted. This happens
+//! before names are resolved, so units, dependences and derivatives are inferred for each call.
 
 mod budget;
 mod declare;
@@ -14,28 +14,28 @@ pub(crate) use statements::written_out;
 use crate::{Expression, Span, StatedUnit};
 use std::collections::BTreeMap;
 
-/// The functions that the statements of a model declare.
+/// Functions declared by the statements of a model.
 #[derive(Clone, Debug, Default)]
 pub struct Functions {
     by_name: BTreeMap<String, Function>,
 }
 
 impl Functions {
-    /// Their names, in alphabetical order.
+    /// Names of the functions, in alphabetical order.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.by_name.keys().map(String::as_str)
     }
 }
 
-/// One of them.
+/// A user-defined function.
 #[derive(Clone, Debug)]
 struct Function {
     name: String,
-    /// The names of its arguments.
+    /// Names of its arguments.
     parameters: Vec<String>,
-    /// Its value as it is written, with calls in it.
+    /// Body as written, with unexpanded calls.
     body: Expression,
     unit: Option<StatedUnit>,
-    /// Where its name is declared.
+    /// Place of its declared name.
     span: Span,
 }

@@ -1,11 +1,12 @@
-//! The calls in the statements of a model.
+//! Expands the function calls in the statements of a model.
 
 use super::Functions;
 use super::budget::Budget;
 use crate::{Diagnostic, Expression, Statement, StatementKind};
 use std::collections::HashSet;
 
-/// The functions of a model, and its statements with their calls written out, if there are any.
+/// Functions of a model, and its statements with all calls expanded; `None` instead of the statements if there are no
+/// functions.
 pub(crate) fn written_out(
     statements: &[Statement],
     diagnostics: &mut Vec<Diagnostic>,
@@ -20,7 +21,7 @@ pub(crate) fn written_out(
         *expression = functions.expanded(expression, &mut budget, diagnostics).into_owned();
     }
     for statement in statements {
-        // Functions that are called nowhere.
+        // Check the bodies of functions that are never called.
         if let StatementKind::Function(function) = &statement.kind {
             functions.expanded(&function.body, &mut Budget::default(), diagnostics);
         }
@@ -30,7 +31,7 @@ pub(crate) fn written_out(
     (functions, Some(written))
 }
 
-/// The expressions of a statement in which functions may be called.
+/// Expressions of a statement in which functions may be called.
 fn expressions(statement: &mut StatementKind) -> Vec<&mut Expression> {
     match statement {
         StatementKind::Parameter(_)

@@ -1,4 +1,4 @@
-//! Putting arguments into the body of a function.
+//! Substitutes arguments into the body of a function.
 
 use super::Function;
 use super::budget::Budget;
@@ -8,18 +8,18 @@ use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind, Over, Span};
 use units::words;
 
-/// One call.
+/// Substitution for one call.
 pub(super) struct Substitution<'a> {
     pub function: &'a Function,
     pub arguments: &'a [Expression],
-    /// Where it stands.
+    /// Place of the call.
     pub call: Span,
     pub budget: &'a mut Budget,
     pub diagnostics: &'a mut Vec<Diagnostic>,
 }
 
 impl<'a> Substitution<'a> {
-    /// Part of the body with the arguments in it. None if it becomes too large.
+    /// Part of the body with the arguments substituted. `None` if it becomes too large.
     pub fn of(&mut self, part: &Expression) -> Option<Expression> {
         if !self.budget.take() {
             return None;
@@ -45,7 +45,7 @@ impl<'a> Substitution<'a> {
             },
             ExpressionKind::Member { name, indices, order, at_start } => {
                 let indices = indices.iter().map(|index| self.of(index)).collect::<Option<_>>()?;
-                // A family may be an argument by its name.
+                // An argument may be the name of a family.
                 let family = match self.argument(name).map(|argument| &argument.kind) {
                     Some(ExpressionKind::Name { name, order: 0 }) => name,
                     _ => name,
@@ -87,13 +87,13 @@ impl<'a> Substitution<'a> {
         self.of(part).map(Box::new)
     }
 
-    /// What stands in the call for a name of the body.
+    /// Argument of the call for a name in the body.
     fn argument(&self, name: &str) -> Option<&'a Expression> {
         let place = self.function.parameters.iter().position(|parameter| parameter == name)?;
         self.arguments.get(place)
     }
 
-    /// A component of an argument that is a vector, or of its derivative.
+    /// Component of an argument that is a vector, or of its derivative.
     fn component(&mut self, argument: &Expression, axis: usize, order: u32, place: Span) -> Option<ExpressionKind> {
         let of = if order == 0 {
             self.of_argument(argument)?
@@ -103,14 +103,14 @@ impl<'a> Substitution<'a> {
         Some(ExpressionKind::Component { of: Box::new(of), axis })
     }
 
-    /// The argument itself.
+    /// A copy of the argument. `None` if the budget is exhausted.
     fn of_argument(&mut self, argument: &Expression) -> Option<Expression> {
         let mut affordable = true;
         for_each(argument, |_| affordable &= self.budget.take());
         affordable.then(|| argument.clone())
     }
 
-    /// The derivative of an argument, which a name alone has.
+    /// Derivative of an argument; only a name or a member has one.
     fn primed(&mut self, argument: &Expression, order: u32, place: Span) -> ExpressionKind {
         if let ExpressionKind::Name { name, order: own } = &argument.kind {
             return ExpressionKind::Name { name: name.clone(), order: own.saturating_add(order) };

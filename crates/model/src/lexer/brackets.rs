@@ -1,4 +1,4 @@
-//! `[N/m]` and `[i+1]`: units and indices, which the parser tells apart.
+//! `[N/m]` and `[i+1]`: units and indices; the parser distinguishes them.
 
 use super::Lexer;
 use super::token::TokenKind;
@@ -6,7 +6,7 @@ use crate::{Diagnostic, Span};
 use units::words;
 
 impl Lexer<'_> {
-    /// Brackets and what stands inside.
+    /// Lexes brackets and their content.
     pub(super) fn brackets(&mut self) {
         let start = self.at;
         self.at += 1;
@@ -31,7 +31,7 @@ impl Lexer<'_> {
         self.push(TokenKind::Unknown, start);
     }
 
-    /// Reads the sign of a degree behind a number, as in `30°`. Whether it was one.
+    /// Consumes a degree sign after a number, as in `30°`. Returns true if there was one.
     pub(super) fn degree_sign(&mut self, sign: char, start: usize) -> bool {
         let number = self.tokens.last().filter(|token| matches!(token.kind, TokenKind::Number(_)));
         let Some(number) = number.map(|token| token.span).filter(|_| matches!(sign, '°' | 'º')) else { return false };
@@ -48,7 +48,7 @@ impl Lexer<'_> {
     }
 }
 
-/// The length of the longest unit at the start of a text; the word `in` is not taken for inches.
+/// Length in bytes of the longest unit at the start of a text; the word `in` is not read as inches.
 fn unit_at_start(text: &str) -> Option<usize> {
     let text = text.split(" in ").next().unwrap_or_default();
     let ends = text.char_indices().filter(|(_, c)| !c.is_alphanumeric()).map(|(end, _)| end).chain([text.len()]);

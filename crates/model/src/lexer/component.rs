@@ -6,7 +6,7 @@ use crate::components::AXES;
 use units::alphabet::primes;
 
 impl Lexer<'_> {
-    /// The axis after a point, if nothing else follows: its number and the text with the point.
+    /// Axis at the current position, if nothing else follows: its index and the text with the point.
     fn axis(&self) -> Option<(usize, &'static str)> {
         const SUFFIXES: [&str; 3] = [".x", ".y", ".z"];
         if self.byte(0) != Some(b'.') {
@@ -18,14 +18,14 @@ impl Lexer<'_> {
         (!goes_on && axis < AXES.len()).then_some((axis, suffix))
     }
 
-    /// Reads the axis after a point, if it comes next.
+    /// Consumes an axis at the current position.
     pub(super) fn axis_here(&mut self) -> Option<(usize, &'static str)> {
         let found = self.axis()?;
         self.at += found.1.len();
         Some(found)
     }
 
-    /// The number of primes that come next.
+    /// Consumes primes and returns their number.
     pub(super) fn primes(&mut self) -> u32 {
         let mut count = 0;
         while let Some(next) = self.peek()
@@ -37,7 +37,7 @@ impl Lexer<'_> {
         count
     }
 
-    /// Whether a component comes next, directly after what can be a vector.
+    /// True if a component comes next, directly after a token that can end a vector.
     pub(super) fn at_component(&self) -> bool {
         let vector = self.tokens.last().is_some_and(|last| {
             let closed = matches!(

@@ -1,4 +1,5 @@
-//! Derivatives as textbooks print them: `d²y/dt²`, `ÿ`. They are read as the derivatives that they are, so that nothing else is said of them.
+//! Derivatives in textbook notation: `d²y/dt²`, `ÿ`. They are reported and lexed as the derivatives that they mean, to
+//! avoid errors that follow from the first.
 
 use super::Lexer;
 use super::token::TokenKind;
@@ -7,20 +8,20 @@ use crate::{Diagnostic, Span, limits};
 use units::alphabet::greek_name;
 use units::{raised, words};
 
-/// Letters with one dot and with two, and the letters below the dots.
+/// Letters with dots, the letters without the dots, and the number of dots.
 const DOTTED: [(&str, &str, u32); 2] =
     [("ȧḃċḋėḟġḣṁṅȯṗṙṡṫẇẋẏż", "abcdefghmnoprstwxyz", 1), ("äëḧïöẗüẅẍÿ", "aehiotuwxy", 2)];
 
-/// Dots that follow the letter that they stand above.
+/// Combining dots, which follow their letter, and their number.
 const DOTS: [(char, u32); 3] = [('\u{307}', 1), ('\u{308}', 2), ('\u{20DB}', 3)];
 
 impl Lexer<'_> {
-    /// Reads a derivative in another notation. Whether there was one.
+    /// Consumes a derivative in textbook notation. Returns true if there was one.
     pub(super) fn textbook_derivative(&mut self) -> bool {
         self.quotient() || self.dotted()
     }
 
-    /// `d²y/dt²` and `d^2y/dt^2`: nothing else begins with a power of `d` beside a name.
+    /// `d²y/dt²` and `d^2y/dt^2`. No valid text begins with a power of `d` beside a name.
     fn quotient(&mut self) -> bool {
         let rest = self.rest();
         let Some((order, after)) = rest.strip_prefix('d').and_then(power) else { return false };
@@ -42,7 +43,7 @@ impl Lexer<'_> {
         true
     }
 
-    /// `ÿ` and `ẋ_1`. In a longer word such a letter is just a letter.
+    /// `ÿ` and `ẋ_1`. In a longer word such a letter is an ordinary letter.
     fn dotted(&mut self) -> bool {
         let mut characters = self.rest().chars();
         let Some(first) = characters.next() else { return false };
@@ -65,7 +66,7 @@ impl Lexer<'_> {
         true
     }
 
-    /// Says that what stands from `start` up to here is written with primes, and reads it so.
+    /// Reports that the text from `start` to here is written with primes, and lexes it as `text` with `order` primes.
     fn primed_instead(&mut self, start: usize, text: String, ours: &str, order: u32) {
         let span = Span::new(start, self.at);
         let written = &self.source[span.range()];
@@ -75,7 +76,7 @@ impl Lexer<'_> {
     }
 }
 
-/// The power at the start of a text, `²` or `^2`, and what follows.
+/// Exponent at the start of a text, `²` or `^2`, and the rest.
 fn power(text: &str) -> Option<(u32, &str)> {
     let plain = text.strip_prefix('^');
     let rest = plain.unwrap_or(text);
@@ -84,13 +85,13 @@ fn power(text: &str) -> Option<(u32, &str)> {
     Some((digit(first)?, &rest[first.len_utf8()..]))
 }
 
-/// The length of the name at the start of a text.
+/// Length in bytes of the name at the start of a text.
 fn name_length(text: &str) -> usize {
     let is_part = |c: char| c == '_' || c.is_alphanumeric() && raised(c).is_none();
     if text.starts_with(char::is_alphabetic) { text.find(|c| !is_part(c)).unwrap_or(text.len()) } else { 0 }
 }
 
-/// The letter below dots, and how many dots there are.
+/// The letter without its dots, and the number of dots.
 fn undotted(dotted: char) -> Option<(char, u32)> {
     DOTTED.iter().find_map(|(with, without, order)| {
         let index = with.chars().position(|c| c == dotted)?;

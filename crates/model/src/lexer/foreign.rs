@@ -1,19 +1,19 @@
-//! What people write first who come from other tools. The rest of the line is read as it was meant, so that nothing else is
-//! said about it.
+//! Syntax of other tools that newcomers use. It is reported, and the line is lexed as it was meant, to avoid errors that
+//! follow from the first.
 
 use super::Lexer;
 use super::token::{Symbol, TokenKind};
 use crate::{Diagnostic, Span};
 use units::words;
 
-/// The names of collections of functions.
+/// Names of function modules in other languages.
 const COLLECTIONS: [&str; 5] = ["Math", "math", "np", "numpy", "cmath"];
 
-/// Assignments that change what is on their left.
+/// Compound assignment operators.
 const CHANGES: [&str; 4] = ["+=", "-=", "*=", "/="];
 
 impl Lexer<'_> {
-    /// Reads what only other tools have. Whether there was any.
+    /// Consumes syntax of other tools. Returns true if there was any.
     pub(super) fn foreign(&mut self) -> bool {
         let rest = self.rest();
         if rest.starts_with("//") || rest.starts_with("/*") {
@@ -67,7 +67,7 @@ impl Lexer<'_> {
         self.push(TokenKind::Symbol(Symbol::Equals), start);
     }
 
-    /// `|y|`. Whether there is a second bar.
+    /// `|y|`. Returns true if there is a second bar.
     fn bars(&mut self) -> bool {
         let line = self.rest().split(['\n', '#']).next().unwrap_or_default();
         let inside = line[1..].split_once('|').map(|(inside, _)| inside).filter(|inside| !inside.trim().is_empty());
@@ -83,7 +83,7 @@ impl Lexer<'_> {
         true
     }
 
-    /// `a > b ? x : y`. What was meant by the rest of the line cannot be read without its beginning.
+    /// `a > b ? x : y`. The rest of the line is skipped because it cannot be interpreted without its beginning.
     fn choice(&mut self) {
         let start = self.at;
         self.at += 1;
@@ -96,12 +96,12 @@ impl Lexer<'_> {
         self.push(TokenKind::Unknown, start);
     }
 
-    /// Whether a point after this name is that of another tool: `Math.sin`.
+    /// True if a point after this name is syntax of another tool: `Math.sin`.
     pub(super) fn is_foreign_collection(&self, name: &str) -> bool {
         COLLECTIONS.contains(&name)
     }
 
-    /// `Math.sin`, of which `sin` is left. Whether the point belongs to such a name.
+    /// Reduces `Math.sin` to `sin`. Returns true if the point belongs to such a name.
     fn member(&mut self) -> bool {
         let Some(collection) = self.name_before(self.at).filter(|name| COLLECTIONS.contains(name)) else {
             return false;
@@ -138,7 +138,7 @@ impl Lexer<'_> {
         true
     }
 
-    /// The name that ends at `at`, blanks left out.
+    /// Name that ends before the byte `at`, ignoring blanks.
     fn name_before(&self, at: usize) -> Option<&str> {
         let token = self.tokens.last()?;
         let TokenKind::Name { text, order: 0, .. } = &token.kind else { return None };

@@ -1,5 +1,4 @@
-//! From characters to tokens. The lexer never fails: what it cannot read becomes [`TokenKind::Unknown`], and a
-//! diagnostic has said so.
+//! From characters to tokens. The lexer never fails: unreadable text becomes [`TokenKind::Unknown`] with a diagnostic.
 
 mod brackets;
 mod component;
@@ -16,10 +15,10 @@ use token::{FOREIGN, JOINED, KEYWORDS, SYMBOLS, lone};
 use units::alphabet::{greek_name, lowered, primes};
 use units::words;
 
-/// About how many bytes a token and the blanks beside it take.
+/// Typical number of bytes per token, including blanks.
 const USUAL: usize = 3;
 
-/// The tokens of `source[range]`, ending with [`TokenKind::End`]. `range` lies on character boundaries.
+/// Tokens of `source[range]`, ending with [`TokenKind::End`]. `range` must lie on character boundaries.
 pub(crate) fn tokens(source: &str, range: Range<usize>) -> (Vec<Token>, Vec<Diagnostic>) {
     let mut lexer = Lexer {
         source,
@@ -42,7 +41,7 @@ struct Lexer<'a> {
     end: usize,
     tokens: Vec<Token>,
     diagnostics: Vec<Diagnostic>,
-    /// The characters of this line that mean nothing; each is reported once.
+    /// Invalid characters of this line; each is reported once.
     strange: Vec<char>,
 }
 
@@ -51,7 +50,7 @@ impl<'a> Lexer<'a> {
         self.source.get(self.at..self.end).unwrap_or_default()
     }
 
-    /// The byte at `ahead` of the next one; all bytes of a character beyond ASCII are from 128 on.
+    /// The byte `ahead` bytes after the position. All bytes of a non-ASCII character are 128 or more.
     fn byte(&self, ahead: usize) -> Option<u8> {
         self.source.as_bytes().get(self.at + ahead).filter(|_| self.at + ahead < self.end).copied()
     }
@@ -63,7 +62,7 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// Moves over ASCII characters as long as they are `wanted`, and tells what they were.
+    /// Consumes ASCII characters while `wanted` is true, and returns them.
     fn skip_ascii(&mut self, wanted: impl Fn(u8) -> bool) -> &'a str {
         let start = self.at;
         while self.byte(0).is_some_and(|byte| byte.is_ascii() && wanted(byte)) {
@@ -76,7 +75,7 @@ impl<'a> Lexer<'a> {
         self.tokens.push(Token { kind, span: Span::new(start, self.at) });
     }
 
-    /// Moves over characters as long as they are `wanted`, and tells what they were.
+    /// Consumes characters while `wanted` is true, and returns them.
     fn skip(&mut self, wanted: impl Fn(char) -> bool) -> &'a str {
         let rest = self.rest();
         let length = rest.find(|c| !wanted(c)).unwrap_or(rest.len());
@@ -119,7 +118,7 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// Whether a point comes next, and not two.
+    /// True if a single point comes next.
     fn at_point(&self) -> bool {
         self.byte(0) == Some(b'.') && self.byte(1) != Some(b'.')
     }
@@ -163,7 +162,8 @@ impl<'a> Lexer<'a> {
         self.push(TokenKind::Unknown, start);
     }
 
-    /// The letters and digits of a name, in ASCII, and where a character is that a name cannot have.
+    /// Consumes the letters and digits of a name, transcribed to ASCII. Also returns the place of a character that a name
+    /// cannot contain.
     fn letters(&mut self) -> (String, Option<Span>) {
         let mut text = String::new();
         let mut foreign = None;
@@ -198,14 +198,14 @@ impl<'a> Lexer<'a> {
         }
         let start = self.at;
         let (mut text, mut foreign) = self.letters();
-        // `landing.x`, what an event remembers.
+        // `landing.x`: a value remembered by an event.
         let member = self.byte(0) == Some(b'.') && self.rest()[1..].starts_with(char::is_alphabetic);
         if member && !self.is_foreign_collection(&text) {
             self.at += 1;
             let (member, more) = self.letters();
             text = format!("{text}.{member}");
             foreign = foreign.or(more);
-            // `landing.r.x`, a component of what an event remembers.
+            // `landing.r.x`: a component of such a value.
             text += self.axis_here().map_or("", |(_, name)| name);
         }
         if let Some(span) = foreign {
@@ -222,7 +222,7 @@ impl<'a> Lexer<'a> {
         }
         let mut end = self.at;
         let mut order = self.primes();
-        // `r'.x` is `r.x'`.
+        // `r'.x` is the same as `r.x'`.
         if order > 0
             && let Some((_, axis)) = self.axis_here()
         {
@@ -309,7 +309,7 @@ impl<'a> Lexer<'a> {
         }
         let start = self.at;
         let rest = self.rest();
-        // The longer spelling is meant: `!=` is not a foreign `!`, but `**` is not two stars.
+        // The longer spelling wins: `!=` is not a foreign `!`, and `**` is not two stars.
         let known = SYMBOLS.iter().find(|(text, _)| rest.starts_with(text));
         let foreign = FOREIGN.iter().find(|(text, _, _)| rest.starts_with(text));
         if let Some((text, symbol)) = known
@@ -322,7 +322,7 @@ impl<'a> Lexer<'a> {
             self.at += text.len();
             let wrong = words!("`{text}` is written `{ours}` here", "`{text}` se escribe aquí `{ours}`");
             let span = Span::new(start, self.at);
-            // A word such as `and` does not touch its neighbours.
+            // A word such as `and` needs blanks around it.
             let is_word = ours.starts_with(|c: char| c.is_alphabetic());
             let apart = |is_blank: bool| if is_word && !is_blank { " " } else { "" };
             let (before, after) = (&self.source[..start], &self.source[self.at..]);
@@ -377,7 +377,7 @@ fn strange_character(character: char, span: Span) -> Diagnostic {
     }
 }
 
-/// All blanks but the end of the line; a carriage return belongs to that.
+/// All blanks except line ends. A carriage return is a blank.
 fn is_blank(c: char) -> bool {
     c != '\n' && (c.is_whitespace() || matches!(c, '\u{200B}' | '\u{FEFF}' | '\u{2060}' | '\u{2062}'))
 }

@@ -1,5 +1,5 @@
-//! Words of the language in Spanish, and in English as other tools have them. The line is read as it was meant, so that one message
-//! says everything: the English words.
+//! Keywords in Spanish, and English words of other tools. The line is lexed as it was meant, so that a single message names
+//! the words to use.
 
 use super::Lexer;
 use super::token::{KEYWORDS, TokenKind};
@@ -7,20 +7,20 @@ use crate::{Diagnostic, Edit, Span};
 use units::alphabet::without_accent;
 use units::words;
 
-/// Where a word of another language can stand so that nothing else can be meant.
+/// Context in which a foreign word is unambiguous.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
     /// At the beginning of a statement, before a name, a number or a text.
     Start,
-    /// Between two operands, which an operator would have to join.
+    /// Between two operands, which need an operator between them.
     Between,
-    /// Where an operand begins, before another one.
+    /// At the start of an operand, before another one.
     Before,
-    /// In braces, alone.
+    /// Alone in braces.
     Action,
 }
 
-/// Words in Spanish without accents and capitals, and those that they stand for.
+/// Foreign words without accents and capitals, and the words that they stand for.
 const WORDS: &[(&str, &str, Place)] = &[
     ("parametro", "parameter", Place::Start),
     ("parametros", "parameter", Place::Start),
@@ -66,7 +66,8 @@ const WORDS: &[(&str, &str, Place)] = &[
 ];
 
 impl Lexer<'_> {
-    /// Reads a word of the language in Spanish at `start`, if the text from there on is one where nothing else can be meant.
+    /// Consumes a Spanish keyword at the current position if the context leaves no other meaning. Returns true if there was
+    /// one.
     pub(super) fn spanish(&mut self) -> bool {
         let start = self.at;
         let written = self.rest().split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
@@ -74,11 +75,11 @@ impl Lexer<'_> {
         let mut end = start + written.len();
         let meant = WORDS.iter().find(|(word, _, place)| *word == plain && self.can_stand(*place, start, end));
         let Some((_, mut ours, place)) = meant.copied() else { return false };
-        // A condition with an alternative is no event.
+        // `si` is `when` before an event; a condition with an alternative is `if`.
         if (plain.as_str(), place) == ("si", Place::Start) && !self.line_after(end).contains('{') {
             ours = "if";
         }
-        // `si no`, in two words.
+        // `si no`: `else` in two words.
         if plain == "si" && ours == "if" && self.ends_in_operand() {
             let rest = self.line_after(end);
             let blanks = rest.len() - rest.trim_start().len();
@@ -95,7 +96,7 @@ impl Lexer<'_> {
         true
     }
 
-    /// Says which word is meant; of the further words of a line nothing but the remedy.
+    /// Reports the English word. Further words of a line add only a remedy to the first message.
     fn say_english(&mut self, span: Span, ours: &str) {
         let edit = Edit { span, text: ours.to_owned() };
         let written = &self.source[span.range()];
@@ -116,7 +117,7 @@ impl Lexer<'_> {
         self.diagnostics.push(diagnostic.with_fixes(vec![edit]));
     }
 
-    /// The message about Spanish words that stand before a place in its line.
+    /// Index of the message about an earlier Spanish word of the line.
     fn spanish_before(&self, start: usize) -> Option<usize> {
         let last = self.diagnostics.last().filter(|last| last.code == "unknown-word")?;
         (!self.source[last.span().start..start].contains('\n')).then(|| self.diagnostics.len() - 1)
@@ -132,9 +133,9 @@ impl Lexer<'_> {
             Place::Start => self.begins_statement() && before_operand,
             Place::Between => {
                 let goes_on = before_operand || (apart && next.is_some_and(|c| matches!(c, '[' | '(' | '-')));
-                // At the end of a line, what is joined stands on the next one.
+                // At the end of a line, the second operand stands on the next one.
                 let joins_lines = rest.trim().is_empty() && self.source[start..end].len() > 1;
-                // `y` and `o` are names, too: only beside other Spanish words they join conditions.
+                // `y` and `o` are also names: they join conditions only after other Spanish words of the line.
                 let is_name = end == start + 1 && self.spanish_before(start).is_none();
                 !is_name && self.ends_in_operand() && (goes_on || joins_lines) && self.touches_nothing(start)
             }
@@ -150,7 +151,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// `si no` behind an operand: the alternative of a condition in two words.
+    /// True for `si no` after an operand: the alternative of a condition, in two words.
     fn is_second_half(&self, start: usize, end: usize) -> bool {
         &self.source[start..end] == "si"
             && self.ends_in_operand()
@@ -161,7 +162,7 @@ impl Lexer<'_> {
         self.source[..start].ends_with([' ', '\t', '\n', ')', ']'])
     }
 
-    /// The rest of the line behind a place.
+    /// Rest of the line after the byte `end`.
     fn line_after(&self, end: usize) -> &str {
         self.source.get(end..self.end).unwrap_or_default().lines().next().unwrap_or_default()
     }

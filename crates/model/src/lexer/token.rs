@@ -1,9 +1,9 @@
-//! The tokens and how they are spelled.
+//! Tokens and their spelling.
 
 use crate::Span;
 use std::ops::Range;
 
-/// One token and where it stands.
+/// One token and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Token {
     pub(crate) kind: TokenKind,
@@ -13,7 +13,7 @@ pub(crate) struct Token {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum TokenKind {
     Number(f64),
-    /// A name in ASCII, the primes directly after it, and where the name alone ends.
+    /// A name in ASCII, the number of primes directly after it, and the byte at which the name itself ends.
     Name {
         text: String,
         order: u32,
@@ -21,21 +21,22 @@ pub(crate) enum TokenKind {
     },
     Keyword(Keyword),
     Symbol(Symbol),
-    /// `.x` after brackets, a parenthesis or primes: which component of a vector, from 0, and the primes after it.
+    /// `.x` after brackets, a parenthesis or primes: index of the component of a vector, from 0, and the number of primes
+    /// after it.
     Component {
         axis: usize,
         order: u32,
     },
-    /// ² after what it raises.
+    /// A superscript exponent such as ².
     Raised(i16),
     /// Primes that do not follow a name.
     Primes,
     /// A text, without its quotation marks.
     Text(String),
-    /// `[...]` and what stands inside.
+    /// `[...]`; the byte range of its content.
     Brackets(Range<usize>),
     Newline,
-    /// What a diagnostic has already been said about.
+    /// Text about which a diagnostic was reported.
     Unknown,
     End,
 }
@@ -92,11 +93,11 @@ pub(super) const KEYWORDS: &[(&str, Keyword)] = &[
     ("not", Keyword::Not),
 ];
 
-/// What can stand second in a symbol, be it ours or another tool's.
+/// Bytes that can stand second in a symbol of the language or of another tool.
 pub(super) const JOINED: &[u8] = b"=<>*/";
 
-/// The symbol that a character is unless one of [`JOINED`] follows: nearly all symbols of a model are found so, without going through
-/// the lists.
+/// Symbol of a single character, valid unless one of [`JOINED`] follows. Finds nearly all symbols of a model without
+/// searching the lists.
 pub(super) fn lone(character: char) -> Option<Symbol> {
     Some(match character {
         '+' => Symbol::Plus,
@@ -112,7 +113,7 @@ pub(super) fn lone(character: char) -> Option<Symbol> {
     })
 }
 
-/// Longer spellings first.
+/// Spellings of symbols, longer ones first.
 pub(super) const SYMBOLS: &[(&str, Symbol)] = &[
     ("..", Symbol::Dots),
     ("…", Symbol::Dots),
@@ -151,7 +152,7 @@ pub(super) const SYMBOLS: &[(&str, Symbol)] = &[
     (":", Symbol::Colon),
 ];
 
-/// What other languages write, the symbol it stands for here, and how that is written.
+/// Operators of other languages, the token each stands for, and its spelling here.
 pub(super) const FOREIGN: &[(&str, TokenKind, &str)] = &[
     ("**", TokenKind::Symbol(Symbol::Caret), "^"),
     ("&&", TokenKind::Keyword(Keyword::And), "and"),

@@ -1,26 +1,27 @@
-//! How expressions depend on the highest derivatives: as a sum of coefficients times highest derivatives and a rest, or
-//! in no such way.
+//! Dependence of expressions on the highest derivatives: an affine form (coefficients times highest derivatives, plus a
+//! rest), or nonlinear.
 
 use super::expression::TooManyNodes;
 use crate::limits;
 use program::{Binary, Graph, Node, NodeId, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// `sum of coefficient*unknown + rest`; an absent coefficient or rest is 0.
+/// `sum of coefficient*unknown + rest`; an absent coefficient or rest is 0. Coefficients are keyed by the number of the
+/// unknown.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Affine {
     pub coefficients: BTreeMap<u32, NodeId>,
     pub rest: Option<NodeId>,
 }
 
-/// How a node depends on the unknowns.
+/// Dependence of a node on the unknowns.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Shape {
-    /// Not at all.
+    /// Independent of the unknowns.
     Free,
-    /// Linearly.
+    /// Affine in the unknowns.
     Affine(Affine),
-    /// Otherwise.
+    /// Any other dependence.
     Nonlinear,
 }
 
@@ -28,12 +29,12 @@ pub(crate) enum Shape {
 #[derive(Debug, Default)]
 pub(crate) struct Shapes {
     known: Vec<Option<Shape>>,
-    /// Coefficients in all known shapes.
+    /// Number of coefficients in all known shapes.
     coefficients: usize,
 }
 
 impl Shapes {
-    /// The shape of `root`. `unknown` tells which nodes are the unknowns, and their numbers.
+    /// Shape of `root`. `unknown` returns the number of the unknown that a node represents, or `None`.
     pub fn of(
         &mut self,
         graph: &mut Graph,
@@ -64,7 +65,7 @@ impl Shapes {
         self.get(id).cloned().unwrap_or(Shape::Free)
     }
 
-    /// The shape of a node whose operands' shapes are known.
+    /// Shape of a node; the shapes of its operands are known.
     fn compute(&self, graph: &mut Graph, id: NodeId, unknown: &impl Fn(Node) -> Option<u32>) -> Shape {
         let node = graph.node(id);
         if let Some(number) = unknown(node) {
@@ -111,7 +112,7 @@ impl Shapes {
         matches!(self.get(id), None | Some(Shape::Free))
     }
 
-    /// The form of a node that is not nonlinear.
+    /// Affine form of a node that is not nonlinear.
     fn affine(&self, id: NodeId) -> Affine {
         match self.get(id) {
             Some(Shape::Affine(affine)) => affine.clone(),
@@ -134,7 +135,7 @@ impl Affine {
     }
 }
 
-/// The sum or difference. Equal coefficients cancel: they are coefficients of finite unknowns.
+/// Sum or difference. Equal coefficients cancel, because the unknowns are finite.
 fn combine(graph: &mut Graph, a: Affine, b: Affine, function: Binary) -> Affine {
     let mut join = |left: Option<NodeId>, right: Option<NodeId>| match (left, right) {
         (Some(left), Some(right)) if left == right && function == Binary::Subtract => None,

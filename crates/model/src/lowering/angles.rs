@@ -1,4 +1,4 @@
-//! Angles that look like degrees and are read as radians: `theta(0) = 45`, `parameter alpha = 30 in 0..90`.
+//! Warnings about angles that look like degrees but are in radians: `theta(0) = 45`, `parameter alpha = 30 in 0..90`.
 
 use crate::names::{Declarations, for_each};
 use crate::{BinaryOperator, Bounds, Diagnostic, Expression, ExpressionKind, ParameterForm, Span};
@@ -7,20 +7,20 @@ use std::f64::consts::TAU;
 use units::number::shortest;
 use units::words;
 
-/// Usual names of angles, without index and accents.
+/// Common names of angles, without index and accents.
 const NAMES: [&str; 10] =
     ["theta", "phi", "psi", "angle", "angulo", "inclination", "inclinacion", "latitude", "latitud", "grados"];
 
-/// Ends of ranges that are usual in degrees.
+/// Common ends of ranges in degrees.
 const ENDS: [f64; 14] = [15.0, 30.0, 40.0, 45.0, 60.0, 70.0, 75.0, 80.0, 85.0, 89.0, 90.0, 180.0, 270.0, 360.0];
 
-/// Definitions and initial values lead so far from what stands in a sine to the number that decides it.
+/// Maximum number of definitions and initial values followed from the argument of a sine to the numbers behind it.
 const STEPS: usize = 4;
 
-/// A number turned by so much at most is a factor of an angle and no conversion: `2*theta`, `theta/2`.
+/// Largest number that is taken as a factor of an angle, as in `2*theta` and `theta/2`, and not as a unit conversion.
 const GREATEST_FACTOR: f64 = 8.0;
 
-/// Adds a remark for each parameter and initial value without a unit that is an angle and looks like degrees.
+/// Warns of each parameter and initial value without a unit that is an angle and looks like degrees.
 pub(crate) fn remark_on_degrees(declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) {
     let angles = angles(declarations);
     let is_angle = |name: &str| angles.contains(name) || is_called_angle(name);
@@ -52,7 +52,7 @@ fn is_called_angle(name: &str) -> bool {
     NAMES.contains(&plain.to_lowercase().as_str())
 }
 
-/// The names whose values are angles: what stands in a sine, cosine or tangent, and what that is computed from.
+/// Names whose values are angles: the arguments of sines, cosines and tangents, and the names that these are computed from.
 fn angles<'a>(declarations: &Declarations<'a>) -> HashSet<&'a str> {
     let definitions = || declarations.definitions.iter().map(|one| (one.name.text.as_str(), one.value));
     let initial = || declarations.initial_values.iter().filter(|one| one.order == 0);
@@ -82,7 +82,8 @@ fn angles<'a>(declarations: &Declarations<'a>) -> HashSet<&'a str> {
     found
 }
 
-/// The names that an angle is a sum of, with small factors: not those that something converts or multiplies.
+/// Collects the names of the terms of an angle, also with small factors. Names that are converted or multiplied by other
+/// quantities are left out.
 fn terms<'a>(angle: &'a Expression, found: &mut HashSet<&'a str>) {
     let mut waiting = vec![angle];
     while let Some(next) = waiting.pop() {

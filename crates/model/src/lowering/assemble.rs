@@ -1,4 +1,4 @@
-//! Putting the model together from what was checked and lowered.
+//! Assembles the model from the checked and lowered parts.
 
 use super::collect::Variation;
 use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
@@ -15,7 +15,7 @@ use program::{
 };
 use units::{Dimension, Exponent, Unit, words};
 
-/// Builds the model and says where its parts stand. `order` is that of the definitions.
+/// Builds the model and the places of its parts. `order` is the evaluation order of the definitions.
 pub(crate) fn assemble(
     declarations: &Declarations,
     order: &[usize],
@@ -25,7 +25,7 @@ pub(crate) fn assemble(
     let mut graph = Graph::default();
     let mut texts = Vec::new();
     let parameters = parameters(declarations, &mut texts);
-    // What has a name is always there to be looked up.
+    // Every named input has a node, so that names can always be looked up.
     graph.insert(Node::Independent);
     for index in 0..declarations.parameters.len() {
         graph.insert(Node::Parameter(index as u32));
@@ -65,7 +65,7 @@ pub(crate) fn assemble(
         events.extend(lowered);
     }
     for expression in declarations.equations.iter().flat_map(|equation| [equation.left, equation.right]) {
-        // The equation itself was lowered when it was solved; this notes where its dry friction stands.
+        // The equation itself was lowered when it was solved; this records the places of its dry friction.
         for call in frictions(expression) {
             lower(&mut lowering, call)?;
         }
@@ -107,7 +107,7 @@ pub(crate) fn assemble(
         let name = definition.name.text.clone();
         model.quantities.push(Quantity { name, label, value, varies, hidden: false, remembered: false });
     }
-    // A quantity that is but another name for something is shown in that one's unit.
+    // A quantity that is only another name for something is shown in the unit of that.
     for &index in order {
         let definition = &declarations.definitions[index];
         if let ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } =
@@ -123,7 +123,7 @@ pub(crate) fn assemble(
 }
 
 impl Type {
-    /// What the value is; an unknown type counts as a number.
+    /// Kind of value; an unknown type counts as a number.
     pub fn kind(&self) -> Kind {
         match self {
             Self::Number(_) | Self::Unknown => Kind::Number,
@@ -132,7 +132,7 @@ impl Type {
         }
     }
 
-    /// The dimension, once everything is known.
+    /// Dimension of the value, after all dimensions have been settled.
     pub fn dimension(&self) -> Dimension {
         match self {
             Self::Number(form) => form.known,
@@ -145,7 +145,7 @@ fn lower(lowering: &mut Lowering, expression: &Expression) -> Result<NodeId, Vec
     lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])
 }
 
-/// The parameters. The texts of choices come first among all.
+/// The parameters. Adds the texts of choices to `texts`, where they come first.
 fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Parameter> {
     let parameter = |entry: &crate::names::ParameterEntry| {
         let statement = entry.statement;
@@ -175,7 +175,7 @@ fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Param
     declarations.parameters.iter().map(parameter).collect()
 }
 
-/// The functions that are given by tables, also those that no expression of the model calls.
+/// The functions defined by tables, including those that no expression of the model calls.
 fn tables(declarations: &Declarations, graph: &mut Graph) -> Vec<Table> {
     let unit =
         |stated: &Option<StatedUnit>| stated.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
@@ -195,7 +195,7 @@ fn tables(declarations: &Declarations, graph: &mut Graph) -> Vec<Table> {
     declarations.tables.iter().filter_map(table).collect()
 }
 
-/// The index of a text, which is added if it is new.
+/// Index of a text in `texts`; appends the text if it is new.
 fn text_index(texts: &mut Vec<String>, text: &str) -> u32 {
     let known = texts.iter().position(|known| known == text);
     let index = known.unwrap_or_else(|| {
@@ -205,8 +205,8 @@ fn text_index(texts: &mut Vec<String>, text: &str) -> u32 {
     index as u32
 }
 
-/// The states in the order of their numbers, and where their initial values stand, which may still be computed from each
-/// other.
+/// The states in the order of their numbers, and the places of their initial values. Initial values may still depend on
+/// each other.
 fn states(
     lowering: &mut Lowering,
     unknowns: &[Unknown],
@@ -236,12 +236,13 @@ fn states(
     Ok((states, places))
 }
 
-/// A power that has been computed before without leaving the bound.
+/// A power of a dimension. It cannot overflow, because it was computed before.
 fn power(dimension: Dimension, order: u32) -> Dimension {
     Exponent::new(i64::from(order), 1).and_then(|order| dimension.power(order)).unwrap_or(Dimension::NONE)
 }
 
-/// An event; a crossing is two, one for each way. Where it begins at equality, both conditions are true already.
+/// Lowers an event. A crossing becomes two events, one per direction. If the two sides are equal at the start, both
+/// conditions are already true.
 fn lower_event(
     lowering: &mut Lowering,
     declarations: &Declarations,
@@ -271,7 +272,7 @@ fn lower_event(
     Ok(conditions.into_iter().map(of).collect())
 }
 
-/// Makes initial values depend on parameters alone, and marks the parameters they depend on.
+/// Makes initial values depend on parameters alone, and marks these parameters.
 fn close_initial_values(model: &mut Model, places: &[Span]) -> Result<(), Vec<Diagnostic>> {
     let dependences: Vec<_> = model.states.iter().map(|state| model.depends(state.initial)).collect();
     let mut diagnostics = Vec::new();

@@ -1,19 +1,19 @@
-//! Sums written so that little is left to do in each step: what depends on parameters alone becomes one coefficient of
-//! each term, and the divisor goes into the coefficients. -(b*y' + 2*rho*S*g*y)/(rho*S*L) becomes c_1*y' + c_2*y.
-//! Nothing but the rounding of the last digits changes.
+//! Rewrites sums to reduce the work of each time step. Factors that depend on parameters alone are combined into one
+//! coefficient per term, and the divisor is moved into the coefficients: -(b*y' + 2*rho*S*g*y)/(rho*S*L) becomes c_1*y' +
+//! c_2*y. Results change only by rounding.
 
 use crate::limits;
 use program::{Binary, Graph, Node, NodeId, Unary};
 use std::collections::HashMap;
 
-/// Which nodes change during a run in which no parameter is changed.
+/// Nodes that vary during a run with constant parameters.
 #[derive(Debug, Default)]
 pub(crate) struct Variation {
     known: Vec<bool>,
 }
 
 impl Variation {
-    /// Whether `id` is computed from states or the independent variable.
+    /// True if `id` is computed from states or the independent variable.
     pub fn of(&mut self, graph: &Graph, id: NodeId) -> bool {
         for number in self.known.len()..=id.0 as usize {
             let id = NodeId(number as u32);
@@ -25,10 +25,10 @@ impl Variation {
     }
 }
 
-/// Nested products are taken apart to this depth.
+/// Maximum depth to which nested products are split.
 const DEEPEST_PRODUCT: usize = 24;
 
-/// A factor that is constant while parameters are, and one that varies; an absent one is 1.
+/// A factor that depends on parameters alone, and one that varies; an absent factor is 1.
 #[derive(Clone, Copy, Debug, Default)]
 struct Product {
     coefficient: Option<NodeId>,
@@ -132,7 +132,7 @@ fn multiplied(graph: &mut Graph, a: Option<NodeId>, b: Option<NodeId>) -> Option
     }
 }
 
-/// The terms of a sum, each with whether it is subtracted; `None` if there are very many.
+/// Terms of a sum, each with true if it is subtracted; `None` if there are more than [`limits::TERMS`].
 fn terms(graph: &Graph, sum: NodeId) -> Option<Vec<(bool, NodeId)>> {
     let mut terms = Vec::new();
     let mut waiting = vec![(false, sum)];
@@ -150,11 +150,11 @@ fn terms(graph: &Graph, sum: NodeId) -> Option<Vec<(bool, NodeId)>> {
     Some(terms)
 }
 
-/// The sum of coefficients times parts. Unlike the simplifying constructors, this leaves signs in the coefficients,
-/// where they cost nothing in a step.
+/// The sum of coefficients times parts. Unlike the simplifying constructors, this keeps signs in the coefficients, which
+/// are computed once and not in each step.
 fn written(graph: &mut Graph, mut products: Vec<(NodeId, Option<NodeId>)>) -> NodeId {
     let is_minus_one = |graph: &Graph, id: NodeId| graph.as_constant(id) == Some(-1.0);
-    // A term to start with that needs no sign of its own.
+    // Start with a term that needs no sign of its own.
     if let Some(first) = products.iter().position(|&(coefficient, _)| !is_minus_one(graph, coefficient)) {
         products[..=first].rotate_right(1);
     }
@@ -185,7 +185,7 @@ fn written(graph: &mut Graph, mut products: Vec<(NodeId, Option<NodeId>)>) -> No
 mod tests {
     use super::*;
 
-    /// How many nodes vary, which is what a step has to compute.
+    /// Number of nodes that vary, which must be evaluated in each step.
     fn work(graph: &Graph, root: NodeId) -> usize {
         let mut variation = Variation::default();
         let operations = graph

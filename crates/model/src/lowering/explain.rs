@@ -1,4 +1,4 @@
-//! Why equations cannot be solved for their highest derivatives.
+//! Explanations why equations cannot be solved for their highest derivatives.
 
 use super::affine::{Shape, Shapes};
 use super::expression::{Lowering, TooManyNodes};
@@ -85,7 +85,7 @@ fn reason(expression: &Expression) -> Words {
     }
 }
 
-/// Tells which unknowns have no equation left with a coefficient other than 0.
+/// Reports the unknowns that have no equation left with a nonzero coefficient.
 pub(crate) fn not_solvable(
     declarations: &Declarations,
     unknowns: &[Unknown],
@@ -126,7 +126,7 @@ pub(crate) fn not_solvable(
     diagnostics
 }
 
-/// Tells that the coefficients of these unknowns never determine them.
+/// Reports unknowns whose system of equations is always singular.
 pub(crate) fn dependent(unknowns: &[Unknown], members: &[usize], equations: &[Span]) -> Diagnostic {
     let highest = highest_names(unknowns, members);
     let (&first, rest) = equations.split_first().unwrap_or((const { &Span { start: 0, end: 0 } }, &[]));
@@ -153,7 +153,7 @@ pub(crate) fn dependent(unknowns: &[Unknown], members: &[usize], equations: &[Sp
     ))
 }
 
-/// `y''`, `x''` and so on, in quotation marks.
+/// `y''`, `x''` and so on, each quoted.
 fn highest_names(unknowns: &[Unknown], members: &[usize]) -> Words {
     let quoted = |&member: &usize| format!("`{}`", primed(unknowns[member].name, unknowns[member].highest));
     list(&members.iter().map(quoted).collect::<Vec<_>>())

@@ -9,19 +9,19 @@ use program::functions::Function;
 use program::{Binary, Graph, Node, NodeId, Unary};
 use rustc_hash::FxHashMap;
 
-/// An unknown function as the graph sees it.
+/// States of an unknown function in the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Chain {
-    /// The index of its first state, the function itself.
+    /// Index of its first state, the function itself.
     pub first_state: usize,
-    /// How many states it has: the number of primes of its highest derivative.
+    /// Number of its states: the order of its highest derivative.
     pub highest: u32,
-    /// Its highest derivative.
+    /// Node of its highest derivative.
     pub rate: NodeId,
 }
 
 impl Chain {
-    /// The state with `order` primes, or the highest derivative; nothing beyond.
+    /// Node of the derivative of the given order; `None` beyond the highest derivative.
     pub fn node(&self, graph: &mut Graph, order: u32) -> Option<NodeId> {
         match order.cmp(&self.highest) {
             std::cmp::Ordering::Less => Some(graph.insert(Node::State((self.first_state as u32) + order))),
@@ -35,8 +35,8 @@ impl Chain {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TooManyNodes;
 
-/// Turns expressions into nodes. The expressions have passed all checks of names and dimensions; what those have refused
-/// becomes an undefined number here.
+/// Converts expressions to nodes. The expressions have passed the checks of names and dimensions; anything those refuse
+/// becomes NaN here.
 #[derive(Debug)]
 pub(crate) struct Lowering<'a> {
     pub graph: &'a mut Graph,
@@ -46,23 +46,23 @@ pub(crate) struct Lowering<'a> {
     pub known: &'a mut Lowered,
 }
 
-/// What has a node already.
+/// Nodes that were already built.
 #[derive(Debug, Default)]
 pub(crate) struct Lowered {
-    /// The values of definitions; each is there before it is used.
+    /// Values of the definitions, set before they are used.
     pub definitions: Vec<Option<NodeId>>,
-    /// Derivatives that were already asked for.
+    /// Derivatives requested so far, by name and order.
     derivatives: FxHashMap<(Meaning, u32), NodeId>,
-    /// How each state changes, once it was asked for.
+    /// Rate of change of each state, by state number; empty until the first request.
     rates: FxHashMap<u32, NodeId>,
-    /// Values at the start that were already asked for.
+    /// Values at the start requested so far.
     starts: FxHashMap<NodeId, NodeId>,
-    /// Where dry friction stands.
+    /// Calls of dry friction.
     pub frictions: Calls,
 }
 
 impl Lowered {
-    /// These definitions and nothing else.
+    /// Only these definitions are known.
     pub fn of(definitions: Vec<Option<NodeId>>) -> Self {
         Self { definitions, ..Self::default() }
     }
@@ -121,12 +121,12 @@ impl Lowering<'_> {
                 self.graph.select(condition, chosen, other)
             }
             ExpressionKind::Expansion(expansion) => self.expression(&expansion.body)?,
-            // Vectors have been written out into components.
+            // Vectors have been replaced by components.
             ExpressionKind::Component { of, axis } => match &of.kind {
                 ExpressionKind::Tuple { parts, .. } if *axis < parts.len() => self.expression(&parts[*axis])?,
                 _ => self.undefined(),
             },
-            // What belongs to families has been written out.
+            // Families have been expanded.
             ExpressionKind::Tuple { .. }
             | ExpressionKind::Member { .. }
             | ExpressionKind::Reduction { .. }
@@ -135,7 +135,7 @@ impl Lowering<'_> {
         Ok(node)
     }
 
-    /// `a*b*c*d`, which is nested to the left as often as it has operators: a loop spares the stack.
+    /// `a*b*c*d`: operator chains are nested to the left, one level per operator. A loop avoids deep recursion.
     fn chain(&mut self, expression: &Expression) -> Result<NodeId, TooManyNodes> {
         let mut chain = Vec::new();
         let mut first = expression;
@@ -170,7 +170,7 @@ impl Lowering<'_> {
         self.graph.binary(function, left, right)
     }
 
-    /// The value of a table; undefined if there is none of that name.
+    /// Value of a table; NaN if there is no table of that name.
     fn table(&mut self, name: &str, argument: NodeId) -> NodeId {
         let Some(table) = self.scope.table(name) else { return self.undefined() };
         let interpolation = self.graph.insert_interpolation(&table.interpolation);
@@ -190,7 +190,7 @@ impl Lowering<'_> {
         self.graph.constant(index as f64)
     }
 
-    /// The value of a name with `order` primes.
+    /// Value of a name with `order` primes.
     pub fn name(&mut self, name: &str, order: u32) -> Result<NodeId, TooManyNodes> {
         let Some(meaning) = self.scope.meaning(name) else {
             return Ok(self.undefined());
@@ -213,7 +213,7 @@ impl Lowering<'_> {
         self.derivative(meaning, node, 0, order)
     }
 
-    /// Differentiates `node`, which has `order` primes, until it has `wanted`.
+    /// Differentiates `node`, the derivative of order `order`, up to order `wanted`.
     fn derivative(
         &mut self,
         meaning: Meaning,
@@ -238,7 +238,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The rate of change along a solution of the equations. `rates` are those of the states, once they were asked for.
+/// Total derivative along a solution of the equations. `rates` are the rates of the states by number, filled on first use.
 fn total_derivative(graph: &mut Graph, chains: &[Chain], rates: &mut FxHashMap<u32, NodeId>, node: NodeId) -> NodeId {
     let (one, unknown) = (graph.constant(1.0), graph.constant(f64::NAN));
     let unset = if rates.is_empty() { chains } else { &[] };
@@ -252,14 +252,14 @@ fn total_derivative(graph: &mut Graph, chains: &[Chain], rates: &mut FxHashMap<u
     let derivatives = along(graph, &[node], |input| match input {
         Node::Independent => Some(one),
         Node::State(index) => rates.get(&index).copied(),
-        // It jumps, and nothing says how it changes in between.
+        // The force jumps, and its rate in between is not known.
         Node::Friction(..) => Some(unknown),
         _ => None,
     });
     derivatives.first().copied().unwrap_or(node)
 }
 
-/// The value that `node` had at the start of the run, where the independent variable is 0.
+/// Value of `node` at the start of the run, where the independent variable is 0.
 fn at_start(graph: &mut Graph, node: NodeId) -> NodeId {
     let values = graph.substitute(&[node], |graph, input| match input {
         Node::State(index) => Some(graph.insert(Node::Initial(index))),

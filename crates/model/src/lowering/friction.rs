@@ -1,10 +1,10 @@
-//! Dry friction: `coulomb(v, F_s, F_k)` is the force F_k against the motion while a body slides, and while it sticks (v = 0)
-//! whatever force keeps v at 0, up to F_s (Coulomb's law; the switching between sliding and sticking as in Karnopp, J. Dyn.
-//! Syst. Meas. Control 107 (1985) 100).
+//! Dry friction: `coulomb(v, F_s, F_k)` is the force F_k against the motion while a body slides. While the body sticks (v =
+//! 0), it is the force that keeps v at 0, up to F_s. Coulomb's law; the switching between sliding and sticking follows
+//! Karnopp, J. Dyn. Syst. Meas. Control 107 (1985) 100.
 //!
-//! Each friction gets a state of its own that only events change: 1 or -1 while it slides forwards or backwards, 0 while it
-//! sticks. The forces lambda of those that stick are solved from dv/dt = 0, which is linear in all lambda. One event ends
-//! the sliding where v passes through 0, another the sticking where the force exceeds F_s.
+//! Each friction gets a state that only events change: 1 or -1 while it slides forwards or backwards, 0 while it sticks.
+//! The forces lambda of the sticking ones are solved from dv/dt = 0, which is linear in all lambda. One event ends the
+//! sliding when v passes through 0, another the sticking when the force exceeds F_s.
 
 use crate::limits;
 use crate::names::{Declarations, for_each};
@@ -15,28 +15,28 @@ use program::{
 use std::collections::HashMap;
 use units::{Unit, words};
 
-/// Where each friction stands, and how its speed is written.
+/// Place of each friction, and its speed as written.
 pub(crate) type Calls = HashMap<NodeId, (Span, String)>;
 
-/// One friction of a model.
+/// One dry friction of a model.
 struct Friction {
     node: NodeId,
     speed: NodeId,
-    /// The limit while it sticks, and the force while it slides.
+    /// Limit of the force while it sticks (F_s), and force while it slides (F_k).
     limits: [NodeId; 2],
-    /// The rate of change of the speed: as it is, and without all friction.
+    /// Rate of change of the speed: `rate` with, `rest` without all friction forces.
     rate: NodeId,
     rest: NodeId,
-    /// How much of that each friction makes per unit of its force.
+    /// Change of `rate` per unit of force, one value per friction.
     effects: Vec<NodeId>,
-    /// The state that is set to hold the speed at 0, and the speed's derivative by it.
+    /// State whose rate is adjusted to hold the speed at 0, and the derivative of the speed with respect to that state.
     target: (usize, NodeId),
-    /// The state that says how it moves.
+    /// State that holds the direction of motion: 1, -1 or 0.
     motion: NodeId,
     span: Span,
 }
 
-/// Solves the model for its dry friction, and adds the states and events that this takes.
+/// Solves the model for its dry friction, and adds the necessary states and events.
 pub(crate) fn add_friction(
     model: &mut Model,
     places: &mut Places,
@@ -46,7 +46,7 @@ pub(crate) fn add_friction(
     let roots = roots(model);
     let is_friction = |id: &NodeId| matches!(model.graph.node(*id), Node::Friction(..));
     let mut found: Vec<NodeId> = model.graph.reachable(&roots).into_iter().filter(is_friction).collect();
-    // `F(0)` of a force F is no further friction.
+    // `F(0)` of a force F is not a separate friction.
     let first_of: HashMap<NodeId, NodeId> = found
         .iter()
         .map(|&node| (initially(&mut model.graph, node), node))
@@ -100,7 +100,7 @@ pub(crate) fn add_friction(
     start_without_friction(model, places)
 }
 
-/// Puts the forces at the start in the place of the frictions in values at the start.
+/// Replaces frictions in initial values by the forces at the start.
 fn put_in_at_start(model: &mut Model, forces: &HashMap<NodeId, NodeId>) {
     let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
     if !has_friction(&model.graph, &initial) {
@@ -119,7 +119,7 @@ fn put_in_at_start(model: &mut Model, forces: &HashMap<NodeId, NodeId>) {
     }
 }
 
-/// Refuses values at the start that depend on dry friction, which itself depends on them or acts on nothing.
+/// Error for initial values that depend on dry friction which depends on them or has no effect.
 fn start_without_friction(model: &Model, places: &Places) -> Result<(), Vec<Diagnostic>> {
     let depends = model.states.iter().position(|state| has_friction(&model.graph, &[state.initial]));
     let Some(span) = depends.and_then(|state| places.states.get(state)) else { return Ok(()) };
@@ -133,12 +133,12 @@ fn start_without_friction(model: &Model, places: &Places) -> Result<(), Vec<Diag
     ))])
 }
 
-/// `node` at the start of the run, of which the states at the start are inputs.
+/// `node` at the start of the run, as a function of the initial states.
 fn initially(graph: &mut Graph, node: NodeId) -> NodeId {
     at_start(graph, node, |graph, state, _| Some(graph.insert(Node::Initial(state))))
 }
 
-/// `node` at the start, where states have the values that `initial` gives for their numbers and nodes.
+/// `node` at the start of the run. `initial` gives the value of a state from its number and node.
 fn at_start(graph: &mut Graph, node: NodeId, initial: impl Fn(&mut Graph, u32, NodeId) -> Option<NodeId>) -> NodeId {
     graph.rewrite(&[node], |graph, id, node| match node {
         Node::State(state) | Node::Initial(state) => initial(graph, state, id),
@@ -147,7 +147,7 @@ fn at_start(graph: &mut Graph, node: NodeId, initial: impl Fn(&mut Graph, u32, N
     })[0]
 }
 
-/// Everything that may contain friction.
+/// All nodes that may contain friction.
 fn roots(model: &Model) -> Vec<NodeId> {
     let states = model.states.iter().map(|state| state.derivative);
     let quantities = model.quantities.iter().map(|quantity| quantity.value.node);
@@ -158,7 +158,7 @@ fn roots(model: &Model) -> Vec<NodeId> {
     states.chain(quantities).chain(events).collect()
 }
 
-/// The calls of dry friction in an expression.
+/// Calls of dry friction in an expression.
 pub(crate) fn frictions(expression: &Expression) -> Vec<&Expression> {
     let mut calls = Vec::new();
     for_each(expression, |part| {
@@ -171,12 +171,12 @@ pub(crate) fn frictions(expression: &Expression) -> Vec<&Expression> {
     calls
 }
 
-/// Whether any friction is in these expressions.
+/// True if any of these expressions contains friction.
 fn has_friction(graph: &Graph, roots: &[NodeId]) -> bool {
     graph.reachable(roots).into_iter().any(|id| matches!(graph.node(id), Node::Friction(..)))
 }
 
-/// What one friction does.
+/// Properties of one friction.
 fn friction(
     model: &mut Model,
     node: NodeId,
@@ -233,7 +233,7 @@ fn without_effect(span: Span) -> Box<Diagnostic> {
     Box::new(diagnostic)
 }
 
-/// The forces of all; that with the number `held` as if it stuck.
+/// Forces of all frictions; the one with index `held` is treated as sticking.
 fn forces(graph: &mut Graph, frictions: &[Friction], held: Option<usize>) -> Vec<NodeId> {
     let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
     let sticks: Vec<NodeId> = (frictions.iter().enumerate())
@@ -263,7 +263,7 @@ fn forces(graph: &mut Graph, frictions: &[Friction], held: Option<usize>) -> Vec
     (0..frictions.len()).map(|row| graph.insert(Node::Solution { system, row: row as u32 })).collect()
 }
 
-/// Puts the forces in the place of the frictions.
+/// Replaces the frictions by their forces.
 fn put_in(model: &mut Model, forces: &HashMap<NodeId, NodeId>) {
     let old = roots(model);
     let new = model.graph.rewrite(&old, |_, id, _| forces.get(&id).copied());
@@ -277,7 +277,7 @@ fn put_in(model: &mut Model, forces: &HashMap<NodeId, NodeId>) {
     }
 }
 
-/// While a friction sticks its speed changes by nothing, not even by rounding.
+/// Sets the rate of the speed to exactly 0, without rounding errors, while a friction sticks.
 fn hold(model: &mut Model, friction: &Friction, forces: &HashMap<NodeId, NodeId>) {
     let (target, slope) = friction.target;
     let graph = &mut model.graph;
@@ -290,7 +290,7 @@ fn hold(model: &mut Model, friction: &Friction, forces: &HashMap<NodeId, NodeId>
     model.states[target].derivative = graph.select(sticks, held, free);
 }
 
-/// 0 if this force can hold the friction, otherwise the direction in which it gives way.
+/// 0 if this force can be held, otherwise the sign of the direction in which the friction starts to slide.
 fn gives_way(graph: &mut Graph, friction: &Friction, force: NodeId) -> NodeId {
     let zero = graph.constant(0.0);
     let magnitude = graph.unary(Unary::Absolute, force);
@@ -299,7 +299,7 @@ fn gives_way(graph: &mut Graph, friction: &Friction, force: NodeId) -> NodeId {
     graph.select(holds, zero, direction)
 }
 
-/// Adds the state that says how a friction moves. `held` is the force that would hold it.
+/// Adds the state for the direction of motion. `held` is the force that would keep the friction sticking.
 fn add_state(model: &mut Model, friction: &Friction, held: NodeId, all: &[Friction], name: String) {
     let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
     let graph = &mut model.graph;
@@ -307,7 +307,7 @@ fn add_state(model: &mut Model, friction: &Friction, held: NodeId, all: &[Fricti
     let at_start = |graph: &mut Graph, node: NodeId, motions: &HashMap<NodeId, NodeId>| {
         at_start(graph, node, |_, state, id| motions.get(&id).or(initial.get(state as usize)).copied())
     };
-    // At the start the others stick where their speed is 0.
+    // At the start the other frictions stick if their speed is 0.
     let mut motions = HashMap::new();
     for other in all {
         let speed = at_start(graph, other.speed, &HashMap::new());
@@ -331,7 +331,7 @@ fn add_state(model: &mut Model, friction: &Friction, held: NodeId, all: &[Fricti
     });
 }
 
-/// Adds the end of sliding and the end of sticking.
+/// Adds the events for the end of sliding and the end of sticking.
 fn add_events(model: &mut Model, friction: &Friction, force: NodeId, held: NodeId) {
     let graph = &mut model.graph;
     let zero = graph.constant(0.0);
@@ -351,7 +351,8 @@ fn add_events(model: &mut Model, friction: &Friction, force: NodeId, held: NodeI
     let magnitude = graph.unary(Unary::Absolute, force);
     let exceeded = graph.binary(Binary::Less, friction.limits[0], magnitude);
     let condition = graph.binary(Binary::And, sticks, exceeded);
-    // Where the limit is 0 the force is, too, at the last moment before: it gives way to where the force is going.
+    // With a limit of 0 the force is 0 just before sliding begins: the friction gives way in the direction of the rate of
+    // the force.
     let rate = model.rates_of(&[force])[0];
     let graph = &mut model.graph;
     let none = graph.binary(Binary::Equal, force, zero);

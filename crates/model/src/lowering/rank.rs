@@ -1,15 +1,15 @@
-//! Whether coefficients determine their unknowns at all. That equations depend on each other, as x'' + y'' = a and
-//! 2*x'' + 2*y'' = b, cannot be seen from which unknowns they contain; it is seen from their values at a few points.
+//! Test for singular systems of equations. The dependence of equations such as x'' + y'' = a and 2*x'' + 2*y'' = b cannot
+//! be seen from the unknowns that they contain. It is detected from the values of the coefficients at a few points.
 
 use program::{Graph, LinearSystem, Node, NodeId};
 
-/// So many points must all say the same.
+/// Number of points; the matrix must be singular at all of them.
 const POINTS: u32 = 3;
 
-/// A pivot so much smaller than the entries of its row is 0 but for rounding.
+/// A pivot smaller than this, relative to the largest entry of its row, is taken as 0.
 const NEGLIGIBLE: f64 = 1e-12;
 
-/// Whether the matrix of a system is singular wherever one looks.
+/// True if the matrix of a system is singular at all test points.
 pub(crate) fn is_singular(graph: &Graph, system: &LinearSystem) -> bool {
     let (entries, size) = (&system.entries, system.right.len());
     let nodes: Vec<NodeId> = entries.iter().map(|entry| entry.node).collect();
@@ -24,7 +24,7 @@ pub(crate) fn is_singular(graph: &Graph, system: &LinearSystem) -> bool {
     })
 }
 
-/// A number between 0.5 and 1.5 that has nothing to do with other such numbers.
+/// A pseudo-random number between 0.5 and 1.5.
 fn arbitrary(input: u32, point: u32) -> f64 {
     let mut bits = (u64::from(input) << 8) + u64::from(point) + 1;
     // The finishing steps of SplitMix64 (Steele, Lea and Flood, 2014).
@@ -34,13 +34,13 @@ fn arbitrary(input: u32, point: u32) -> f64 {
     0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// The value of one of the nodes in `order`, which is sorted.
+/// Value of one of the nodes in `order`, which is sorted.
 fn value(order: &[NodeId], values: &[f64], node: NodeId) -> f64 {
     let place = order.binary_search(&node).ok();
     place.and_then(|place| values.get(place)).copied().unwrap_or(f64::NAN)
 }
 
-/// Values of the nodes in `order` at an arbitrary point, which is the same every time.
+/// Values of the nodes in `order` at a pseudo-random, reproducible point.
 fn evaluate(graph: &Graph, order: &[NodeId], point: u32) -> Vec<f64> {
     let mut values = Vec::with_capacity(order.len());
     for &id in order {
@@ -71,7 +71,7 @@ fn evaluate(graph: &Graph, order: &[NodeId], point: u32) -> Vec<f64> {
     values
 }
 
-/// Gaussian elimination with pivoting that comes to a column without a pivot.
+/// True if Gaussian elimination with pivoting finds a column without a pivot.
 fn has_no_pivot(mut matrix: Vec<f64>, size: usize) -> bool {
     let mut rows: Vec<&mut [f64]> = matrix.chunks_mut(size).collect();
     for row in &mut rows {
@@ -93,7 +93,7 @@ fn has_no_pivot(mut matrix: Vec<f64>, size: usize) -> bool {
         let upper = &above[column];
         for row in below {
             let factor = row[column] / upper[column];
-            // Most rows of a large system have nothing there.
+            // Most rows of a large system have a zero here.
             if factor == 0.0 {
                 continue;
             }

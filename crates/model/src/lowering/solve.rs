@@ -1,4 +1,4 @@
-//! Solving the equations for their highest derivatives.
+//! Solves the equations for their highest derivatives.
 
 use super::affine::{Affine, Shape, Shapes};
 use super::collect::Collector;
@@ -12,15 +12,15 @@ use program::{Graph, LinearSystem, Node, NodeId};
 use std::collections::HashMap;
 use units::words;
 
-/// The highest derivative of each unknown as an expression in `graph`, in which texts are their places in `texts`. `order` is that
-/// of the definitions.
+/// Highest derivative of each unknown as a node in `graph`. Text values are indices into `texts`. `order` is the evaluation
+/// order of the definitions.
 pub(crate) fn solve(
     declarations: &Declarations,
     order: &[usize],
     unknowns: &[Unknown],
     (graph, texts): (&mut Graph, &mut Vec<String>),
 ) -> Result<Vec<NodeId>, Vec<Diagnostic>> {
-    // The equations are built in a graph of their own, in which the highest derivatives are further states.
+    // The equations are built in a separate graph, in which the highest derivatives are extra states.
     let mut scratch = Graph::default();
     let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();
     let chains: Vec<Chain> = (states..)
@@ -82,7 +82,7 @@ fn too_coupled(members: &[usize], unknowns: &[Unknown]) -> Diagnostic {
     Diagnostic::error("too-many-coupled-equations", message, span).with_hint(hint)
 }
 
-/// Each equation as left side minus right side, linear in the highest derivatives.
+/// Each equation as left side minus right side, affine in the highest derivatives.
 fn linear_equations(
     declarations: &Declarations,
     order: &[usize],
@@ -125,7 +125,7 @@ fn linear_equations(
     if diagnostics.is_empty() { Ok(forms) } else { Err(diagnostics) }
 }
 
-/// The model asks for too much.
+/// Error for a model with too many nodes.
 pub(crate) fn too_many_nodes(span: Span) -> Diagnostic {
     let most = limits::NODES;
     let message = words!(
@@ -138,7 +138,7 @@ pub(crate) fn too_many_nodes(span: Span) -> Diagnostic {
     ))
 }
 
-/// The definitions that the equations use, in the order of computation.
+/// Definitions that the equations use, in evaluation order.
 fn used_definitions(declarations: &Declarations, order: &[usize]) -> Vec<usize> {
     let mut used = vec![false; declarations.definitions.len()];
     let mark = |expression, used: &mut Vec<bool>| {
@@ -172,7 +172,8 @@ fn initial_highest(equation: &Equation) -> Diagnostic {
     Diagnostic::error("initial-value-of-highest", message, equation.span)
 }
 
-/// The forms with their nodes rebuilt in another graph: they are free of highest derivatives, so nothing changes.
+/// The affine forms with their nodes rebuilt in another graph. Their nodes contain no highest derivatives, so nothing
+/// changes.
 fn copied(forms: &[Affine], from: &Graph, to: &mut Graph) -> Vec<Affine> {
     let nodes = |form: &Affine| form.coefficients.values().copied().chain(form.rest).collect::<Vec<_>>();
     let roots: Vec<NodeId> = forms.iter().flat_map(nodes).collect();
@@ -186,7 +187,7 @@ fn copied(forms: &[Affine], from: &Graph, to: &mut Graph) -> Vec<Affine> {
         .collect()
 }
 
-/// The solution as far as it has come.
+/// Partial solution.
 struct Solved<'a> {
     graph: &'a mut Graph,
     rates: Vec<Option<NodeId>>,
@@ -198,7 +199,7 @@ impl Solved<'_> {
         id.unwrap_or_else(|| self.graph.constant(0.0))
     }
 
-    /// Minus everything in the equation but the `members`.
+    /// Right side: minus all terms of the equation except those of `members`.
     fn right(&mut self, form: &Affine, members: &[usize]) -> NodeId {
         let mut sum = self.or_zero(form.rest);
         for (&unknown, &coefficient) in &form.coefficients {
@@ -210,7 +211,7 @@ impl Solved<'_> {
         self.graph.negate(sum)
     }
 
-    /// One equation for one unknown: a division. False if the coefficient is always 0.
+    /// Solves one equation for one unknown by a division. Returns false if the coefficient is always 0.
     fn alone(&mut self, form: &Affine, unknown: usize) -> bool {
         let right = self.right(form, &[unknown]);
         let coefficient = self.or_zero(form.coefficients.get(&(unknown as u32)).copied());
@@ -236,7 +237,7 @@ impl Solved<'_> {
         LinearSystem::new(entries, right)
     }
 
-    /// Makes the unknowns of a system those of the equations. False if it never has one solution.
+    /// Defines the unknowns as the solution of a system. Returns false if the system is always singular.
     fn enter(&mut self, system: LinearSystem, members: &[usize]) -> bool {
         let regular = !is_singular(self.graph, &system);
         let system = self.graph.insert_system(system);

@@ -1,4 +1,4 @@
-//! What is allowed in a finished model and hardly meant.
+//! Warnings about valid models that are probably not what the author meant.
 
 use crate::names::{Declarations, crossing, for_each};
 use crate::notation::quote;
@@ -9,7 +9,7 @@ use units::words;
 /// Adds the warnings about a model.
 pub(crate) fn warn(model: &Model, places: &Places, declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) {
     friction_by_sign(model, declarations, diagnostics);
-    // Those of crossings and of dry friction come in pairs and are as they should be.
+    // Events of crossings and of dry friction come in pairs and need no warning.
     let mut written = Vec::new();
     let mut number = 0;
     for event in &declarations.events {
@@ -25,12 +25,13 @@ pub(crate) fn warn(model: &Model, places: &Places, declarations: &Declarations, 
     set_twice(model, &written, diagnostics);
 }
 
-/// Whether what has this name is the author's own, and not what an event notes of itself.
+/// True if the quantity is the author's, and not one in which an event stores its own data.
 fn is_own(name: &str) -> bool {
     !moments::is_hidden(name) || discrete_kinds::quantity(name).is_some()
 }
 
-/// Events whose conditions are true at the start, as far as the parameters' defaults tell: nothing becomes true there.
+/// Warns of events whose conditions are true at the start with default parameters: an event fires only when its condition
+/// becomes true.
 fn true_at_the_start(model: &Model, events: &[(&Event, Span, Span)], diagnostics: &mut Vec<Diagnostic>) {
     let mut graph = model.graph.clone();
     let defaults = |nodes: &[NodeId], graph: &mut program::Graph, initial: &[NodeId]| {
@@ -45,7 +46,7 @@ fn true_at_the_start(model: &Model, events: &[(&Event, Span, Span)], diagnostics
     let initial = defaults(&initial, &mut graph, &[]);
     for &(event, _, place) in events {
         let truth = defaults(&[event.condition], &mut graph, &initial);
-        // An action that sets what is set already is not missed, nor is what the event notes of itself.
+        // No warning if the actions change nothing at the start; data that the event stores about itself do not count.
         let values: Vec<NodeId> = event.actions.iter().map(|(_, value)| *value).collect();
         let values = defaults(&values, &mut graph, &initial);
         let is_set = |((state, _), value): (&(u32, NodeId), &NodeId)| {
@@ -68,7 +69,7 @@ fn true_at_the_start(model: &Model, events: &[(&Event, Span, Span)], diagnostics
     }
 }
 
-/// Events of one condition that set the same state: the later one has the last word.
+/// Warns of events with the same condition that set the same state: the later one overrides the earlier one.
 fn set_twice(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Diagnostic>) {
     for (number, &(event, place)) in events.iter().enumerate() {
         let mut earlier = events[..number].iter().filter(|(other, _)| other.condition == event.condition);
@@ -95,7 +96,7 @@ fn set_twice(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Dia
     }
 }
 
-/// Friction that is written with `sign`: at rest it leads from both sides back to the switch.
+/// Warns of friction written with `sign`: near rest both signs drive the speed back to 0 (chattering).
 fn friction_by_sign(model: &Model, declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) {
     let Some(held) = model.held(false) else { return };
     let mut moving = model.clone();

@@ -1,4 +1,4 @@
-//! Whether every name and function of an expression exists and is used as what it is.
+//! Checks that every name and function in an expression exists and is used according to its kind.
 
 use super::foreign;
 use super::scope::{Meaning, Scope};
@@ -13,24 +13,24 @@ use program::functions::Function;
 use std::collections::HashSet;
 use units::words;
 
-/// Collects what is wrong with the names of expressions. An unknown name is reported once, with all its places.
+/// Collects errors in the names of expressions. An unknown name is reported once, with all its places.
 #[derive(Debug)]
 pub(crate) struct NameCheck<'a> {
     scope: &'a Scope,
-    /// Names without a meaning that have been reported elsewhere.
+    /// Unknown names that are reported elsewhere.
     reported: Vec<&'a str>,
     unknown: Vec<Unknown<'a>>,
-    /// Where names stand of which a diagnostic has said what to write instead.
+    /// Places of names covered by a diagnostic that already gives a replacement.
     told: Vec<Span>,
     diagnostics: Vec<Diagnostic>,
-    /// What has a meaning only in the function that is looked at: arguments, indices and sizes.
+    /// Names that are valid only in the current function: arguments, indices and sizes.
     local: Vec<&'a str>,
-    /// Whether what is unknown can be declared where it stands.
+    /// True for the model, where an unknown name can be declared.
     in_model: bool,
 }
 
 impl<'a> NameCheck<'a> {
-    /// An empty check. The names in `reported` are not reported again.
+    /// Empty check. The names in `reported` are not reported again.
     pub fn new(scope: &'a Scope, reported: Vec<&'a str>) -> Self {
         Self {
             scope,
@@ -43,12 +43,12 @@ impl<'a> NameCheck<'a> {
         }
     }
 
-    /// An empty check of an expression of the document, where nothing can be declared.
+    /// Empty check for an expression of the document, where nothing can be declared.
     pub fn outside_model(scope: &'a Scope) -> Self {
         Self { in_model: false, ..Self::new(scope, Vec::new()) }
     }
 
-    /// Looks at one expression.
+    /// Checks one expression.
     pub fn expression(&mut self, expression: &'a Expression) {
         for_each(expression, |part| match &part.kind {
             ExpressionKind::Name { name, order } => self.name(name, *order, part.span),
@@ -63,7 +63,7 @@ impl<'a> NameCheck<'a> {
         });
     }
 
-    /// Looks at the body of a function of the author's own, which may be called nowhere.
+    /// Checks the body of a user-defined function, which may never be called.
     pub fn function(&mut self, function: &'a FunctionStatement, sizes: &'a [Size]) {
         self.local.extend(function.parameters.iter().map(|parameter| parameter.text.as_str()));
         self.local.extend(sizes.iter().map(|size| size.name.as_str()));
@@ -76,7 +76,7 @@ impl<'a> NameCheck<'a> {
         self.local.clear();
     }
 
-    /// `e^(-x)`, unless `e` is a name of the model.
+    /// Reports `e^(-x)`, unless `e` is a name of the model.
     fn power(&mut self, base: &Expression, exponent: &Expression, span: Span) {
         let is_e = matches!(&base.kind, ExpressionKind::Name { name, order: 0 } if name == "e");
         if !is_e || self.local.contains(&"e") || self.scope.meaning("e").is_some() {
@@ -91,7 +91,7 @@ impl<'a> NameCheck<'a> {
         self.told.push(base.span);
     }
 
-    /// `liquid == "Watr"` is never true.
+    /// Reports `liquid == "Watr"`, which is never true.
     fn alternative(&mut self, name: &Expression, text: &Expression) {
         let (ExpressionKind::Name { name, order: 0 }, ExpressionKind::Text(word)) = (&name.kind, &text.kind) else {
             return;
@@ -158,7 +158,7 @@ impl<'a> NameCheck<'a> {
         match self.unknown.iter_mut().find(|known| known.name == name) {
             Some(known) => {
                 known.order = order.max(known.order);
-                // The body of a function stands in each of its calls.
+                // The body of a function is expanded in each call, so a place can occur repeatedly.
                 if !known.places.contains(&place) {
                     known.places.push(place);
                 }
@@ -242,7 +242,7 @@ impl<'a> NameCheck<'a> {
         });
     }
 
-    /// Everything that was found.
+    /// Returns all diagnostics, each once.
     pub fn finish(mut self) -> Vec<Diagnostic> {
         let mut places = HashSet::new();
         self.diagnostics.retain(|diagnostic| places.insert((diagnostic.code, diagnostic.span())));
@@ -252,7 +252,7 @@ impl<'a> NameCheck<'a> {
     }
 }
 
-/// The comma between two arguments that are one number with a decimal comma: `sin(0,5)`.
+/// Place of the comma between two arguments that look like one number with a decimal comma: `sin(0,5)`.
 fn decimal_comma(arguments: &[Expression]) -> Option<Span> {
     let is_number = |argument: &Expression| matches!(argument.kind, ExpressionKind::Number { .. });
     arguments.windows(2).find_map(|pair| {

@@ -1,4 +1,4 @@
-//! Whether there are as many equations as unknowns, and which belongs to which.
+//! Compares the number of equations with the number of unknowns, and pairs them.
 
 use super::declarations::Declarations;
 use super::foreign;
@@ -12,7 +12,8 @@ use crate::{Diagnostic, ExpressionKind, Span, limits};
 use program::functions::Function;
 use units::words;
 
-/// For each unknown, whether there is an equation to determine it.
+/// Pairs equations and unknowns, and reports those left over. Returns one value per unknown: true if an equation determines
+/// it.
 pub(super) fn check_counts(
     declarations: &Declarations,
     in_equations: &[Orders],
@@ -44,7 +45,7 @@ pub(super) fn check_counts(
             }
             _ => None,
         };
-        // What was meant by a function that does not exist is said of that.
+        // Calls of functions that do not exist are reported by another check.
         if pairs[index] || meant.is_some() {
             continue;
         }
@@ -76,7 +77,7 @@ pub(super) fn check_counts(
             diagnostic.with_hint(words("leave one of them out", "omite una de ellas"))
         });
     }
-    // If an equation is left over and the number is right, that equation was meant for the unknown and has been reported.
+    // If the numbers agree, an equation left over was meant for the unknown left over, and has been reported.
     let paired = equation_of.iter().flatten().count();
     let too_few = unknowns.len() > declarations.equations.len() || paired == declarations.equations.len();
     let unpaired = unknowns.iter().zip(&equation_of).filter(|(_, equation)| equation.is_none() && too_few);

@@ -1,5 +1,5 @@
-//! The statements of a model by kind, and the checks that need nothing but the statements: names declared twice,
-//! reserved names, ranges of parameters.
+//! The statements of a model by kind, and the checks that need only the statements: duplicate names, reserved names, ranges
+//! of parameters.
 
 use super::scope::{Meaning, PI, Scope};
 use crate::notation::primed;
@@ -11,11 +11,11 @@ use program::functions::Function;
 use std::collections::HashMap;
 use units::{Unit, words};
 
-/// A model by kinds of statement, each in the order of the text.
+/// Statements of a model by kind, each kind in text order.
 #[derive(Debug)]
 pub(crate) struct Declarations<'a> {
     pub independent: (String, Unit),
-    /// Whether the independent variable counts.
+    /// True if the independent variable is discrete.
     pub counts: bool,
     pub parameters: Vec<ParameterEntry<'a>>,
     pub definitions: Vec<Definition<'a>>,
@@ -31,7 +31,7 @@ pub(crate) struct Declarations<'a> {
 pub(crate) struct ParameterEntry<'a> {
     pub statement: &'a ParameterStatement,
     pub label: Option<&'a str>,
-    /// The group under which its control stands.
+    /// Group of its control.
     pub group: Option<&'a str>,
     pub span: Span,
 }
@@ -70,10 +70,10 @@ pub(crate) struct Equation<'a> {
 pub(crate) struct EventEntry<'a> {
     pub condition: &'a Expression,
     pub actions: &'a [Action],
-    /// Its label or what stands on its button, or else its name.
+    /// Its label or the title of its button, or else its name.
     pub title: Option<&'a str>,
     pub is_labelled: bool,
-    /// What stands on the button that it belongs to.
+    /// Title of its button.
     pub button: Option<&'a Quoted>,
     pub name: Option<&'a Name>,
     pub stops: bool,
@@ -81,7 +81,7 @@ pub(crate) struct EventEntry<'a> {
 }
 
 impl<'a> Declarations<'a> {
-    /// Sorts the statements and declares parameters, definitions and the independent variable.
+    /// Sorts the statements by kind and declares parameters, definitions and the independent variable.
     pub fn collect(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Self {
         let independent = independent(statements, diagnostics);
         let mut declared: HashMap<&str, Span> = HashMap::new();
@@ -150,7 +150,7 @@ impl<'a> Declarations<'a> {
                         let label = label.or(table.label.as_ref().map(|label| label.text.as_str()));
                         match table.checked(declarations.tables.len(), diagnostics) {
                             Some(function) => declarations.scope.declare_table(&table.name.text, function),
-                            // So that its calls are not reported as well.
+                            // Declared nevertheless, so that calls of an invalid table are not reported as well.
                             None => declarations.scope.declare_functions([table.name.text.as_str()]),
                         }
                         declarations.tables.push(TableEntry { statement: table, label });
@@ -171,7 +171,7 @@ impl<'a> Declarations<'a> {
                         span,
                     });
                 }
-                // Choices have been spread into parameters and definitions, and what belongs to families has been written out.
+                // Choices, families and sizes have been expanded before.
                 StatementKind::Independent { .. }
                 | StatementKind::Choice(_)
                 | StatementKind::Size(_)
@@ -182,7 +182,7 @@ impl<'a> Declarations<'a> {
         declarations
     }
 
-    /// Each button has a title of its own.
+    /// Reports buttons with the same title.
     fn check_buttons(&self, diagnostics: &mut Vec<Diagnostic>) {
         let mut titles: HashMap<&str, Span> = HashMap::new();
         for title in self.events.iter().filter_map(|event| event.button) {
@@ -197,7 +197,7 @@ impl<'a> Declarations<'a> {
         }
     }
 
-    /// Whether a name is free to be declared; if not, says why.
+    /// True if a name can be declared; reports the reason if not.
     fn may_declare<'b>(
         &self,
         name: &'b Name,
@@ -243,7 +243,7 @@ impl<'a> Declarations<'a> {
     }
 }
 
-/// The independent variable: `t` in seconds unless a statement names another.
+/// Name and unit of the independent variable: `t` in seconds unless a statement gives another.
 fn independent(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> (String, Unit) {
     let mut stated: Option<(&Name, Unit)> = None;
     for statement in statements {
@@ -336,7 +336,7 @@ fn check_parameter(parameter: &ParameterStatement, diagnostics: &mut Vec<Diagnos
     }
 }
 
-/// The texts among which an expression selects; `None` if its value can be something else.
+/// Texts among which an expression selects; `None` if its value can be anything else.
 fn texts(value: &Expression) -> Option<Vec<String>> {
     let mut texts = Vec::new();
     let mut waiting = vec![value];

@@ -1,4 +1,4 @@
-//! What events may change: states, and nothing else.
+//! Checks of events: their actions may change only states.
 
 use super::declarations::{Declarations, EventEntry};
 use super::scope::Meaning;
@@ -8,7 +8,7 @@ use crate::notation::{primed, quote};
 use crate::{Action, BinaryOperator, Diagnostic, Expression, ExpressionKind, UnaryOperator, discrete_kinds};
 use units::{Words, words};
 
-/// Checks the names on the left of the actions of an event, and that its condition can be met.
+/// Checks the condition of an event and the names on the left of its actions.
 pub(crate) fn check_event(
     declarations: &Declarations,
     unknowns: &[Unknown],
@@ -47,7 +47,8 @@ pub(crate) fn check_event(
     }
 }
 
-/// The two sides of a condition `a == b` of numbers that is all of an event's condition: it fires where they cross.
+/// Both sides, if the whole condition of an event is an equation `a == b` of numbers. Such an event fires when the sides
+/// cross.
 pub(crate) fn crossing<'a>(
     declarations: &Declarations,
     event: &EventEntry<'a>,
@@ -62,9 +63,9 @@ pub(crate) fn crossing<'a>(
     }
 }
 
-/// Whether an expression is a number, as far as its form tells; it is no truth value and no text.
+/// True if the form of an expression shows that it is a number, not a truth value or a text.
 fn is_number(declarations: &Declarations, expression: &Expression, depth: usize) -> bool {
-    /// Definitions by definitions are followed so far.
+    /// Maximum number of nested definitions that are followed.
     const DEEPEST: usize = 32;
     match &expression.kind {
         ExpressionKind::Text(_) | ExpressionKind::Unary(UnaryOperator::Not, _) => false,

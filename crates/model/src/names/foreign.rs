@@ -1,4 +1,4 @@
-//! Functions and derivatives as they are written elsewhere.
+//! Functions and derivatives in the notation of other languages.
 
 use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
@@ -8,13 +8,13 @@ use program::AggregateKind;
 use program::functions::Function;
 use units::{Words, words};
 
-/// What derivatives are written with elsewhere.
+/// Derivative functions of other languages.
 const DERIVATIVES: [&str; 5] = ["der", "diff", "deriv", "derivative", "D"];
 
-/// What vectors are made with elsewhere.
+/// Vector constructors of other languages.
 const VECTORS: [&str; 7] = ["vector", "vec", "Vector", "vec2", "vec3", "Vec2", "Vec3"];
 
-/// Functions in Spanish, without accents.
+/// Function names in Spanish, without accents.
 const SPANISH: [(&str, &str); 22] = [
     ("sen", "sin"),
     ("seno", "sin"),
@@ -46,7 +46,7 @@ pub(super) fn in_english(function: &str) -> Option<&'static str> {
     SPANISH.iter().find(|(word, _)| *word == plain.to_lowercase()).map(|(_, ours)| *ours)
 }
 
-/// What to write instead of a function that does not exist.
+/// Advice about a function that does not exist here.
 pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression]) -> Option<Words> {
     let text = &function.text;
     if Function::named(text).is_some() {
@@ -84,7 +84,7 @@ pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression
     })
 }
 
-/// What is said of `maximum(x)` where a moment has no such value, and of `maximum(a, b)`.
+/// Error for `maximum(x)` in a place where it is not defined, and for `maximum(a, b)`.
 pub(super) fn of_runs(function: &Name, arguments: &[Expression]) -> Option<Diagnostic> {
     let text = &function.text;
     let kind = AggregateKind::named(text)?;
@@ -133,12 +133,12 @@ pub(super) fn derivative_of(function: &Name, arguments: &[Expression]) -> Option
     }
 }
 
-/// What is said of the derivatives in an expression that are written as quotients: `dx/dt`, `d2x/dt^2`.
+/// Errors for derivatives written as quotients: `dx/dt`, `d2x/dt^2`.
 pub(crate) fn quotients(scope: &Scope, expression: &Expression) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for_each(expression, |part| {
         let ExpressionKind::Binary(BinaryOperator::Divide, above, below) = &part.kind else { return };
-        // `m*d2x/dt2` is a product that is divided.
+        // In `m*d2x/dt2` the numerator is a product.
         let above = match &above.kind {
             ExpressionKind::Binary(BinaryOperator::Multiply, _, last) => last,
             _ => above,
@@ -153,7 +153,7 @@ pub(crate) fn quotients(scope: &Scope, expression: &Expression) -> Vec<Diagnosti
     found
 }
 
-/// The variable and the order of a derivative that is written as a quotient of names without another meaning.
+/// Variable and order of a derivative written as a quotient, if the names have no other meaning.
 fn derivative<'a>(scope: &Scope, above: &'a Expression, below: &Expression) -> Option<(&'a str, u32)> {
     let ExpressionKind::Name { name: above, order: 0 } = &above.kind else { return None };
     let (below, power) = match &below.kind {

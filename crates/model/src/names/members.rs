@@ -4,7 +4,7 @@ use super::scope::Scope;
 use crate::families::family;
 use units::{Words, words};
 
-/// What to say of an unknown name that is a member of a family, or a family.
+/// Hint for an unknown name that is a member of a family, or a family.
 pub(super) fn hint(scope: &Scope, name: &str) -> Option<Words> {
     let members = |wanted: &str| {
         let mut members = scope.names().filter(|known| family(known) == Some(wanted));

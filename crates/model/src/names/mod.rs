@@ -1,5 +1,4 @@
-//! Names: what is declared, what each name means, in which order definitions can be computed, and which names are the
-//! unknowns of the equations.
+//! Names: declarations, meaning of each name, evaluation order of the definitions, and the unknowns of the equations.
 
 mod check;
 mod counts;

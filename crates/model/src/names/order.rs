@@ -1,4 +1,4 @@
-//! The order in which definitions can be computed, and the circles in which they cannot.
+//! Evaluation order of definitions, and detection of circular ones.
 
 use super::declarations::Declarations;
 use super::scope::Meaning;
@@ -8,8 +8,8 @@ use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind};
 use units::{Words, words};
 
-/// Indices of definitions, each after those it uses. Members of circles, and what uses them, are left out. Each circle
-/// is reported.
+/// Indices of definitions, each after those that it uses. Members of circles and definitions that use them are left out.
+/// Each circle is reported.
 pub(crate) fn definition_order(declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) -> Vec<usize> {
     let uses = uses(declarations);
     let order = sorted(&uses);
@@ -19,7 +19,7 @@ pub(crate) fn definition_order(declarations: &Declarations, diagnostics: &mut Ve
     order
 }
 
-/// For each definition, the definitions it uses, each once.
+/// For each definition, the indices of the definitions that it uses, each once.
 fn uses(declarations: &Declarations) -> Vec<Vec<usize>> {
     let uses_of = |value| {
         let mut used = Vec::new();
@@ -35,7 +35,7 @@ fn uses(declarations: &Declarations) -> Vec<Vec<usize>> {
     declarations.definitions.iter().map(|definition| uses_of(definition.value)).collect()
 }
 
-/// Each index after all that it uses; those for which this is impossible are missing.
+/// Topological order: each index after all that it uses. Members of circles and their users are missing.
 fn sorted(uses: &[Vec<usize>]) -> Vec<usize> {
     let mut users: Vec<Vec<usize>> = vec![Vec::new(); uses.len()];
     let mut missing: Vec<usize> = uses.iter().map(Vec::len).collect();
@@ -58,7 +58,7 @@ fn sorted(uses: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// Tells the circles among the definitions that could not be sorted.
+/// Reports the circles among the definitions that could not be sorted.
 fn report_circles(
     declarations: &Declarations,
     uses: &[Vec<usize>],
@@ -120,7 +120,7 @@ fn circle(declarations: &Declarations, members: &[usize], uses: &[Vec<usize>]) -
     diagnostic
 }
 
-/// `maximum` and `x` for `max(A, x)`, as in other tools A is kept up to date in every step.
+/// `maximum` and `x` for `max(A, x)`: in other tools A would be updated in every step.
 fn extremum(name: &str, value: &Expression) -> Option<(&'static str, String)> {
     let ExpressionKind::Call { function, arguments } = &value.kind else { return None };
     let keeps = match function.text.as_str() {
@@ -135,17 +135,17 @@ fn extremum(name: &str, value: &Expression) -> Option<(&'static str, String)> {
     }
 }
 
-/// Lists name no more items than this.
+/// Maximum number of items in a list.
 const LONGEST_LIST: usize = 8;
 
-/// `a`, `a and b`, `a, b and c`; of very many, the first ones and how many others.
+/// `a`, `a and b`, `a, b and c`; of a long list, the first items and the number of others.
 pub(crate) fn list(items: &[String]) -> Words {
     if items.len() > LONGEST_LIST {
         let (first, others) = items.split_at(LONGEST_LIST - 1);
         let (first, others) = (first.join(", "), others.len());
         return words!("{first} and {others} others", "{first} y otros {others}");
     }
-    // "y" becomes "e" before its own sound: `x` e `y`.
+    // Spanish "y" becomes "e" before the same sound: `x` e `y`.
     let and = |last: &str| if sounds_like(last, &['i', 'I', 'y', 'Y']) { "e" } else { "y" };
     joined(items, "and", and)
 }
@@ -156,7 +156,7 @@ pub(crate) fn alternatives(items: &[String]) -> Words {
     joined(items, "or", or)
 }
 
-/// Whether a name in backquotes begins with one of these letters.
+/// True if a name in backquotes begins with one of these letters.
 fn sounds_like(name: &str, letters: &[char]) -> bool {
     name.trim_start_matches('`').starts_with(letters)
 }

@@ -1,4 +1,4 @@
-//! What each name of a model means.
+//! Meanings of the names of a model.
 
 use crate::tables::TableFunction;
 use program::functions::FUNCTIONS;
@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use std::collections::HashMap;
 use units::nearest;
 
-/// What a name stands for. The numbers are indices in the order of declaration.
+/// Meaning of a name. The numbers are indices in the order of declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Meaning {
     /// A number the user can change.
@@ -27,19 +27,19 @@ pub(crate) struct Scope {
     /// The name of the independent variable.
     pub independent: String,
     meanings: FxHashMap<String, Meaning>,
-    /// In the order of declaration, so that offers do not depend on the hash.
+    /// In the order of declaration, so that suggestions do not depend on the hash.
     names: Vec<String>,
-    /// The functions of the author's own.
+    /// User-defined functions, including tables.
     functions: Vec<String>,
-    /// The functions that are given by tables.
+    /// Functions defined by tables.
     tables: HashMap<String, TableFunction>,
-    /// The names of choices with their texts.
+    /// Texts that each choice can have.
     choices: HashMap<String, Vec<String>>,
-    /// The labels of names, in small letters.
+    /// Labels in lower case, each with its name.
     labels: Vec<(String, String)>,
 }
 
-/// Functions as other languages and programs call them, which are too far from ours to be taken for a slip.
+/// Names of functions in other languages that are too different to be found as misspellings.
 const FOREIGN_FUNCTIONS: [(&str, &[&str]); 11] = [
     ("sqrt", &["raiz", "raíz", "root", "wurzel", "racine"]),
     ("sin", &["sen", "seno"]),
@@ -54,11 +54,11 @@ const FOREIGN_FUNCTIONS: [(&str, &[&str]); 11] = [
     ("min", &["minimo", "mínimo"]),
 ];
 
-/// The name of the constant.
+/// Name of the constant.
 pub(crate) const PI: &str = "pi";
 
 impl Scope {
-    /// Only `pi` and the independent variable.
+    /// Scope with only `pi` and the independent variable.
     pub fn new(independent: &str) -> Self {
         let mut scope = Self {
             independent: independent.to_owned(),
@@ -74,7 +74,7 @@ impl Scope {
         scope
     }
 
-    /// Gives a name a meaning, unless it has one already.
+    /// Declares a name, unless it is already declared.
     pub fn declare(&mut self, name: &str, meaning: Meaning) {
         if !self.meanings.contains_key(name) {
             self.meanings.insert(name.to_owned(), meaning);
@@ -82,7 +82,8 @@ impl Scope {
         }
     }
 
-    /// Gives a name another meaning, or none. Returns the former one, with which the same call takes this back.
+    /// Replaces the meaning of a name, or removes it with `None`. Returns the former meaning; the same call with it
+    /// restores the scope.
     pub fn exchange(&mut self, name: &str, meaning: Option<Meaning>) -> Option<Meaning> {
         match meaning {
             Some(meaning) => self.meanings.insert(name.to_owned(), meaning),
@@ -90,33 +91,34 @@ impl Scope {
         }
     }
 
-    /// Declares functions of the author's own.
+    /// Declares user-defined functions.
     pub fn declare_functions<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         self.functions.extend(names.into_iter().map(str::to_owned));
     }
 
-    /// Declares a function that is given by a table.
+    /// Declares a function defined by a table.
     pub fn declare_table(&mut self, name: &str, table: TableFunction) {
         self.declare_functions([name]);
         self.tables.insert(name.to_owned(), table);
     }
 
-    /// The function of that name, if it is given by a table.
+    /// The table with that name.
     pub fn table(&self, name: &str) -> Option<&TableFunction> {
         self.tables.get(name)
     }
 
-    /// Notes what texts the value of a name can be.
+    /// Declares the texts that the value of a name can have.
     pub fn declare_choice(&mut self, name: &str, texts: Vec<String>) {
         self.choices.insert(name.to_owned(), texts);
     }
 
-    /// Notes how the author calls a name in words.
+    /// Adds the author's label of a name.
     pub fn declare_label(&mut self, name: &str, label: Option<&str>) {
         self.labels.extend(label.map(|label| (label.to_lowercase(), name.to_owned())));
     }
 
-    /// The one name whose label is `words`, with blanks for underscores, or begins with them: `m` for `mass`.
+    /// The only name whose label is `words` or begins with these words, underscores read as blanks: `m` for `mass`. `None`
+    /// if there are several.
     pub fn called(&self, words: &str) -> Option<&str> {
         let words = words.to_lowercase().replace('_', " ");
         let begins =
@@ -125,17 +127,17 @@ impl Scope {
         found.next().filter(|_| found.next().is_none())
     }
 
-    /// The texts that the value of a name can be; `None` if it is no choice.
+    /// Texts that the value of a name can have; `None` if it is not a choice.
     pub fn choice(&self, name: &str) -> Option<&[String]> {
         self.choices.get(name).map(Vec::as_slice)
     }
 
-    /// Whether the author has a function of that name.
+    /// True if there is a user-defined function of that name.
     pub fn is_function(&self, name: &str) -> bool {
         self.functions.iter().any(|function| function == name)
     }
 
-    /// What a name means.
+    /// Meaning of a name.
     pub fn meaning(&self, name: &str) -> Option<Meaning> {
         self.meanings.get(name).copied()
     }
@@ -145,12 +147,12 @@ impl Scope {
         self.names.iter().map(String::as_str)
     }
 
-    /// The declared name that `name` was probably meant to be.
+    /// The declared name most similar to `name`.
     pub fn near(&self, name: &str) -> Option<&str> {
         nearest(name, self.names.iter().map(String::as_str))
     }
 
-    /// The function that `name` was probably meant to be.
+    /// The function that `name` probably means.
     pub fn near_function(&self, name: &str) -> Option<&str> {
         let foreign = FOREIGN_FUNCTIONS.iter().find(|(_, others)| others.contains(&name.to_lowercase().as_str()));
         if let Some((ours, _)) = foreign {

@@ -1,11 +1,11 @@
-//! Going through expressions without recursion.
+//! Traversal of expressions without recursion.
 
 use crate::{Expression, ExpressionKind};
 
-/// More parts wait seldom.
+/// Initial capacity of the stack, rarely exceeded.
 const USUAL: usize = 16;
 
-/// Calls `visit` with the expression and everything inside it, in the order of the text.
+/// Calls `visit` with the expression and all its subexpressions, in text order.
 pub(crate) fn for_each<'a>(expression: &'a Expression, mut visit: impl FnMut(&'a Expression)) {
     let mut waiting = Vec::with_capacity(USUAL);
     waiting.push(expression);
@@ -19,7 +19,7 @@ pub(crate) fn for_each<'a>(expression: &'a Expression, mut visit: impl FnMut(&'a
     }
 }
 
-/// The names inside, with their primes; `y'(0)` too, and of the members of families the family's.
+/// Calls `visit` with each name, its derivative order and its expression. Includes `y'(0)`, and the family of a member.
 pub(crate) fn for_each_name<'a>(expression: &'a Expression, mut visit: impl FnMut(&'a str, u32, &'a Expression)) {
     for_each(expression, |part| {
         if let ExpressionKind::Name { name, order }

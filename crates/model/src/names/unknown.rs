@@ -9,15 +9,15 @@ use std::collections::BTreeMap;
 pub(crate) struct Unknown<'a> {
     /// Its name.
     pub name: &'a str,
-    /// How many primes its highest derivative has; as many states belong to it.
+    /// Order of its highest derivative, which is also the number of its states.
     pub highest: u32,
-    /// The index of the first of its states.
+    /// Index of the first of its states.
     pub first_state: usize,
-    /// Where its highest derivative stands in an equation.
+    /// Place of its highest derivative in an equation.
     pub span: Span,
-    /// Its initial values, by their primes.
+    /// Its initial values, by derivative order.
     pub initial: Vec<Option<InitialEntry<'a>>>,
 }
 
-/// How often each unknown is primed at most.
+/// Highest derivative order of each unknown, and a place where it occurs.
 pub(super) type Orders<'a> = BTreeMap<&'a str, (u32, Span)>;

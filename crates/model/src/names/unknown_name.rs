@@ -1,4 +1,4 @@
-//! Names without a meaning, and what was probably meant.
+//! Diagnostics for undeclared names, with the name that was probably meant.
 
 use super::members;
 use super::scope::{Meaning, PI, Scope};
@@ -7,23 +7,23 @@ use crate::{Diagnostic, Edit, Span, limits};
 use program::functions::Function;
 use units::{Words, words};
 
-/// A name without a meaning.
+/// An undeclared name.
 #[derive(Debug)]
 pub(super) struct Unknown<'a> {
     pub name: &'a str,
-    /// The most primes that it has anywhere.
+    /// Highest derivative order with which it occurs.
     pub order: u32,
-    /// Where it stands, and what follows the name there: primes, `(0)`.
+    /// Its places, each with the text after the name: primes, `(0)`.
     pub places: Vec<(Span, String)>,
 }
 
-/// The most names that a hint lists.
+/// Maximum number of names in a hint.
 const MOST_NAMES: usize = 12;
 
-/// Only names so short are taken for products.
+/// Maximum length in bytes of a name that is tried as a product.
 const LONGEST_PRODUCT: usize = 16;
 
-/// What is said of an unknown name. Outside the model nothing can be declared.
+/// Diagnostic for an undeclared name. `in_model` is false where nothing can be declared.
 pub(super) fn unknown_name(scope: &Scope, unknown: &Unknown, in_model: bool) -> Diagnostic {
     let Unknown { name, order, places } = unknown;
     let (name, order) = (*name, *order);
@@ -50,7 +50,7 @@ pub(super) fn unknown_name(scope: &Scope, unknown: &Unknown, in_model: bool) -> 
     if let Some(hint) = members::hint(scope, name) {
         return diagnostic.with_hint(hint);
     }
-    // The members of families and the components of vectors do not stand in the text as they are called here.
+    // The source text of members and components differs from these names, so it cannot be replaced.
     let meaning = |diagnostic: Diagnostic, new: &str| {
         if name.contains(['[', '.']) || new.contains(['[', '.']) {
             return diagnostic;
@@ -105,7 +105,7 @@ pub(super) fn unknown_name(scope: &Scope, unknown: &Unknown, in_model: bool) -> 
     }
 }
 
-/// The names of the model; those with other characters stand for parts of what has them.
+/// Hint with the names of the model. Names with other characters are parts of families or vectors.
 fn known_names(scope: &Scope) -> Words {
     let is_written = |name: &&str| *name != PI && name.chars().all(|c| c == '_' || c.is_alphanumeric());
     let names = scope.names().filter(is_written).map(|name| format!("`{name}`"));
@@ -113,7 +113,7 @@ fn known_names(scope: &Scope) -> Words {
     words!("the model has the names {names}", "el modelo tiene los nombres {names}")
 }
 
-/// What to write instead of the parts of `dy/dt`.
+/// Hint for the parts of `dy/dt`.
 fn as_differential(scope: &Scope, name: &str) -> Option<Words> {
     let variable = name.strip_prefix('d')?;
     match scope.meaning(variable)? {

@@ -1,5 +1,5 @@
-//! The unknown functions: names with primes that nothing defines. Their highest derivatives are what the equations are
-//! solved for; the lower ones are the states and need initial values.
+//! The unknown functions: names with primes that are not defined. The equations are solved for their highest derivatives.
+//! The lower derivatives are the states and need initial values.
 
 use super::counts::check_counts;
 use super::declarations::Declarations;
@@ -13,8 +13,8 @@ use program::functions::Function;
 use std::collections::HashMap;
 use units::{Words, words};
 
-/// Finds the unknowns, declares them, and tells where there are more of them than equations or fewer, and which initial
-/// values are missing or pointless. `order` is that of the definitions.
+/// Finds and declares the unknowns. Reports a mismatch between the numbers of unknowns and equations, and missing or
+/// surplus initial values. `order` is the evaluation order of the definitions.
 pub(crate) fn find_unknowns<'a>(
     declarations: &mut Declarations<'a>,
     order: &[usize],
@@ -69,7 +69,7 @@ pub(crate) fn find_unknowns<'a>(
             Diagnostic::error("reserved-name", message, *span)
                 .with_hint(words("choose another name", "elige otro nombre")),
         );
-        // Its initial value was read as a call, so the counts below would be wrong.
+        // Its initial value was parsed as a call, so the counts below would be wrong.
         return unknowns;
     }
     let solvable = check_counts(declarations, &in_equations, &unknowns, diagnostics);
@@ -83,7 +83,8 @@ pub(crate) fn find_unknowns<'a>(
     unknowns
 }
 
-/// The undefined names in an expression, with their primes. The prime of a definition counts for what is inside it.
+/// Adds the undefined names in an expression with their derivative orders. A prime of a definition raises the orders of the
+/// names in it.
 fn add_orders<'a>(
     declarations: &Declarations,
     definitions: &[Orders<'a>],
@@ -119,7 +120,7 @@ fn orders_in_definitions<'a>(declarations: &Declarations<'a>, order: &[usize]) -
     all
 }
 
-/// Gives each unknown its initial values; tells those that belong to nothing.
+/// Assigns the initial values to the unknowns. Reports initial values of other names.
 fn assign_initial_values<'a>(
     declarations: &Declarations<'a>,
     unknowns: &mut [Unknown<'a>],
@@ -207,7 +208,7 @@ fn is_set_by_event(declarations: &Declarations, name: &str) -> bool {
     actions.any(|action| action.name.text == name && action.order == 0)
 }
 
-/// Sorts the unknowns' states as the author gives their initial values, else as the equations mention them.
+/// Numbers the states in the order of the given initial values, or else in the order of first mention in the equations.
 fn order_states(declarations: &Declarations, unknowns: &mut [Unknown]) {
     let mut first: HashMap<&str, usize> = HashMap::new();
     for (number, entry) in declarations.initial_values.iter().enumerate() {
@@ -252,7 +253,7 @@ fn check_initial_values(declarations: &Declarations, unknown: &Unknown, diagnost
     let mut diagnostic = Diagnostic::error("missing-initial-value", message, unknown.span)
         .saying(needs)
         .with_hint(Words::same(given.join(", ")));
-    // The members of a family have no lines of their own.
+    // Members of a family have no lines of their own in the text.
     let equation = declarations.equations.iter().find(|equation| equation.span.contains(unknown.span));
     if let Some(equation) = equation.filter(|_| !unknown.name.contains(['[', '.'])) {
         let end = equation.span.after();

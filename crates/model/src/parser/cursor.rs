@@ -1,34 +1,34 @@
-//! Where the parser stands among the tokens, and what it has to say.
+//! Position of the parser in the tokens, and its diagnostics.
 
 use crate::lexer::{Keyword, Symbol, Token, TokenKind};
 use crate::{Diagnostic, Span, StatedUnit};
 use std::ops::Range;
 use units::{Unit, Words, words};
 
-/// A diagnostic has been said; the statement cannot be read any further.
+/// Marker of a failure that was already reported; the rest of the statement is skipped.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Told;
 
-/// The result of reading something; an error has already been reported.
+/// Result of parsing; an error has already been reported.
 pub(super) type Read<T> = Result<T, Told>;
 
-/// Reads tokens one after the other.
+/// Sequential reader of tokens.
 pub(super) struct Cursor<'a> {
     pub(super) source: &'a str,
     tokens: Vec<Token>,
     at: usize,
-    /// How many parentheses, prefixes and branches enclose what is being read.
+    /// Current nesting depth of parentheses, prefixes and branches.
     pub(super) depth: usize,
     diagnostics: Vec<Diagnostic>,
 }
 
 impl<'a> Cursor<'a> {
-    /// `tokens` ends with [`TokenKind::End`].
+    /// Cursor at the first token. `tokens` must end with [`TokenKind::End`].
     pub(super) fn new(source: &'a str, tokens: Vec<Token>, diagnostics: Vec<Diagnostic>) -> Self {
         Self { source, tokens, at: 0, depth: 0, diagnostics }
     }
 
-    /// All that was said, in the order of the text.
+    /// Returns all diagnostics in text order.
     pub(super) fn finish(mut self) -> Vec<Diagnostic> {
         self.diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
         self.diagnostics
@@ -38,27 +38,27 @@ impl<'a> Cursor<'a> {
         self.tokens.get((self.at + ahead).min(self.tokens.len().saturating_sub(1)))
     }
 
-    /// The token to be read next.
+    /// The next token.
     pub(super) fn peek(&self) -> &TokenKind {
         self.peek_ahead(0)
     }
 
-    /// The token after `ahead` more.
+    /// The token `ahead` tokens after the next one.
     pub(super) fn peek_ahead(&self, ahead: usize) -> &TokenKind {
         self.token(ahead).map_or(&TokenKind::End, |token| &token.kind)
     }
 
-    /// Where the next token stands.
+    /// Place of the next token.
     pub(super) fn span(&self) -> Span {
         self.span_ahead(0)
     }
 
-    /// Where the token `ahead` of the next one stands.
+    /// Place of the token `ahead` tokens after the next one.
     pub(super) fn span_ahead(&self, ahead: usize) -> Span {
         self.token(ahead).map(|token| token.span).unwrap_or_default()
     }
 
-    /// Where the token before it stands; at the beginning, the empty place there.
+    /// Place of the preceding token; at the beginning, the empty place there.
     pub(super) fn last_span(&self) -> Span {
         match self.at.checked_sub(1).and_then(|at| self.tokens.get(at)) {
             Some(token) => token.span,
@@ -66,7 +66,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Moves on and tells where the token stood. The end is never passed.
+    /// Advances and returns the place of the token. Never advances past the end.
     pub(super) fn advance(&mut self) -> Span {
         let span = self.span();
         if self.at + 1 < self.tokens.len() {
@@ -75,7 +75,7 @@ impl<'a> Cursor<'a> {
         span
     }
 
-    /// Moves on over a name or a text and gives it. It is taken out of its token, since no token is read twice.
+    /// Advances over a name or a text and returns it. The text is moved out of the token, since no token is read twice.
     pub(super) fn take_text(&mut self) -> String {
         let text = match self.tokens.get_mut(self.at).map(|token| &mut token.kind) {
             Some(TokenKind::Name { text, .. } | TokenKind::Text(text)) => std::mem::take(text),
@@ -85,7 +85,7 @@ impl<'a> Cursor<'a> {
         text
     }
 
-    /// Back to the line end that was read last, if it was.
+    /// Moves back by one token if that is a line end.
     pub(super) fn back_to_line_end(&mut self) {
         if let Some(before) = self.at.checked_sub(1)
             && self.tokens.get(before).is_some_and(|token| token.kind == TokenKind::Newline)
@@ -94,17 +94,17 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Reads the symbol if it comes next.
+    /// Consumes the symbol if it comes next.
     pub(super) fn take(&mut self, symbol: Symbol) -> Option<Span> {
         matches!(self.peek(), TokenKind::Symbol(next) if *next == symbol).then(|| self.advance())
     }
 
-    /// Reads the keyword if it comes next.
+    /// Consumes the keyword if it comes next.
     pub(super) fn take_keyword(&mut self, keyword: Keyword) -> Option<Span> {
         matches!(self.peek(), TokenKind::Keyword(next) if *next == keyword).then(|| self.advance())
     }
 
-    /// Reads the brace that opens a block, which may stand at the beginning of the next line.
+    /// Consumes the brace that opens a block; it may stand at the beginning of the next line.
     pub(super) fn open_brace(&mut self) -> Option<Span> {
         if *self.peek() == TokenKind::Newline && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
             self.skip_lines();
@@ -112,31 +112,31 @@ impl<'a> Cursor<'a> {
         self.take(Symbol::LeftBrace)
     }
 
-    /// What is said where a block should open and does not. At the end of a line the place is `before`.
+    /// Error for a missing opening brace. At the end of a line its place is `before`.
     pub(super) fn brace_expected(&self, code: &'static str, before: Span) -> Diagnostic {
         let wrong =
             words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
         Diagnostic::error(code, wrong, if self.at_line_end() { before } else { self.span() })
     }
 
-    /// Whether this name is next, without primes.
+    /// True if this name comes next, without primes.
     pub(super) fn at_word(&self, word: &str) -> bool {
         matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word)
     }
 
-    /// Reads line ends.
+    /// Skips line ends.
     pub(super) fn skip_lines(&mut self) {
         while *self.peek() == TokenKind::Newline {
             self.advance();
         }
     }
 
-    /// Whether the statement's line ends here.
+    /// True at the end of a line or of the text.
     pub(super) fn at_line_end(&self) -> bool {
         matches!(self.peek(), TokenKind::Newline | TokenKind::End)
     }
 
-    /// Moves to the end of the line, or to a closing or separating mark of an event's actions if `in_braces`.
+    /// Skips to the end of the line, or to a closing brace or a semicolon if `in_braces`.
     pub(super) fn skip_rest(&mut self, in_braces: bool) {
         let mut braces = 0_usize;
         while *self.peek() != TokenKind::End {
@@ -151,21 +151,21 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Says something and goes on.
+    /// Adds a diagnostic.
     pub(super) fn say(&mut self, diagnostic: Diagnostic) {
         self.diagnostics.push(diagnostic);
     }
 
-    /// Says why nothing more can be read.
+    /// Adds a diagnostic and returns the failure.
     pub(super) fn fail<T>(&mut self, diagnostic: Diagnostic) -> Read<T> {
-        // Something was already said about an unknown token, and the rest would only be its consequence.
+        // An unknown token was already reported; errors after it are consequences.
         if *self.peek() != TokenKind::Unknown {
             self.say(diagnostic);
         }
         Err(Told)
     }
 
-    /// The next token in words.
+    /// Description of the next token.
     pub(super) fn found(&self) -> Words {
         match self.peek() {
             TokenKind::Newline => words("the end of the line", "el final de la línea"),
@@ -175,7 +175,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The unit that stands in brackets at `inside`; errors in it are reported.
+    /// Parses the unit at the byte range `inside` of brackets. Errors in it are reported.
     pub(super) fn unit(&mut self, inside: Range<usize>) -> Read<Unit> {
         let text = &self.source[inside.clone()];
         Unit::parse(text).map_err(|error| {
@@ -185,7 +185,7 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// Reads `in [unit]` if it comes next. A wrong unit is reported and left out.
+    /// Parses `in [unit]` if it comes next. An invalid unit is reported and left out.
     pub(super) fn stated_unit(&mut self) -> Read<Option<StatedUnit>> {
         let Some(keyword) = self.take_keyword(Keyword::In) else {
             return Ok(None);

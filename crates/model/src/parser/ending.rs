@@ -1,4 +1,4 @@
-//! How statements and expressions end, and why what follows cannot stand there.
+//! Ends of statements and expressions, and errors about unexpected text after them.
 
 use super::cursor::{Cursor, Read};
 use crate::lexer::{Keyword, Symbol, TokenKind};
@@ -66,13 +66,13 @@ impl Cursor<'_> {
         self.unexpected_after_expression()
     }
 
-    /// Whether the token before ends in a prime.
+    /// True if the preceding token ends in a prime.
     fn ends_in_prime(&self) -> bool {
         let last = self.source[self.last_span().range()].chars().next_back();
         last.is_some_and(|last| units::alphabet::primes(last).is_some())
     }
 
-    /// Says why what follows an expression cannot.
+    /// Reports the token that cannot follow an expression.
     pub(super) fn unexpected_after_expression<T>(&mut self) -> Read<T> {
         let span = self.span();
         let found = self.found();

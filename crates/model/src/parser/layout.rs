@@ -1,11 +1,11 @@
-//! Which line ends end a statement: those outside parentheses that do not follow an operator.
+//! Line ends that end a statement: those outside parentheses that do not follow an operator.
 //!
-//! A line that plainly begins a statement (`m = ...`, `y(0) = ...`, `parameter ...`) ends the one before it even so: no
-//! expression continues like that, and a forgotten parenthesis then spoils one statement and not all that follow.
+//! A line that clearly begins a statement (`m = ...`, `y(0) = ...`, `parameter ...`) always ends the one before. No
+//! expression continues like that, and a missing parenthesis then spoils only one statement.
 
 use crate::lexer::{Keyword, Symbol, Token, TokenKind};
 
-/// Removes the line ends that end nothing.
+/// Removes the line ends within statements.
 pub(super) fn statement_lines(mut tokens: Vec<Token>) -> Vec<Token> {
     let mut keeps = kept(&tokens).into_iter();
     tokens.retain(|_| keeps.next().unwrap_or(true));
@@ -31,7 +31,7 @@ fn kept(tokens: &[Token]) -> Vec<bool> {
     keeps
 }
 
-/// For each token whether it is a line end after which the statement before it goes on.
+/// For each token, true if it is a line end after which the statement continues.
 pub(crate) fn goes_on(tokens: &[Token]) -> Vec<bool> {
     let mut parentheses: usize = 0;
     let mut last = &TokenKind::Newline;
@@ -59,7 +59,7 @@ pub(crate) fn goes_on(tokens: &[Token]) -> Vec<bool> {
     found
 }
 
-/// Whether a line that ends in this goes on.
+/// True if a statement continues after a line that ends in this token.
 fn continues(last: &TokenKind) -> bool {
     match last {
         TokenKind::Symbol(symbol) => {
@@ -70,7 +70,7 @@ fn continues(last: &TokenKind) -> bool {
     }
 }
 
-/// Whether these tokens are the beginning of a statement and of nothing else.
+/// True if these tokens can only be the beginning of a statement.
 fn begins_statement(tokens: &[Token]) -> bool {
     let mut kinds = tokens.iter().map(|token| &token.kind).skip_while(|kind| **kind == TokenKind::Newline);
     let equals = TokenKind::Symbol(Symbol::Equals);

@@ -49,11 +49,12 @@
 //!
 //! A statement ends with its line, unless a parenthesis is open or the line ends in an operator; see `layout.rs`. `#`
 //! begins a comment. UNIT is `[` ... `]` and is read by the `units` crate; TEXT stands in quotation marks; RAISED are
-//! characters such as ²; AXIS is `.x`, `.y` or `.z` without a blank before it; PRIMES follow their name without a blank, and so do INDICES: `[` expression { "," expression } `]`.
+//! characters such as ²; AXIS is `.x`, `.y` or `.z` without a blank before it; PRIMES follow their name without a blank,
+//! and so do INDICES: `[` expression { "," expression } `]`.
 //!
-//! The parser cannot fail: it returns what it could read, with [`ExpressionKind::Error`] in the place of what it could
-//! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is reported
-//! once. Nesting is bounded, so that no text can exhaust the stack, here or in what walks the tree later.
+//! The parser never fails. It returns what it could parse, with [`ExpressionKind::Error`] for the rest, and reports the
+//! reasons. After an error it continues with the next statement, so that each mistake is reported once. Nesting depth is
+//! limited, so that no text can exhaust the stack, here or in later traversals.
 
 mod cursor;
 mod ending;
@@ -69,8 +70,8 @@ use std::ops::Range;
 
 pub(crate) use layout::goes_on;
 
-/// Reads the statements of a model that stands in `parts` of a document. Spans count from the beginning of `source`.
-/// The statements are all there even if there are errors: one that cannot be read at all is an equation of two
+/// Parses the statements of a model in `parts` of a document, which are byte ranges. Spans count from the beginning of
+/// `source`. All statements are returned even after errors: an unreadable one becomes an equation of two
 /// [`crate::ExpressionKind::Error`].
 pub fn parse(source: &str, parts: &[Range<usize>]) -> (Vec<Statement>, Vec<Diagnostic>) {
     let mut statements = Vec::new();
@@ -84,7 +85,7 @@ pub fn parse(source: &str, parts: &[Range<usize>]) -> (Vec<Statement>, Vec<Diagn
     (statements, diagnostics)
 }
 
-/// Reads an expression that fills `source[range]`, and the `in [unit]` that may follow it. Line ends mean nothing.
+/// Parses an expression that fills `source[range]`, and an optional `in [unit]` after it. Line ends are ignored.
 pub fn parse_expression(source: &str, range: Range<usize>) -> (Expression, Option<StatedUnit>, Vec<Diagnostic>) {
     let (tokens, found) = lexer::tokens(source, on_boundaries(source, &range));
     let mut cursor = Cursor::new(source, layout::one_line(tokens), found);
@@ -92,8 +93,8 @@ pub fn parse_expression(source: &str, range: Range<usize>) -> (Expression, Optio
     (expression, unit, cursor.finish())
 }
 
-/// Reads assignments that fill `source[range]`, separated by commas, semicolons or line ends:
-/// `rho = 13534 [kg/m^3], b = 2*m*omega_0`.
+/// Parses assignments that fill `source[range]`, separated by commas, semicolons or line ends: `rho = 13534 [kg/m^3], b =
+/// 2*m*omega_0`.
 pub fn parse_assignments(source: &str, range: Range<usize>) -> (Vec<Assignment>, Vec<Diagnostic>) {
     let (tokens, found) = lexer::tokens(source, on_boundaries(source, &range));
     let mut cursor = Cursor::new(source, layout::statement_lines(tokens), found);
@@ -108,7 +109,7 @@ fn on_boundaries(source: &str, range: &Range<usize>) -> Range<usize> {
     start..boundary(range.end).max(start)
 }
 
-/// The place of what could not be read.
+/// Placeholder for an unreadable expression.
 fn unread(span: Span) -> Expression {
     Expression { kind: ExpressionKind::Error, span }
 }

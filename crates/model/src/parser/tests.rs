@@ -1,4 +1,4 @@
-//! What the parser makes of right texts. Wrong ones are in `tests/syntax_errors.rs`.
+//! Syntax trees of valid texts. Invalid texts are in `tests/syntax_errors.rs`.
 
 mod printed;
 

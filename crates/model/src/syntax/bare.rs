@@ -3,7 +3,8 @@
 use super::expression::{BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 
 impl Expression {
-    /// The value of an expression that consists of numbers without units and of `+`, `-`, `*` and `/`, such as `-90` or `1/3`.
+    /// Value of an expression that consists of numbers without units and of `+`, `-`, `*` and `/`, such as `-90` or `1/3`;
+    /// otherwise `None`.
     pub fn bare_number(&self) -> Option<f64> {
         use BinaryOperator::{Add, Divide, Multiply, Subtract};
         match &self.kind {

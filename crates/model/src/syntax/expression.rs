@@ -4,12 +4,12 @@ use super::name::{Name, StatedUnit};
 use crate::Span;
 use units::Unit;
 
-/// An expression and where it stands.
+/// An expression and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
-    /// What it is.
+    /// Kind of expression.
     pub kind: ExpressionKind,
-    /// Where it stands.
+    /// Place in the source.
     pub span: Span,
 }
 
@@ -20,7 +20,7 @@ pub enum ExpressionKind {
     Number {
         /// The number as written.
         value: f64,
-        /// The unit that follows it.
+        /// The unit after it.
         unit: Option<Unit>,
     },
     /// `"underdamped"`
@@ -29,91 +29,91 @@ pub enum ExpressionKind {
     Name {
         /// The ASCII name.
         name: String,
-        /// How many primes.
+        /// Derivative order: the number of primes.
         order: u32,
     },
     /// `y'(0)` on the right: the value at the start of the run.
     InitialValue {
         /// The ASCII name.
         name: String,
-        /// How many primes.
+        /// Derivative order: the number of primes.
         order: u32,
     },
-    /// `x[i+1]''`, `u[i, j]`: a member of a family; `x[i](0)`: its value at the start.
+    /// `x[i+1]''`, `u[i, j]`: a member of a family; `x[i](0)`: its initial value.
     Member {
         /// The ASCII name of the family.
         name: String,
-        /// Which member.
+        /// Indices of the member.
         indices: Vec<Expression>,
-        /// How many primes.
+        /// Derivative order: the number of primes.
         order: u32,
-        /// Whether it is the value at the start of the run.
+        /// True for the initial value.
         at_start: bool,
     },
     /// `sum(m*x[i]'^2/2 for i in 1..N)`
     Reduction {
-        /// What joins the values: `sum`, `min` or `max`.
+        /// Function that combines the values: `sum`, `min` or `max`.
         function: Name,
-        /// The value for each index.
+        /// Value for each index.
         body: Box<Expression>,
-        /// The indices.
+        /// Indices with their ranges.
         over: Vec<Over>,
     },
-    /// `(1, 0) [au]`: a vector by its components.
+    /// `(1, 0) [au]`: a vector given by its components.
     Tuple {
         /// The components, 2 or 3.
         parts: Vec<Expression>,
-        /// The unit that follows; it is that of every component.
+        /// The unit after it, which is the unit of every component.
         unit: Option<Unit>,
     },
-    /// `r[i].x`, `(a - b).y`: a component of a vector. That of a vector with a name is a name, `r.x`.
+    /// `r[i].x`, `(a - b).y`: a component of a vector expression. A component of a named vector is a name, `r.x`.
     Component {
         /// The vector.
         of: Box<Expression>,
-        /// Which component, from 0.
+        /// Index of the component, from 0.
         axis: usize,
     },
     /// `-x`, `not x`
     Unary(UnaryOperator, Box<Expression>),
     /// `a + b`
     Binary(BinaryOperator, Box<Expression>, Box<Expression>),
-    /// `sin(x)`; `function` need not exist.
+    /// `sin(x)`; the function need not exist.
     Call {
         /// The name before the parenthesis.
         function: Name,
-        /// What stands inside.
+        /// Arguments.
         arguments: Vec<Expression>,
     },
     /// `if c then a else b`
     If(Box<Expression>, Box<Expression>, Box<Expression>),
-    /// A call of a function of the author's own, written out. The parser makes none.
+    /// An expanded call of a user-defined function. The parser creates none.
     Expansion(Box<Expansion>),
-    /// What could not be read; a diagnostic has said so, and nothing more is said about it.
+    /// An unreadable expression. A diagnostic was reported, and no further ones follow from it.
     Error,
 }
 
-/// `i in 1..N`: an index and the whole numbers that it takes, both ends included.
+/// `i in 1..N`: an index and its integer values, both ends included.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Over {
     /// The index.
     pub index: Name,
-    /// Its least value.
+    /// Least value.
     pub low: Expression,
-    /// Its greatest value; if that is less than the least, it takes none.
+    /// Greatest value; there are no values if it is less than the least one.
     pub high: Expression,
 }
 
-/// What a call of a function of the author's own stands for. The expression that has it stands where the call stands; its
-/// body stands in the statement of the function, but for the arguments.
+/// An expanded call of a user-defined function. The outer expression has the span of the call. The spans in its body are
+/// those of the function statement, except in the arguments.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expansion {
-    /// The function.
+    /// Name of the function.
     pub function: String,
-    /// The call as messages quote it.
+    /// Text of the call, for messages.
     pub written: String,
-    /// The value of the function, with the arguments put in.
+    /// Body of the function, with the arguments substituted.
     pub body: Expression,
-    /// The stated unit of the function.
+    /// Stated unit of the function.
     pub unit: Option<StatedUnit>,
 }
 
@@ -146,7 +146,7 @@ pub enum BinaryOperator {
 }
 
 impl BinaryOperator {
-    /// Whether its result is true or false.
+    /// True if the result is a truth value.
     pub(crate) fn is_logical(self) -> bool {
         use BinaryOperator::{And, Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual, Or};
         matches!(self, Less | LessOrEqual | Greater | GreaterOrEqual | Equal | NotEqual | And | Or)
@@ -159,22 +159,22 @@ impl Expression {
         Self { kind: ExpressionKind::Number { value, unit: None }, span }
     }
 
-    /// The value of what has this name.
+    /// A name without primes.
     pub(crate) fn named(name: &str, span: Span) -> Self {
         Self::derivative(name, 0, span)
     }
 
-    /// A name with so many primes.
+    /// A name with `order` primes.
     pub(crate) fn derivative(name: &str, order: u32, span: Span) -> Self {
         Self { kind: ExpressionKind::Name { name: name.to_owned(), order }, span }
     }
 
-    /// `left + right`, for example.
+    /// An operation such as `left + right`.
     pub(crate) fn binary(operator: BinaryOperator, left: Self, right: Self, span: Span) -> Self {
         Self { kind: ExpressionKind::Binary(operator, Box::new(left), Box::new(right)), span }
     }
 
-    /// `-operand`, for example.
+    /// An operation such as `-operand`.
     pub(crate) fn unary(operator: UnaryOperator, operand: Self, span: Span) -> Self {
         Self { kind: ExpressionKind::Unary(operator, Box::new(operand)), span }
     }
@@ -191,12 +191,12 @@ impl Expression {
         Self { kind: ExpressionKind::If(condition, chosen, other), span }
     }
 
-    /// No value, of any dimension.
+    /// An undefined value that fits every dimension.
     pub(crate) fn nothing(span: Span) -> Self {
         Self { kind: ExpressionKind::Error, span }
     }
 
-    /// Calls `visit` with the direct operands, in the order of the text.
+    /// Calls `visit` with the direct operands, in text order.
     pub fn for_each_operand<'a>(&'a self, mut visit: impl FnMut(&'a Self)) {
         match &self.kind {
             ExpressionKind::Number { .. }
@@ -225,14 +225,14 @@ impl Expression {
         }
     }
 
-    /// The direct operands, in the order of the text.
+    /// The direct operands, in text order.
     pub fn operands(&self) -> Vec<&Self> {
         let mut operands = Vec::new();
         self.for_each_operand(|operand| operands.push(operand));
         operands
     }
 
-    /// The direct operands, to be changed.
+    /// The direct operands, mutable.
     pub fn operands_mut(&mut self) -> Vec<&mut Self> {
         match &mut self.kind {
             ExpressionKind::Number { .. }

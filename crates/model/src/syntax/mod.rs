@@ -1,4 +1,4 @@
-//! The syntax tree: what the author wrote, with its places, before any name has a meaning.
+//! Syntax tree: the statements as written, with their places, before names are resolved.
 
 mod bare;
 mod expression;

@@ -1,31 +1,31 @@
-//! What stands for itself: names, texts in quotation marks, units in brackets.
+//! Names, texts in quotation marks, and units in brackets.
 
 use crate::Span;
 use units::Unit;
 
-/// A name as written and where. Greek characters are already ASCII names (γ is `gamma`).
+/// A name as written, and its place. Greek characters are transcribed to ASCII (γ is `gamma`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Name {
     /// The ASCII name.
     pub text: String,
-    /// Where it stands.
+    /// Place in the source.
     pub span: Span,
 }
 
-/// A text in quotation marks and where.
+/// A text in quotation marks, and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quoted {
-    /// The text, without its marks.
+    /// The text, without quotation marks.
     pub text: String,
-    /// Where it stands, with its marks.
+    /// Place in the source, including the quotation marks.
     pub span: Span,
 }
 
-/// A unit in brackets and where.
+/// A unit in brackets, and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatedUnit {
-    /// The unit; where it could not be read, a diagnostic says so and the statement has none.
+    /// The unit. A unit that cannot be parsed is reported, and the statement has none.
     pub unit: Unit,
-    /// Where it stands, with its brackets.
+    /// Place in the source, including the brackets.
     pub span: Span,
 }

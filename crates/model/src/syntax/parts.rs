@@ -1,9 +1,9 @@
-//! What the statements of a model consist of, for those who look through all of it.
+//! Traversal of the expressions in statements.
 
 use super::expression::Expression;
 use super::statement::{Statement, StatementKind};
 
-/// The expressions of a statement.
+/// All expressions of a statement.
 pub(crate) fn expressions(statement: &Statement) -> Vec<&Expression> {
     match &statement.kind {
         StatementKind::Definition { value, .. }
@@ -20,7 +20,7 @@ pub(crate) fn expressions(statement: &Statement) -> Vec<&Expression> {
     }
 }
 
-/// The same to be changed.
+/// All expressions of a statement, mutable.
 pub(crate) fn expressions_mut(statement: &mut Statement) -> Vec<&mut Expression> {
     match &mut statement.kind {
         StatementKind::Definition { value, .. }
@@ -36,7 +36,7 @@ pub(crate) fn expressions_mut(statement: &mut Statement) -> Vec<&mut Expression>
     }
 }
 
-/// Changes an expression and everything inside it, without recursion.
+/// Applies `change` to an expression and all its subexpressions, without recursion.
 pub(crate) fn rewrite(expression: &mut Expression, change: &mut impl FnMut(&mut Expression)) {
     let mut waiting = vec![expression];
     while let Some(next) = waiting.pop() {
@@ -45,7 +45,7 @@ pub(crate) fn rewrite(expression: &mut Expression, change: &mut impl FnMut(&mut 
     }
 }
 
-/// The name of the independent variable.
+/// Name of the independent variable, `t` by default.
 pub(crate) fn independent(statements: &[Statement]) -> String {
     let stated = statements.iter().find_map(|statement| match &statement.kind {
         StatementKind::Independent { name, .. } => Some(name.text.clone()),

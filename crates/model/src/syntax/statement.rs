@@ -8,15 +8,15 @@ use program::Course;
 /// One statement of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// What it states.
+    /// Kind of statement.
     pub kind: StatementKind,
-    /// `hidden m = rho*L`: whether a definition is kept out of the readouts.
+    /// `hidden m = rho*L`: true if the quantity is left out of the readouts.
     pub hidden: bool,
-    /// `for i in 1..N`: the indices for each of whose values it is stated; none of a statement that stands for itself.
+    /// `for i in 1..N`: indices for whose values the statement is repeated; empty for a single statement.
     pub over: Vec<Over>,
-    /// The quoted label that ends it, such as `"Damping"`.
+    /// Quoted label at its end, such as `"Damping"`.
     pub label: Option<Quoted>,
-    /// Where it stands, without its comment.
+    /// Place in the source, without the comment.
     pub span: Span,
 }
 
@@ -27,7 +27,7 @@ pub enum StatementKind {
     Parameter(ParameterStatement),
     /// `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`
     Choice(ChoiceStatement),
-    /// `group "Circuit"`: the heading of the controls of the parameters after it, up to the next group.
+    /// `group "Circuit"`: heading of the controls of the parameters after it, up to the next group.
     Group(Quoted),
     /// `size N = 20 in 2..200`
     Size(SizeStatement),
@@ -37,12 +37,12 @@ pub enum StatementKind {
         name: Name,
         /// Its unit; dimensionless without one.
         unit: Option<StatedUnit>,
-        /// `by 1`: it counts.
+        /// `by 1`: true for a discrete independent variable.
         counts: bool,
     },
     /// `m = rho*S*L in [kg]`
     Definition {
-        /// What is defined.
+        /// Name of the quantity.
         name: Name,
         /// Its value.
         value: Expression,
@@ -51,43 +51,43 @@ pub enum StatementKind {
     },
     /// `y'(0) = v_0 in [cm/s]`
     InitialValue {
-        /// The variable.
+        /// Name of the variable.
         name: Name,
-        /// How many primes.
+        /// Derivative order: the number of primes.
         order: u32,
-        /// Its value at the start.
+        /// Initial value.
         value: Expression,
         /// The stated unit, which is also the display unit of the state.
         unit: Option<StatedUnit>,
     },
     /// `x[i](0) = A*sin(pi*i/(N + 1)) in [cm]`, `s[i] = s[i-1] + x[i]`, `discrete n[i] = 0`
     Members {
-        /// What the members are.
+        /// Kind of the members.
         what: Members,
-        /// Those that are meant: an [`ExpressionKind::Member`] without primes, unless it is an initial value.
+        /// Left side: an [`crate::ExpressionKind::Member`], without primes except in an initial value.
         left: Expression,
-        /// Their value.
+        /// Value of each member.
         value: Expression,
         /// The stated unit.
         unit: Option<StatedUnit>,
     },
     /// `discrete n = 0 in [cm]`
     Discrete {
-        /// What only events change.
+        /// Name of the quantity, which only events change.
         name: Name,
-        /// Its value at the start.
+        /// Initial value.
         value: Expression,
         /// The stated unit, which is also the display unit.
         unit: Option<StatedUnit>,
-        /// The equation that it stands for: its derivative, and 0.
+        /// Equivalent equation: its derivative, and 0.
         rate: Box<[Expression; 2]>,
     },
     /// `function Re(v, d) = rho*abs(v)*d/eta`
     Function(FunctionStatement),
     /// `table eta(T) in [mPa s] { 273 [K] 1.792  293 1.002 }`
     Table(TableStatement),
-    /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`. Two [`ExpressionKind::Error`] stand for a statement that could not be
-    /// read at all, which may have been of any kind.
+    /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`. Two [`crate::ExpressionKind::Error`] stand for an unreadable statement of
+    /// any kind.
     Equation {
         /// The left side.
         left: Expression,
@@ -96,91 +96,91 @@ pub enum StatementKind {
     },
     /// `when y < 0 [m] { y' = -e*y' }`
     Event {
-        /// Fires when this becomes true.
+        /// Condition; the event fires when it becomes true.
         condition: Expression,
-        /// What it changes, all from the values before the event.
+        /// Assignments; all read the values before the event.
         actions: Vec<Action>,
-        /// Its name, names of its own, and whether it ends the run.
+        /// Name, local names and other optional parts.
         extras: EventExtras,
     },
 }
 
-/// What an event may have besides its condition and actions.
+/// Optional parts of an event.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EventExtras {
     /// `as landing`
     pub name: Option<Name>,
-    /// `let u = e*y'`: names inside the event, for values before it. They have no primes.
+    /// `let u = e*y'`: local names for values before the event. They have no primes.
     pub names: Vec<Action>,
-    /// `every 0.1 [s] from 0 [s]` in the place of a condition: the interval, and when the first may be.
+    /// `every 0.1 [s] from 0 [s]` instead of a condition: the interval, and the earliest time.
     pub every: Option<Box<(Expression, Option<Expression>)>>,
-    /// `stop`: it ends the run.
+    /// `stop`: the event ends the run.
     pub stop: Option<Span>,
-    /// `next p = r*p*(1 - p)` in the place of a condition: it acts at each count.
+    /// `next p = r*p*(1 - p)` instead of a condition: true if the event fires at each count.
     pub next: bool,
-    /// `button "Kick"` in the place of a condition: it acts when the reader presses the button with this title.
+    /// `button "Kick"` instead of a condition: title of the button that fires the event.
     pub button: Option<Quoted>,
 }
 
-/// What the members of a family are.
+/// Kind of the members of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Members {
-    /// Each is defined by an expression.
+    /// Definitions: each member is given by an expression.
     Definitions,
-    /// Each is an unknown, and this is its value at the start.
+    /// Unknowns; the value is the initial value.
     InitialValues,
-    /// Each is changed by events only, and this is its value at the start.
+    /// Discrete quantities, changed only by events; the value is the initial value.
     Discrete,
 }
 
-/// `size N = 20 in 2..200`: a whole number that decides how many members families have.
+/// `size N = 20 in 2..200`: an integer that sets the number of members of families.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SizeStatement {
     /// The size.
     pub name: Name,
     /// Its value.
     pub value: u32,
-    /// Where the value stands.
+    /// Place of the value.
     pub value_span: Span,
     /// `in LOW..HIGH`
     pub range: Option<Bounds>,
 }
 
-/// The parts of a parameter statement. Numbers in `range` and `step` are bare, in the declared unit.
+/// Parts of a parameter statement. Numbers in `range` and `step` are in the declared unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterStatement {
     /// The parameter.
     pub name: Name,
-    /// The default value in the declared unit, with its sign. NaN where it or its unit could not be read: a diagnostic
-    /// has said so, and the parameter fits any dimension.
+    /// Default value in the declared unit, with its sign. NaN if it or its unit could not be parsed: this was reported, and
+    /// the parameter then fits every dimension.
     pub value: f64,
-    /// Where the value stands.
+    /// Place of the value.
     pub value_span: Span,
     /// The declared unit; dimensionless without one.
     pub unit: Option<StatedUnit>,
     /// `in LOW..HIGH`
     pub range: Option<Bounds>,
-    /// `step S`: the slider's, in the declared unit.
+    /// `step S`: step of the slider, in the declared unit.
     pub step: Option<f64>,
-    /// What it can be.
+    /// Kind of values.
     pub form: ParameterForm,
 }
 
-/// What a parameter can be.
+/// Kind of values of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ParameterForm {
     /// `parameter b = 50 [kg/s]`: a number.
     Number,
-    /// `switch drag = on`: the value is 1 or 0.
+    /// `switch drag = on`: on or off; the value is 1 or 0.
     Switch,
-    /// `random seed = 1`: a whole number that decides all random draws.
+    /// `random seed = 1`: the integer seed of all random draws.
     Seed,
-    /// `choice liquid { ... }`: one of these texts; the value is the number of the one.
+    /// `choice liquid { ... }`: one of these texts; the value is the index of the text, from 0.
     Choice(Vec<String>),
 }
 
 impl ParameterForm {
-    /// What its value is.
+    /// Kind of its value.
     pub(crate) fn kind(&self) -> program::Kind {
         match self {
             Self::Number | Self::Seed => program::Kind::Number,
@@ -190,45 +190,45 @@ impl ParameterForm {
     }
 }
 
-/// The parts of `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`.
+/// Parts of `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChoiceStatement {
-    /// What the reader chooses.
+    /// Name of the parameter.
     pub name: Name,
-    /// The label, which stands before the brace.
+    /// Label, which stands before the brace.
     pub label: Option<Quoted>,
-    /// What there is to choose from.
+    /// Alternatives, in text order.
     pub alternatives: Vec<Alternative>,
 }
 
 /// One of the alternatives of a choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alternative {
-    /// What the reader sees.
+    /// Text shown to the reader.
     pub text: Quoted,
-    /// What it defines.
+    /// Quantities that it defines.
     pub values: Vec<ChosenValue>,
 }
 
-/// `hidden rho = 998.2 [kg/m^3] "Density"`, as in an alternative.
+/// `hidden rho = 998.2 [kg/m^3] "Density"` in an alternative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChosenValue {
-    /// What gets the value.
+    /// Name of the quantity.
     pub name: Name,
     /// The value.
     pub value: Expression,
     /// The stated unit.
     pub unit: Option<StatedUnit>,
-    /// What the reader sees; one alternative gives it for all.
+    /// Label shown to the reader; one alternative gives it for all.
     pub label: Option<Quoted>,
-    /// Whether it is kept out of the readouts; one alternative says it for all.
+    /// True if it is left out of the readouts; one alternative is enough for all.
     pub hidden: bool,
 }
 
-/// `b = 2*m*omega_0 in [kg/s]`, as in a preset.
+/// `b = 2*m*omega_0 in [kg/s]`, for example in a preset.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assignment {
-    /// What gets the value.
+    /// Name of the parameter.
     pub name: Name,
     /// The value.
     pub value: Expression,
@@ -236,12 +236,12 @@ pub struct Assignment {
     pub unit: Option<StatedUnit>,
 }
 
-/// The parts of a function of the author's own.
+/// Parts of a user-defined function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FunctionStatement {
     /// The function.
     pub name: Name,
-    /// What its arguments are called in `body`.
+    /// Names of its arguments in `body`.
     pub parameters: Vec<Name>,
     /// Its value.
     pub body: Expression,
@@ -249,59 +249,59 @@ pub struct FunctionStatement {
     pub unit: Option<StatedUnit>,
 }
 
-/// The parts of a table.
+/// Parts of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableStatement {
     /// The function.
     pub name: Name,
-    /// What its argument is called.
+    /// Name of the argument.
     pub argument: Name,
-    /// How it goes from point to point.
+    /// Interpolation between the points.
     pub course: Course,
-    /// The label, where it stands before the brace.
+    /// Label, if it stands before the brace.
     pub label: Option<Quoted>,
-    /// The unit of the argument, which stands behind the first number; dimensionless without one.
+    /// Unit of the argument, which stands after the first number; dimensionless without one.
     pub argument_unit: Option<StatedUnit>,
-    /// The unit of the values: stated, or else behind the first value.
+    /// Unit of the values: stated, or else after the first value.
     pub unit: Option<StatedUnit>,
-    /// In the units of their columns.
+    /// Points, in the units of their columns.
     pub points: Vec<Point>,
-    /// `drawn in -5..5 until 10 [s]`: what the reader may draw.
+    /// `drawn in -5..5 until 10 [s]`: range of the curve that the reader may draw.
     pub drawn: Option<DrawnRange>,
 }
 
-/// What the reader may draw in the place of a table. The numbers are in the units of its columns.
+/// Range of the curve that the reader may draw instead of a table. The numbers are in the units of the columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnRange {
-    /// The least and the greatest value.
+    /// Least and greatest value, in the unit of the value column.
     pub bounds: Bounds,
-    /// The least argument.
+    /// The least argument, in the unit of the argument column.
     pub from: f64,
-    /// The greatest argument.
+    /// The greatest argument, in the unit of the argument column.
     pub until: f64,
-    /// Where the greatest argument stands.
+    /// Place of the greatest argument.
     pub until_span: Span,
 }
 
-/// A point of a table.
+/// A point of a table. Both numbers are in the units of their columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// The argument.
     pub x: f64,
     /// The value.
     pub y: f64,
-    /// Where both stand.
+    /// Place of both numbers.
     pub span: Span,
 }
 
-/// `LOW..HIGH` and where.
+/// `LOW..HIGH` and its place. Both numbers are in the unit that the statement declares.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
     /// The least value.
     pub low: f64,
     /// The greatest value.
     pub high: f64,
-    /// Where it stands.
+    /// Place in the source.
     pub span: Span,
 }
 
@@ -310,34 +310,34 @@ pub struct Bounds {
 pub struct Action {
     /// The variable.
     pub name: Name,
-    /// The indices of a member of a family; none of what stands for itself.
+    /// Indices of a member of a family; empty for a single quantity.
     pub indices: Vec<Expression>,
-    /// Which component of a vector that is a member of a family, from 0; those of other vectors are part of the name.
+    /// Component of a vector that is a member of a family, from 0. Components of other vectors are part of the name.
     pub component: Option<usize>,
-    /// How many primes.
+    /// Derivative order: the number of primes.
     pub order: u32,
-    /// Its value after the event.
+    /// Value after the event.
     pub value: Expression,
-    /// `for i in 1..N`: the indices for each of whose values it acts.
+    /// `for i in 1..N`: indices for whose values the action is repeated.
     pub over: Vec<Over>,
 }
 
 impl Statement {
-    /// A statement without a label that stands for itself.
+    /// A single statement without a label.
     pub(crate) fn of(kind: StatementKind, span: Span) -> Self {
         Self { kind, hidden: false, over: Vec::new(), label: None, span }
     }
 }
 
 impl Action {
-    /// What happens to a quantity that is no member of a family.
+    /// An action on a quantity that is not a member of a family.
     pub(crate) fn of(name: Name, order: u32, value: Expression) -> Self {
         Self { name, indices: Vec::new(), component: None, order, value, over: Vec::new() }
     }
 }
 
 impl StatementKind {
-    /// A quantity that only events change, with the equation that it stands for.
+    /// A discrete quantity, with its equivalent equation.
     pub(crate) fn discrete(name: Name, value: Expression, unit: Option<StatedUnit>) -> Self {
         let rate = [Expression::derivative(&name.text, 1, name.span), Expression::number(0.0, name.span)];
         Self::Discrete { name, value, unit, rate: Box::new(rate) }

@@ -1,11 +1,11 @@
-//! `if` as a textbook prints it: cases behind a brace.
+//! `if` in textbook notation: cases after a brace.
 
 use super::expression::Typesetter;
 use crate::{BinaryOperator, Expression, ExpressionKind};
 
 impl Typesetter<'_> {
-    /// Cases behind a brace. The last one says when it holds if that can be known without words: what is left of
-    /// less, equal and greater.
+    /// Cases after a brace. The last case shows its condition if that is one of the remaining relations less, equal or
+    /// greater.
     pub(super) fn branches(&self, condition: &Expression, yes: &Expression, no: &Expression) -> String {
         let mut rows = vec![(self.expression(yes), Some(self.expression(condition)))];
         let mut left_over = Remaining::after(condition);
@@ -32,11 +32,11 @@ impl Typesetter<'_> {
     }
 }
 
-/// Which of less, equal and greater have not been asked for yet, between two expressions.
+/// Relations between two expressions (less, equal, greater) that no condition has covered yet.
 struct Remaining<'a> {
     left: &'a Expression,
     right: &'a Expression,
-    /// Less, equal, greater.
+    /// True if not yet covered: less, equal, greater.
     relations: [bool; 3],
 }
 
@@ -83,7 +83,7 @@ impl<'a> Remaining<'a> {
     }
 }
 
-/// Whether two expressions are the same but for their places.
+/// True if two expressions are equal apart from their places.
 fn same(one: &Expression, other: &Expression) -> bool {
     match (&one.kind, &other.kind) {
         (ExpressionKind::Unary(a, x), ExpressionKind::Unary(b, y)) => a == b && same(x, y),

@@ -1,4 +1,4 @@
-//! Expressions as MathML: fractions, powers, roots and products without a sign, with no more parentheses than needed.
+//! Expressions as MathML: fractions, powers, roots and products without a sign, with as few parentheses as possible.
 
 use crate::vectors::Vectors;
 use crate::{BinaryOperator, Expression, ExpressionKind, Name, UnaryOperator};
@@ -6,7 +6,7 @@ use program::functions::Function;
 use units::markup::escaped;
 use units::mathml::{has_power_of_ten, is_word, name, number, unit_after_number};
 
-/// How tightly the outermost operation of an expression binds.
+/// Binding strength of the outermost operation of an expression.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 pub(super) enum Level {
     Branches,
@@ -19,14 +19,14 @@ pub(super) enum Level {
     Operand,
 }
 
-/// Sets expressions; texts in them are translated on the way.
+/// Writes expressions as MathML. Text values are translated.
 pub(super) struct Typesetter<'a> {
     pub(super) translate: &'a dyn Fn(&str) -> String,
-    /// Which names are vectors.
+    /// Vectors of the model.
     pub(super) vectors: &'a Vectors,
 }
 
-/// Where an expression stands: in exponents fractions are written with a slash.
+/// Position of an expression: in exponents, fractions are written with a slash.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Place {
     Line,
@@ -55,7 +55,7 @@ pub(super) fn level(expression: &Expression, place: Place) -> Level {
     }
 }
 
-/// Whether a minus is the first thing that is printed of a product or quotient.
+/// True if a product or quotient begins with a minus sign.
 fn leading_minus(expression: &Expression) -> bool {
     match &expression.kind {
         ExpressionKind::Unary(UnaryOperator::Negate, _) => true,
@@ -65,14 +65,14 @@ fn leading_minus(expression: &Expression) -> bool {
     }
 }
 
-/// What stands in a product.
+/// A factor of a product.
 enum Factor<'a> {
     Plain(&'a Expression),
-    /// The factors above and below the line.
+    /// Factors of the numerator and of the denominator.
     Quotient(Vec<Factor<'a>>, Vec<&'a Expression>),
 }
 
-/// The factors of a product or quotient from left to right, without the minus before the first, and whether there
+/// Factors of a product or quotient from left to right, without the minus sign before the first; the flag is true if there
 /// was one. `a/b/c` is one quotient.
 fn factors(expression: &Expression) -> (bool, Vec<Factor<'_>>) {
     match &expression.kind {
@@ -101,7 +101,7 @@ fn factors(expression: &Expression) -> (bool, Vec<Factor<'_>>) {
 }
 
 impl Typesetter<'_> {
-    /// An expression as one element.
+    /// An expression as one MathML element.
     pub(super) fn expression(&self, expression: &Expression) -> String {
         self.set(expression, Place::Line)
     }
@@ -195,13 +195,13 @@ impl Typesetter<'_> {
                     if place == Place::Exponent { parenthesised(&quotient) } else { quotient }
                 }
                 Factor::Plain(factor) => match &factor.kind {
-                    // What follows would seem to belong to the argument: sin(x) y, and not sin x y.
+                    // Otherwise the next factor would seem to belong to the argument: sin(x) y instead of sin x y.
                     ExpressionKind::Call { function, arguments }
                         if !last && !self.vectors.is_operation(&function.text) =>
                     {
                         self.function(function, arguments, None, false)
                     }
-                    // A number with its unit is a product itself, but nothing is lost without parentheses.
+                    // A number with a unit is itself a product, but needs no parentheses.
                     ExpressionKind::Number { value, .. } if *value >= 0.0 => self.set(factor, place),
                     _ => self.at_least(factor, Level::Operand, place),
                 },
@@ -215,7 +215,7 @@ impl Typesetter<'_> {
         let below_factors: Vec<Factor<'_>> = below.iter().map(|factor| Factor::Plain(factor)).collect();
         if place == Place::Line {
             let alone = |factors: &[Factor<'_>]| match factors {
-                // Above and below the line a sum stands alone.
+                // A sum needs no parentheses in a numerator or denominator.
                 [Factor::Plain(only)] => self.set(only, place),
                 several => self.product(several, place),
             };
@@ -240,7 +240,7 @@ impl Typesetter<'_> {
             ExpressionKind::Call { function, arguments } if self.vectors.is_operation(&function.text) => {
                 format!("<msup>{}{above}</msup>", self.operation_as_base(function, arguments))
             }
-            // sin²(x), as usual; but sin⁻¹ would be the inverse function.
+            // sin²(x) is usual notation; sin⁻¹ would be read as the inverse function.
             ExpressionKind::Call { function, arguments } if is_classical(function) && is_positive_number(exponent) => {
                 self.function(function, arguments, Some(&above), false)
             }
@@ -254,14 +254,14 @@ impl Typesetter<'_> {
         }
     }
 
-    /// A function of the author's own with the names of its arguments.
+    /// Left side of a user-defined function: its name and arguments.
     pub(super) fn declared(&self, function: &Name, parameters: &[Name]) -> String {
         let parameters: Vec<String> = parameters.iter().map(|parameter| name(&parameter.text, 0, None)).collect();
         let inside = parenthesised(&format!("<mrow>{}</mrow>", parameters.join("<mo>,</mo>")));
         format!("<mrow>{}<mo>&#x2061;</mo>{inside}</mrow>", name(&function.text, 0, None))
     }
 
-    /// A call. Where `bare` allows it, the parentheses around a single name are left out: cos φ.
+    /// A function call. If `bare`, the parentheses around a single name may be left out: cos φ.
     fn function(&self, function: &Name, arguments: &[Expression], exponent: Option<&str>, bare: bool) -> String {
         if let ([argument], None) = (arguments, exponent) {
             let inside = || self.set(argument, Place::Line);
@@ -300,7 +300,7 @@ impl Typesetter<'_> {
     }
 }
 
-/// The value at the start of the run of what is set already.
+/// The initial value of a name: `name(0)`.
 pub(super) fn at_start_of_run(name: &str) -> String {
     format!("<mrow>{name}<mo>&#x2061;</mo>{}</mrow>", parenthesised("<mn>0</mn>"))
 }
@@ -309,15 +309,16 @@ pub(super) fn parenthesised(inside: &str) -> String {
     fenced("(", inside, ")")
 }
 
-/// `inside` between two fences, which grow only around what is higher than a line: fonts make room around grown ones.
+/// `inside` between two brackets, which stretch only around tall content, because fonts add space around stretched
+/// brackets.
 pub(super) fn fenced(open: &str, inside: &str, close: &str) -> String {
     let grows = ["<mfrac", "<mtable", "<mroot"].iter().any(|high| inside.contains(high));
     let stretchy = if grows { "" } else { " stretchy=\"false\"" };
     format!("<mrow><mo form=\"prefix\"{stretchy}>{open}</mo>{inside}<mo form=\"postfix\"{stretchy}>{close}</mo></mrow>")
 }
 
-/// What stands between two factors: nothing to be seen between letters, a space beside words and functions, a dot
-/// before numbers and after units.
+/// Separator between two factors: invisible between letters, a space beside words and functions, a dot before numbers and
+/// after units.
 fn separator(before: &Factor<'_>, after: &Factor<'_>) -> &'static str {
     if starts_with_number(after) || ends_with_unit(before) {
         "<mo>⋅</mo>"
@@ -346,7 +347,7 @@ fn ends_with_unit(factor: &Factor<'_>) -> bool {
     matches!(&expression.kind, ExpressionKind::Number { unit: Some(unit), .. } if !unit.text.is_empty())
 }
 
-/// Whether a factor would run into its neighbour: words, functions and fractions.
+/// True if a factor would run into its neighbour: words, functions and fractions.
 fn is_wide(factor: &Factor<'_>) -> bool {
     let Factor::Plain(expression) = factor else {
         return true;
@@ -364,7 +365,7 @@ fn is_wide(factor: &Factor<'_>) -> bool {
     }
 }
 
-/// Functions whose sign may be followed by a bare argument and carry an exponent: cos φ, sin²(x).
+/// Functions whose sign can be followed by a bare argument and can carry an exponent: cos φ, sin²(x).
 fn is_classical(function: &Name) -> bool {
     matches!(function.text.as_str(), "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "ln" | "log10")
 }
@@ -373,12 +374,12 @@ fn is_positive_number(exponent: &Expression) -> bool {
     matches!(exponent.kind, ExpressionKind::Number { value, unit: None } if value > 0.0)
 }
 
-/// Calls that are drawn with brackets of their own, which an exponent may follow.
+/// True for calls with brackets of their own, which an exponent may follow directly.
 fn has_own_brackets(function: &Name, arguments: &[Expression]) -> bool {
     arguments.len() == 1 && matches!(function.text.as_str(), "abs" | "floor" | "ceil")
 }
 
-/// The name of a function as it is printed.
+/// Printed name of a function.
 pub(super) fn function_sign(function: &str) -> String {
     let printed = match function {
         "asin" => "arcsin",
@@ -389,7 +390,7 @@ pub(super) fn function_sign(function: &str) -> String {
         "atanh" => "artanh",
         "sign" => "sgn",
         "log10" => return "<msub><mi>log</mi><mn>10</mn></msub>".to_owned(),
-        // A function of the author's own.
+        // A user-defined function.
         other if Function::named(other).is_none() => return name(other, 0, None),
         other => other,
     };

@@ -1,4 +1,4 @@
-//! Families: x with the index i below, sums over i, and "i = 1, ..., N".
+//! Families: x with index i as a subscript, sums over i, and "i = 1, ..., N".
 
 use super::expression::{Typesetter, function_sign, parenthesised};
 use crate::{Expression, Name, Over};
@@ -15,7 +15,7 @@ impl Typesetter<'_> {
         self.indexed(name, &self.indices(indices), order, None)
     }
 
-    /// `∑` with the range of its index, and what is summed; the least and the greatest with the range below them.
+    /// A reduction: `∑` with the range of its index; minimum and maximum with the range below them.
     pub(super) fn reduction(&self, function: &Name, body: &Expression, over: &[Over]) -> String {
         if function.text != "sum" {
             let ranges = over.iter().map(|over| self.range(over)).collect::<Vec<_>>().join("<mo>,</mo>");
@@ -36,7 +36,7 @@ impl Typesetter<'_> {
         format!("<mrow>{signs}{}</mrow>", self.term(body))
     }
 
-    /// What follows a statement that stands for all values of indices.
+    /// Ranges after a statement that is repeated for all values of its indices.
     pub(super) fn for_all(&self, over: &[Over]) -> String {
         let ranges: Vec<String> = over.iter().map(|over| self.range(over)).collect();
         if ranges.is_empty() {

@@ -1,4 +1,4 @@
-//! Maps as a textbook prints them: the next value of p is p with k + 1 below, from those with k below.
+//! Iterated maps in textbook notation: p with subscript k + 1, computed from values with subscript k.
 
 use super::expression::Typesetter;
 use crate::syntax::{expressions_mut, independent, rewrite};
@@ -6,7 +6,7 @@ use crate::{Action, BinaryOperator, EventExtras, Expression, ExpressionKind, Nam
 use std::borrow::Cow;
 use std::collections::HashSet;
 
-/// The statements with a further index, the count, at all that `next` gives, in those statements that give it.
+/// Adds the count as a subscript to all quantities set by `next`, in the statements that set them.
 pub(super) fn with_counts(statements: &[Statement]) -> Cow<'_, [Statement]> {
     let given = |statement: &Statement| match &statement.kind {
         StatementKind::Event { actions, extras: EventExtras { next: true, .. }, .. } => {
@@ -37,7 +37,7 @@ pub(super) fn with_counts(statements: &[Statement]) -> Cow<'_, [Statement]> {
     Cow::Owned(written)
 }
 
-/// Adds the count to the indices of what is mapped.
+/// Adds the count to the indices of a mapped quantity.
 fn at_count(part: &mut Expression, mapped: &HashSet<String>, count: &str) {
     let span = part.span;
     match &mut part.kind {
@@ -53,7 +53,7 @@ fn at_count(part: &mut Expression, mapped: &HashSet<String>, count: &str) {
 }
 
 impl Typesetter<'_> {
-    /// The value at the next count, from those at the present one.
+    /// An assignment of the value at the next count.
     pub(super) fn next(&self, action: &Action) -> String {
         let target = self.member(&action.name.text, &action.indices, action.order);
         format!("{target}<mo>=</mo>{}", self.expression(&action.value))

@@ -1,4 +1,4 @@
-//! The model's equations as a textbook prints them: MathML Core from the syntax tree.
+//! Equations of the model in textbook notation: MathML Core from the syntax tree.
 
 mod cases;
 mod expression;
@@ -15,28 +15,27 @@ use crate::{Action, EventExtras, Expression, ExpressionKind, Members, Over, Stat
 use expression::{Typesetter, at_start_of_run};
 use units::markup::escaped;
 
-/// Each displayed statement as a `<math display="block">` element, in the order of the text: definitions, equations,
-/// initial values and events. Parameters are controls and not shown here. `translate` is given the texts that are values
-/// (`"underdamped"`).
+/// Each displayed statement as a `<math display="block">` element, in text order: definitions, equations, initial values
+/// and events. Parameters are shown as controls, not here. `translate` translates text values (`"underdamped"`).
 pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> Vec<String> {
     typeset_each(statements, translate).concat()
 }
 
-/// The same for each statement, also for those of which nothing is shown or nothing could be read: these have no element.
+/// The elements of each statement; none for a statement that is unreadable or not displayed.
 pub fn typeset_each(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> Vec<Vec<String>> {
     let vectors = Vectors::of(statements);
     let typesetter = Typesetter { translate, vectors: &vectors };
     map::with_counts(statements).iter().map(|statement| typesetter.rows(statement)).collect()
 }
 
-/// The elements of one statement among those of its model.
+/// The elements of the statement with index `number`, in the context of its model.
 pub fn typeset_one(statements: &[Statement], number: usize) -> Vec<String> {
     let vectors = Vectors::of(statements);
     let typesetter = Typesetter { translate: &str::to_owned, vectors: &vectors };
     map::with_counts(statements).get(number).map_or_else(Vec::new, |statement| typesetter.rows(statement))
 }
 
-/// An expression as a `<math>` element for a line of text.
+/// An expression as an inline `<math>` element.
 pub fn typeset_expression(expression: &Expression) -> String {
     let typesetter = Typesetter { translate: &str::to_owned, vectors: &Vectors::default() };
     format!("<math>{}</math>", typesetter.expression(expression))
@@ -101,13 +100,13 @@ impl Typesetter<'_> {
         Some(format!("<math display=\"block\"><mrow>{row}{over}</mrow></math>"))
     }
 
-    /// t = from + n interval
+    /// Times of a periodic event: t = from + n interval.
     fn moments(&self, interval: &Expression, from: Option<&Expression>) -> String {
         let from = from.map(|from| format!("{}<mo>+</mo>", self.expression(from))).unwrap_or_default();
         format!("<mi>t</mi><mo>=</mo>{from}<mi>n</mi><mo>·</mo>{}", self.expression(interval))
     }
 
-    /// The value after an event, from those before it.
+    /// An assignment of the value after an event.
     fn action(&self, action: &Action) -> String {
         let target = match action.component {
             None => self.member(&action.name.text, &action.indices, action.order),

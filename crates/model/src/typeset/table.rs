@@ -1,14 +1,14 @@
-//! Tables: the argument and the value below each other, point by point.
+//! Tables: arguments and values in two rows.
 
 use super::expression::Typesetter;
 use crate::{DrawnRange, Name, StatedUnit, TableStatement};
 use units::mathml::{name, number, unit_after_number};
 
-/// Of a longer table only the first and the last points are shown.
+/// Maximum number of points shown; of a longer table only the first points and the last one are shown.
 const MOST_SHOWN: usize = 8;
 
 impl Typesetter<'_> {
-    /// Two rows with a heading each: the argument, and the value of the function.
+    /// Two rows, each with a heading: the argument, and the value of the function.
     pub(super) fn table(&self, table: &TableStatement) -> String {
         if let (Some(range), true) = (&table.drawn, table.points.is_empty()) {
             return self.drawn(table, range);
@@ -27,7 +27,7 @@ impl Typesetter<'_> {
 }
 
 impl Typesetter<'_> {
-    /// The range of values and that of arguments.
+    /// Range of the values and of the arguments of a drawn curve.
     fn drawn(&self, table: &TableStatement, range: &DrawnRange) -> String {
         let between = |low: f64, what: String, high: f64, unit: &Option<StatedUnit>| {
             let unit = unit.as_ref().map(|unit| unit_after_number(&unit.unit)).unwrap_or_default();
@@ -41,7 +41,7 @@ impl Typesetter<'_> {
     }
 }
 
-/// The numbers, the middle ones of many left out.
+/// The numbers as MathML; of a long list the middle ones are left out.
 fn shown(numbers: &[f64]) -> Vec<String> {
     if numbers.len() <= MOST_SHOWN {
         return numbers.iter().map(|&value| number(value)).collect();
@@ -53,7 +53,7 @@ fn shown(numbers: &[f64]) -> Vec<String> {
     cells
 }
 
-/// ` [K]`
+/// Unit in brackets after a blank: ` [K]`.
 fn bracketed(unit: &units::Unit) -> String {
     if unit.text.is_empty() {
         return String::new();

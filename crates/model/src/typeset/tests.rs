@@ -1,4 +1,4 @@
-//! What is set, in a short notation that reads like TeX. Reading it back also checks that every element is closed.
+//! Typeset expressions in a short notation similar to TeX. Reading them back also checks that every element is closed.
 
 use super::expression::Typesetter;
 use super::typeset_expression;

@@ -7,12 +7,12 @@ use units::Unit;
 use units::mathml::{indexed, unit_after_number, vector};
 
 impl Typesetter<'_> {
-    /// A name with its primes and an exponent; a vector with an arrow.
+    /// A name with primes and exponent; a vector gets an arrow.
     pub(super) fn name(&self, name: &str, order: u32, exponent: Option<String>) -> String {
         self.indexed(name, &[], order, exponent)
     }
 
-    /// The same with further subscripts, which are MathML.
+    /// A name with subscripts, which are MathML, primes and exponent; a vector gets an arrow.
     pub(super) fn indexed(&self, name: &str, indices: &[String], order: u32, exponent: Option<String>) -> String {
         if self.vectors.dimension(name).is_some() {
             return vector(name, indices, order, exponent);
@@ -20,7 +20,7 @@ impl Typesetter<'_> {
         indexed(name, indices, order, exponent)
     }
 
-    /// How tightly the outermost operation of an expression binds.
+    /// Binding strength of the outermost operation of an expression.
     pub(super) fn level(&self, expression: &Expression, place: Place) -> Level {
         match &expression.kind {
             ExpressionKind::Call { function, arguments }
@@ -40,7 +40,7 @@ impl Typesetter<'_> {
         unit.map_or_else(|| inside.clone(), |unit| format!("<mrow>{inside}{}</mrow>", unit_after_number(unit)))
     }
 
-    /// `x` below the name of a vector, after the indices of a member of a family.
+    /// Name of a vector with the axis as a subscript, after the indices of a member of a family.
     pub(super) fn component(
         &self,
         name: &str,
@@ -54,7 +54,7 @@ impl Typesetter<'_> {
         indexed(name, &below, order, exponent)
     }
 
-    /// The component of a vector, `x` below it.
+    /// Component of a vector expression, with the axis as a subscript.
     pub(super) fn component_of(&self, of: &Expression, axis: usize, exponent: Option<String>) -> String {
         match &of.kind {
             ExpressionKind::Member { name, indices, order, at_start: false } => {
@@ -92,7 +92,7 @@ impl Typesetter<'_> {
         }
     }
 
-    /// The same where an exponent follows.
+    /// The operation as the base of a power.
     pub(super) fn operation_as_base(&self, function: &Name, arguments: &[Expression]) -> String {
         let inside = self.operation(function, arguments);
         if arguments.len() == 2 { parenthesised(&inside) } else { inside }

@@ -1,4 +1,4 @@
-//! Expressions with vectors in them, component by component.
+//! Expands vector expressions to their components.
 
 use super::faults;
 use super::known::Vectors;
@@ -7,27 +7,27 @@ use crate::functions::is_too_deep;
 use crate::{BinaryOperator, Diagnostic, Expansion, Expression, ExpressionKind, Span, UnaryOperator, limits};
 use units::{Unit, words};
 
-/// What an expression is.
+/// An expanded expression.
 #[derive(Clone, Debug)]
 pub(super) enum Value {
     Number(Expression),
-    /// Its components.
+    /// Components of a vector.
     Vector(Vec<Expression>),
-    /// Something is wrong with it, which has been said.
+    /// An error was already reported.
     Unknown,
 }
 
 impl Value {
-    /// Whether it is a literal 0, which stands for the zero vector, too.
+    /// True for a literal 0, which also stands for the zero vector.
     pub fn is_zero(&self) -> bool {
         matches!(self, Self::Number(Expression { kind: ExpressionKind::Number { value: 0.0, unit: None }, .. }))
     }
 }
 
-/// Writes vectors out.
+/// Expands vectors.
 pub(super) struct Writer<'a> {
     pub vectors: &'a Vectors,
-    /// Parts that may still be written more than once: a product of products doubles with each.
+    /// Nodes that may still be copied: nested products double with each level.
     budget: usize,
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -37,14 +37,14 @@ impl<'a> Writer<'a> {
         Self { vectors, budget: limits::MEMBER_OPERATIONS, diagnostics: Vec::new() }
     }
 
-    /// What was found, each fault once: it may be that of every member of a family.
+    /// Returns all diagnostics. A fault that occurs in every member of a family is reported once.
     pub fn finish(mut self) -> Vec<Diagnostic> {
         let mut places = std::collections::HashSet::new();
         self.diagnostics.retain(|diagnostic| places.insert((diagnostic.code, diagnostic.span())));
         self.diagnostics
     }
 
-    /// Says that something cannot be done.
+    /// Reports an error and returns [`Value::Unknown`].
     pub fn refuse(&mut self, diagnostic: Diagnostic) -> Value {
         if self.diagnostics.len() < limits::TOLD {
             self.diagnostics.push(diagnostic);
@@ -52,7 +52,7 @@ impl<'a> Writer<'a> {
         Value::Unknown
     }
 
-    /// The expressions that a value consists of; what is wrong stands for itself.
+    /// Components of a value; none if it is unknown.
     pub fn components(&mut self, value: Value) -> Vec<Expression> {
         let components = match value {
             Value::Number(number) => vec![number],
@@ -66,7 +66,7 @@ impl<'a> Writer<'a> {
         components
     }
 
-    /// The number that an expression must be; where it is none, what could not be read.
+    /// Expands an expression that must be a number; [`ExpressionKind::Error`] if it is not.
     pub fn number(&mut self, expression: &Expression) -> Expression {
         match self.value(expression) {
             Value::Number(number) => {
@@ -82,7 +82,7 @@ impl<'a> Writer<'a> {
         .unwrap_or(Expression { kind: ExpressionKind::Error, span: expression.span })
     }
 
-    /// A part that is written once more.
+    /// Copies a subexpression and charges the budget.
     pub fn copy(&mut self, expression: &Expression) -> Expression {
         if self.budget > 0 {
             let mut parts = 0;
@@ -109,7 +109,7 @@ impl<'a> Writer<'a> {
         )));
     }
 
-    /// What an expression is, with vectors written out.
+    /// Expands an expression.
     pub fn value(&mut self, expression: &Expression) -> Value {
         let span = expression.span;
         let number = |kind| Value::Number(Expression { kind, span });
@@ -146,7 +146,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The components of a name that is a vector.
+    /// Components of a name that is a vector.
     fn name(&mut self, name: &str, expression: &Expression, of: impl Fn(String) -> ExpressionKind) -> Value {
         let span = expression.span;
         if let Some(dimension) = self.vectors.dimension(name) {
@@ -164,7 +164,7 @@ impl<'a> Writer<'a> {
         Value::Number(expression.clone())
     }
 
-    /// `(1, 0) [au]`. Each component keeps the others beside it, for they are all of one dimension.
+    /// `(1, 0) [au]`. Each component keeps a copy of the others, because all have one dimension.
     fn tuple(&mut self, parts: &[Expression], unit: Option<&Unit>, span: Span) -> Value {
         let before = self.diagnostics.len();
         let mut own: Vec<Expression> = Vec::with_capacity(parts.len());
@@ -187,7 +187,7 @@ impl<'a> Writer<'a> {
         Value::Vector((0..own.len()).map(|axis| component(self, axis)).collect())
     }
 
-    /// `r[1].x`, `(a - b).y`
+    /// `r[1].x` and `(a - b).y`.
     fn component(&mut self, of: &Expression, axis: usize, whole: &Expression) -> Value {
         match self.value(of) {
             Value::Vector(mut components) if axis < components.len() => Value::Number(components.swap_remove(axis)),
@@ -201,7 +201,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// `a + b + c`, which is nested to the left as often as it has operators: a loop spares the stack.
+    /// `a + b + c`: operator chains are nested to the left, one level per operator. A loop avoids deep recursion.
     fn chain(&mut self, expression: &Expression) -> Value {
         let mut chain = Vec::new();
         let mut first = expression;
@@ -234,7 +234,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Two values that must both be numbers, or vectors of so many components; a literal 0 is the zero vector, too.
+    /// Requires two numbers, or two vectors of equal dimension; a literal 0 is also the zero vector.
     pub fn alike(
         &mut self,
         (left, mut one): (&Expression, Value),
@@ -305,7 +305,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// A value with each of its components made into something.
+/// Applies `of` to each component of a value.
 fn each(value: Value, of: impl Fn(Expression) -> ExpressionKind, span: Span) -> Value {
     let one = |part| Expression { kind: of(part), span };
     match value {

@@ -1,11 +1,11 @@
-//! What cannot be done with vectors, and what to do instead.
+//! Errors about vectors, with hints.
 
 use super::known::{CROSS, DOT, NORM, axes};
 use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind, Span};
 use units::words;
 
-/// A vector stands where a number is needed.
+/// Error for a vector in place of a number.
 pub(super) fn vector_for_number(expression: &Expression) -> Diagnostic {
     let written = quote(expression);
     let message = words!(
@@ -30,13 +30,13 @@ pub(super) fn vector_for_number(expression: &Expression) -> Diagnostic {
     }
 }
 
-/// `(2,5)`, where the comma stands between digits.
+/// True for `(2,5)` with a comma directly between digits.
 fn is_decimal_comma(parts: &[Expression]) -> bool {
     let number = |part: &Expression| matches!(part.kind, ExpressionKind::Number { unit: None, .. });
     matches!(parts, [whole, rest] if number(whole) && number(rest) && whole.span.end + 1 == rest.span.start)
 }
 
-/// A number stands where a vector is needed.
+/// Error for a number in place of a vector.
 pub(super) fn number_for_vector(name: &str, dimension: usize, value: &Expression) -> Diagnostic {
     let message = words!("`{name}` is a vector, but this is a number", "`{name}` es un vector, pero esto es un número");
     Diagnostic::error("number-for-vector", message, value.span).with_hint(words!(
@@ -46,7 +46,7 @@ pub(super) fn number_for_vector(name: &str, dimension: usize, value: &Expression
     ))
 }
 
-/// Sums, equations and branches of a vector and a number.
+/// Error for a sum, equation or branch with a vector and a number.
 pub(super) fn vector_and_number(vector: &Expression, number: &Expression) -> Diagnostic {
     let (one, other) = (quote(vector), quote(number));
     let message =
@@ -60,7 +60,7 @@ pub(super) fn vector_and_number(vector: &Expression, number: &Expression) -> Dia
         ))
 }
 
-/// Vectors in the plane and in space.
+/// Error for vectors with different numbers of components.
 pub(super) fn different_dimensions(one: (&Expression, usize), other: (&Expression, usize)) -> Diagnostic {
     let message = words!(
         "`{}` has {} components and `{}` has {}",
@@ -78,7 +78,7 @@ pub(super) fn different_dimensions(one: (&Expression, usize), other: (&Expressio
         ))
 }
 
-/// `a*b` of two vectors.
+/// Error for `a*b` of two vectors.
 pub(super) fn product(left: &Expression, right: &Expression, span: Span) -> Diagnostic {
     let (one, other) = (quote(left), quote(right));
     let message = words!(
@@ -91,7 +91,7 @@ pub(super) fn product(left: &Expression, right: &Expression, span: Span) -> Diag
     ))
 }
 
-/// Something divided by a vector.
+/// Error for a division by a vector.
 pub(super) fn division(by: &Expression) -> Diagnostic {
     let written = quote(by);
     let message = words!(
@@ -104,7 +104,7 @@ pub(super) fn division(by: &Expression) -> Diagnostic {
     ))
 }
 
-/// `r^2`
+/// Error for `r^2`.
 pub(super) fn power(base: &Expression, span: Span) -> Diagnostic {
     let written = quote(base);
     let message = words!(
@@ -117,7 +117,7 @@ pub(super) fn power(base: &Expression, span: Span) -> Diagnostic {
     ))
 }
 
-/// With the decimal point that was meant, where a vector has only come of a comma between digits.
+/// Adds a hint about the decimal point if the vector is only a number with a decimal comma.
 fn with_point(diagnostic: Diagnostic, vector: &Expression) -> Diagnostic {
     match &vector.kind {
         ExpressionKind::Tuple { parts, .. } if is_decimal_comma(parts) => diagnostic.with_hint(words(
@@ -128,7 +128,7 @@ fn with_point(diagnostic: Diagnostic, vector: &Expression) -> Diagnostic {
     }
 }
 
-/// `a < b`, `a == b`
+/// Error for `a < b` and `a == b` of vectors.
 pub(super) fn comparison(vector: &Expression, span: Span) -> Diagnostic {
     let written = quote(vector);
     let message = words!(
@@ -141,7 +141,7 @@ pub(super) fn comparison(vector: &Expression, span: Span) -> Diagnostic {
     ))
 }
 
-/// A vector in a function of numbers.
+/// Error for a vector in a function of numbers.
 pub(super) fn in_function(function: &str, vector: &Expression) -> Diagnostic {
     let written = quote(vector);
     let message = words!(
@@ -169,7 +169,7 @@ pub(super) fn in_function(function: &str, vector: &Expression) -> Diagnostic {
     }
 }
 
-/// `norm(2)`
+/// Error for `norm(2)`.
 pub(super) fn number_in_operation(function: &str, argument: &Expression) -> Diagnostic {
     let written = quote(argument);
     let message = words!(
@@ -190,7 +190,7 @@ pub(super) fn number_in_operation(function: &str, argument: &Expression) -> Diag
     }
 }
 
-/// `norm(a, b)`
+/// Error for `norm(a, b)`.
 pub(super) fn wrong_count(function: &str, takes: usize, given: usize, span: Span) -> Diagnostic {
     let vectors = if takes == 1 { words("1 vector", "1 vector") } else { words("2 vectors", "2 vectores") };
     let message = words!(
@@ -201,7 +201,7 @@ pub(super) fn wrong_count(function: &str, takes: usize, given: usize, span: Span
     Diagnostic::error("wrong-argument-count", message, span)
 }
 
-/// `r.z` in the plane, `r.w`
+/// Error for `r.z` in the plane, and for `r.w`.
 pub(super) fn no_component(vector: &str, member: &str, dimension: usize, span: Span) -> Diagnostic {
     let axes = axes(dimension);
     let message = words!(
@@ -219,7 +219,7 @@ pub(super) fn no_component(vector: &str, member: &str, dimension: usize, span: S
     diagnostic
 }
 
-/// `(a*b).x` of numbers
+/// Error for `(a*b).x` of numbers.
 pub(super) fn component_of_number(of: &Expression, whole: &Expression) -> Diagnostic {
     let written = quote(of);
     let message =
@@ -227,7 +227,7 @@ pub(super) fn component_of_number(of: &Expression, whole: &Expression) -> Diagno
     Diagnostic::error("component-of-number", message, whole.span)
 }
 
-/// `r.x = 2` of a vector
+/// Error for `r.x = 2` of a vector.
 pub(super) fn component_defined(name: &str, vector: &str, dimension: usize, span: Span) -> Diagnostic {
     let message = words!(
         "`{name}` is a component of the vector `{vector}` and cannot be defined by itself",
@@ -240,7 +240,7 @@ pub(super) fn component_defined(name: &str, vector: &str, dimension: usize, span
     ))
 }
 
-/// A name that is a vector and something else.
+/// Error for a name that is a vector and something else.
 pub(super) fn taken(name: &str, other: &units::Words, span: Span) -> Diagnostic {
     let message = words!(
         "`{name}` cannot be a vector: it is {other}",

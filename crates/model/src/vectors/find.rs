@@ -1,5 +1,5 @@
-//! Which names are vectors: those whose value, or value at the start, is one. `a = b + c` is a vector if `b` or `c` is one, so
-//! this goes on from the vectors that are written by their components to all that follows from them.
+//! Finds the names that are vectors: those whose value or initial value is a vector. `a = b + c` is a vector if `b` or `c`
+//! is one, so the search starts from vectors written by components and follows the definitions.
 
 use super::known::{CROSS, Vectors, has_tuple};
 use crate::components::split_component;
@@ -9,19 +9,19 @@ use crate::{
 };
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What makes an expression a vector, if it is one.
+/// Reason why an expression is a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Origin<'a> {
     Name(&'a str),
-    /// So many components.
+    /// Number of components of a tuple.
     Tuple(usize),
 }
 
-/// Origins, each with whether it stands in a vector product, which of two components is a number.
+/// Origins, each with true if it stands in a vector product, which is a number for two components.
 type Origins<'a> = BTreeSet<(Origin<'a>, bool)>;
 
 impl Vectors {
-    /// The vectors of a model, as it is written.
+    /// Vectors of a model, from its statements before expansion.
     pub fn of(statements: &[Statement]) -> Self {
         let mut finder = Finder::default();
         let mut occur = false;
@@ -81,12 +81,12 @@ impl Vectors {
 struct Finder<'a> {
     functions: BTreeMap<&'a str, &'a FunctionStatement>,
     events: BTreeSet<&'a str>,
-    /// What the values of functions come from, names of their arguments among them.
+    /// Origins of the values of functions; names of their arguments are included.
     known: BTreeMap<&'a str, Origins<'a>>,
 }
 
 impl<'a> Finder<'a> {
-    /// The vectors whose components have values at the start, one by one.
+    /// Vectors whose components have separate initial values, with the number of components.
     fn by_components(&self, statements: &'a [Statement]) -> Vec<(&'a str, usize)> {
         let mut greatest: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
         for statement in statements {
@@ -103,7 +103,7 @@ impl<'a> Finder<'a> {
         whole.map(|(vector, (highest, _))| (vector, highest + 1)).collect()
     }
 
-    /// Adds what makes an expression a vector. `calls` is how many functions enclose it.
+    /// Collects the origins of an expression. `calls` is the nesting depth of function calls.
     fn origins(&mut self, expression: &'a Expression, crossed: bool, calls: usize, origins: &mut Origins<'a>) {
         let mut waiting = vec![(expression, crossed)];
         while let Some((next, crossed)) = waiting.pop() {
@@ -114,7 +114,7 @@ impl<'a> Finder<'a> {
                     if let Some(name) = self.of_name(name) {
                         origins.insert((Origin::Name(name), crossed));
                     }
-                    // `f(0)` is read as a value at the start.
+                    // The parser reads `f(0)` as an initial value.
                     if matches!(next.kind, ExpressionKind::InitialValue { .. })
                         && self.functions.contains_key(name.as_str())
                     {
@@ -141,7 +141,7 @@ impl<'a> Finder<'a> {
                 }
                 ExpressionKind::Call { function, arguments } => {
                     if let Some(own) = self.functions.get(function.text.as_str()).copied() {
-                        // Each argument once, or what is nested in calls would be visited again and again.
+                        // Each argument once; otherwise nested calls would be visited exponentially often.
                         let mut places: BTreeSet<(usize, bool)> = BTreeSet::new();
                         for (origin, inside) in self.of_function(&function.text, calls) {
                             let crossed = crossed || inside;
@@ -174,7 +174,7 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// The name that is a vector if this is one: `r` of `landing.r`, nothing of the component `r.x`.
+    /// Vector behind a name: `r` for `landing.r`; `None` for the component `r.x`.
     fn of_name(&self, name: &'a str) -> Option<&'a str> {
         match name.split_once('.') {
             None => Some(name),
@@ -183,13 +183,13 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// What the value of a function comes from.
+    /// Origins of the value of a function.
     fn of_function(&mut self, name: &str, calls: usize) -> Origins<'a> {
         let Some((&name, &function)) = self.functions.get_key_value(name) else { return Origins::new() };
         if let Some(known) = self.known.get(name) {
             return known.clone();
         }
-        // Deeper calls are refused elsewhere, and so are those in a circle.
+        // Deeper calls and recursion are reported elsewhere.
         if calls >= limits::NESTING {
             return Origins::new();
         }
@@ -201,7 +201,7 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// The names that a statement gives values, with the values.
+/// Names to which a statement gives values, with the values.
 fn values(statement: &Statement) -> Vec<(&str, &Expression)> {
     match &statement.kind {
         StatementKind::Definition { name, value, .. }

@@ -1,29 +1,29 @@
-//! Which names are vectors, and how many components they have.
+//! Vectors of a model and their numbers of components.
 
 use crate::components::{AXES, split_component};
 use crate::{Expression, ExpressionKind};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The operations with vectors. The words are free as names, and as functions of the author's own.
+/// Functions of vectors. The words are not reserved: an author may use them as names and define functions with them.
 pub(super) const NORM: &str = "norm";
 pub(super) const DOT: &str = "dot";
 pub(super) const CROSS: &str = "cross";
 
-/// Which names are vectors.
+/// Names that are vectors.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Vectors {
-    /// The number of components, of families by their names.
+    /// Number of components by name; of a family by the name of the family.
     pub(super) dimensions: BTreeMap<String, usize>,
-    /// The names of events: `landing.r` is a vector if `r` is one.
+    /// Names of events: `landing.r` is a vector if `r` is one.
     pub(super) events: BTreeSet<String>,
-    /// The author's functions.
+    /// Names of the user-defined functions.
     pub(super) functions: BTreeSet<String>,
-    /// Whether vectors stand anywhere, with a name or without.
+    /// True if the model contains vectors, with or without a name.
     pub(super) occur: bool,
 }
 
 impl Vectors {
-    /// The vectors among the quantities of a checked model, which are there by their components.
+    /// Vectors of a checked model, recognized from the names of their components.
     pub fn of_names<'a>(names: impl Iterator<Item = &'a str> + Clone) -> Self {
         let mut dimensions: BTreeMap<String, usize> = BTreeMap::new();
         let mut first: BTreeSet<&str> = BTreeSet::new();
@@ -47,12 +47,12 @@ impl Vectors {
         Self { dimensions, occur, ..Self::default() }
     }
 
-    /// Whether there is nothing to write out.
+    /// True if there is nothing to expand.
     pub fn is_empty(&self) -> bool {
         !self.occur
     }
 
-    /// How many components a name has, with the numbers of a member of a family or without; none if it is no vector.
+    /// Number of components of a name, with or without the indices of a member; `None` if it is not a vector.
     pub fn dimension(&self, name: &str) -> Option<usize> {
         let family = match name.split_once('[') {
             Some((family, numbers)) if numbers.ends_with(']') => family,
@@ -65,18 +65,18 @@ impl Vectors {
         })
     }
 
-    /// Whether a name with a point in it is a component, and not something that an event remembers.
+    /// True if a name with a point is a component, and not a value remembered by an event.
     pub fn is_component(&self, name: &str) -> bool {
         name.split_once('.').is_some_and(|(vector, _)| self.dimension(vector).is_some())
     }
 
-    /// Whether a function is one of vectors, and none of the author's own.
+    /// True if a function is a vector function and not user-defined.
     pub fn is_operation(&self, function: &str) -> bool {
         self.occur && [NORM, DOT, CROSS].contains(&function) && !self.functions.contains(function)
     }
 }
 
-/// Whether an expression has vectors without a name in it.
+/// True if an expression contains unnamed vectors.
 pub(super) fn has_tuple(expression: &Expression) -> bool {
     let mut found = false;
     crate::names::for_each(expression, |part| {
@@ -85,7 +85,7 @@ pub(super) fn has_tuple(expression: &Expression) -> bool {
     found
 }
 
-/// `x, y` or `x, y, z`
+/// Axes of a vector as text: `x, y` or `x, y, z`.
 pub(super) fn axes(dimension: usize) -> String {
     AXES.iter().take(dimension).copied().collect::<Vec<_>>().join(", ")
 }

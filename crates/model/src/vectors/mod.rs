@@ -1,8 +1,7 @@
-//! Vectors: what is written once for a vector is written out for each of its components. `r'' = -G*M*r/norm(r)^3` becomes two or
-//! three equations of the unknowns `r.x`, `r.y` and `r.z`. All that follows (names, dimensions, lowering) then has to do with
-//! numbers only.
+//! Vectors: a statement about vectors is expanded to one statement per component. `r'' = -G*M*r/norm(r)^3` becomes two or
+//! three equations of the unknowns `r.x`, `r.y` and `r.z`. All later stages (names, dimensions, lowering) see numbers only.
 //!
-//! Families and functions of the author's own are written out before. A name is a vector if it is defined by one or begins as
+//! Families and user-defined functions are expanded before. A name is a vector if its definition or its initial value is
 //! one; see `find.rs`.
 
 mod expressions;
@@ -20,15 +19,15 @@ use known::has_tuple;
 use std::borrow::Cow;
 
 impl Vectors {
-    /// The statements with all vectors written out.
+    /// Expands all vectors in the statements.
     pub fn write_out(&self, statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> Vec<Statement> {
         statements::write_out(self, statements, diagnostics)
     }
 
-    /// An expression that stands for itself, in its components; a number is its only one.
+    /// Components of an expression outside the model; a number is its own single component.
     ///
     /// # Errors
-    /// What cannot be done with vectors.
+    /// Invalid operations with vectors.
     pub fn components(&self, expression: &Expression) -> Result<Vec<Expression>, Vec<Diagnostic>> {
         if !self.occur && !has_tuple(expression) {
             return Ok(vec![expression.clone()]);
@@ -43,7 +42,7 @@ impl Vectors {
     /// The number that an expression is.
     ///
     /// # Errors
-    /// Vectors, and what cannot be done with them.
+    /// Vectors, and invalid operations with them.
     pub fn number<'e>(&self, expression: &'e Expression) -> Result<Cow<'e, Expression>, Vec<Diagnostic>> {
         if !self.occur && !has_tuple(expression) {
             return Ok(Cow::Borrowed(expression));

@@ -1,15 +1,15 @@
-//! Functions of vectors: `norm`, `dot` and `cross`, and those that are applied to each component.
+//! Vector functions: `norm`, `dot`, `cross`, and functions that apply to each component.
 
 use super::expressions::{Value, Writer};
 use super::faults;
 use super::known::{DOT, NORM};
 use crate::{BinaryOperator, Expression, ExpressionKind, Name, Span};
 
-/// Functions that are linear, and so those of the components.
+/// Linear functions, which apply to each component.
 const LINEAR: [&str; 3] = ["sum", "mean", "integral"];
 
 impl Writer<'_> {
-    /// A call of a function.
+    /// Expands a function call.
     pub(super) fn call(&mut self, function: &Name, arguments: &[Expression], span: Span) -> Value {
         let values: Vec<Value> = arguments.iter().map(|argument| self.value(argument)).collect();
         if values.iter().any(|value| matches!(value, Value::Unknown)) {
@@ -35,7 +35,7 @@ impl Writer<'_> {
         }
     }
 
-    /// `norm(r)`, `dot(a, b)`, `cross(a, b)`
+    /// Expands `norm(r)`, `dot(a, b)` and `cross(a, b)`.
     fn operation(&mut self, function: &Name, arguments: &[Expression], values: Vec<Value>, span: Span) -> Value {
         let takes = if function.text == NORM { 1 } else { 2 };
         if values.len() != takes {
@@ -65,7 +65,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The square root of the sum of the squares.
+    /// Square root of the sum of the squares.
     fn norm(&mut self, parts: Vec<Expression>, span: Span) -> Expression {
         let squares = parts
             .into_iter()
@@ -73,7 +73,7 @@ impl Writer<'_> {
         Expression::call("sqrt", total(squares, span).into_iter().collect(), span)
     }
 
-    /// The vector product; in the plane the only component that it has, along z.
+    /// Vector product. In the plane it is a number: the component along z.
     fn cross(&mut self, one: &[Expression], two: &[Expression], span: Span) -> Value {
         let mut component = |i: usize, j: usize| {
             let mut factor = |parts: &[Expression], axis: usize| {
@@ -89,7 +89,7 @@ impl Writer<'_> {
         Value::Vector([(1, 2), (2, 0), (0, 1)].into_iter().map(|(i, j)| component(i, j)).collect())
     }
 
-    /// `sum(r[1], r[2])`, `mean(r)`
+    /// `sum(r[1], r[2])` and `mean(r)`, by components.
     fn linear(&mut self, function: &Name, arguments: &[Expression], values: Vec<Value>, span: Span) -> Value {
         let dimension = values.iter().find_map(|value| match value {
             Value::Vector(parts) => Some(parts.len()),

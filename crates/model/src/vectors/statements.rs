@@ -1,4 +1,4 @@
-//! Statements with all vectors written out.
+//! Expands vectors in statements.
 
 use super::expressions::{Value, Writer, zero};
 use super::faults;
@@ -39,7 +39,7 @@ pub(super) fn write_out(
     written
 }
 
-/// `Position x`, `Position x (au)`
+/// Label of a component: `Position x`, `Position x (au)`.
 fn of_component(label: &Quoted, axis: usize) -> Quoted {
     let name = AXES.get(axis).copied().unwrap_or_default();
     let (text, rest) = match label.text.strip_suffix(')').and_then(|text| text.rfind(" (")) {
@@ -49,7 +49,7 @@ fn of_component(label: &Quoted, axis: usize) -> Quoted {
     Quoted { text: format!("{text} {name}{rest}"), span: label.span }
 }
 
-/// What a statement becomes: for each component of a vector one, with the number of that.
+/// Expanded statements: one per component, with its axis; `None` as the axis of a number.
 type Kinds = Vec<(Option<usize>, StatementKind)>;
 
 impl Writer<'_> {
@@ -112,7 +112,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What a name gets: a vector for each component its own value.
+    /// Assignments to a name: one per component of a vector, with its own value.
     fn parts(&mut self, name: &Name, value: &Expression) -> Vec<(Option<usize>, Name, Expression)> {
         let Some(dimension) = self.vectors.dimension(&name.text) else {
             if let Some((vector, member)) = name.text.rsplit_once('.')
@@ -179,7 +179,7 @@ impl Writer<'_> {
         written
     }
 
-    /// A function has been written out wherever it is called. One with vectors in it means nothing by itself any more.
+    /// Calls of functions were expanded before. A function with vectors has no further use.
     fn function(&self, function: &FunctionStatement) -> FunctionStatement {
         let mut vectors = false;
         for_each(&function.body, |part| {
@@ -204,7 +204,7 @@ impl Writer<'_> {
         function
     }
 
-    /// Refuses what has the name of a vector and is none.
+    /// Reports other things with the name of a vector.
     fn taken(&mut self, statement: &Statement) {
         let reserved = |name: &Name| Function::reserving(&name.text).is_some() || name.text == "pi";
         let (name, other): (&Name, _) = match &statement.kind {

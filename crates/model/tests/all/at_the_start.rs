@@ -1,6 +1,6 @@
-//! Events whose conditions are true at the start: a remark only where the event would have changed something.
+//! Events whose conditions are true at the start: a warning only if the event would have changed something.
 
-/// Whether a model is remarked on.
+/// True if a model is warned about.
 fn is_remarked(text: &str) -> bool {
     let (_, found) = model::compile(text, std::slice::from_ref(&(0..text.len())));
     assert!(!model::has_errors(&found), "{text}\n{found:#?}");
@@ -27,7 +27,7 @@ fn a_thermostat_that_starts_as_its_event_would_set_it_is_not_remarked_on() {
                          when T < 291 [K]{name} {{ {set} }}{also}\n",
                         273.0 + begin
                     );
-                    // The start is counted by nothing, and what is to be done there is not done.
+                    // The event does not fire at the start, so its action is missing there.
                     assert_eq!(is_remarked(&text), starts_cold && !starts_on, "{text}");
                 }
             }

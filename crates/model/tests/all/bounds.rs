@@ -1,4 +1,4 @@
-//! Short texts that ask for enormous computations are refused, quickly and without exhausting the stack.
+//! Short texts that cause enormous computations are refused, quickly and without exhausting the stack.
 
 use crate::common::diagnostics;
 use program::{Model, Node, State};

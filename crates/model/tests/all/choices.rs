@@ -69,14 +69,14 @@ fn a_switch_is_a_truth_value_and_a_choice_a_text() {
     assert!(drag.takes(1.0) && !drag.takes(0.5));
 }
 
-/// The words are free: what had them as names before goes on having them.
+/// The words are not reserved: they can still be names.
 #[test]
 fn the_words_stay_names() {
     let model = compile("choice = 2\nswitch = 3*choice\non = 2\n");
     assert_eq!(model.quantities.len(), 3);
 }
 
-/// What events change can be a text or true or false, too; behind it is a state that is shown nowhere.
+/// A discrete quantity can also be a text or a truth value; the state behind it is hidden.
 #[test]
 fn a_discrete_quantity_can_be_a_text_or_a_truth_value() {
     let model = compile(

@@ -1,4 +1,4 @@
-//! Symbolic derivatives against differences.
+//! Symbolic derivatives compared with finite differences.
 
 use crate::common::{At, compile, difference};
 use program::{Variable, differentiate, differentiate_all};

@@ -1,13 +1,13 @@
-//! Wrong models and what is said about them. Each file in `errors/` has cases of one subject: a title after `## `, the
-//! model, a line of dashes, the diagnostics. `UPDATE_EXPECTED=1 cargo test -p model --test all errors` writes what is said
-//! now into the files, to be read before it is committed.
+//! Invalid models and their diagnostics. Each file in `errors/` has cases of one subject: a title after `## `, the model, a
+//! line of dashes, the diagnostics. `UPDATE_EXPECTED=1 cargo test -p model --test all errors` writes the present
+//! diagnostics into the files, for review before a commit.
 
 use std::fmt::Write;
 use std::path::Path;
 
 const DASHES: &str = "----\n";
 
-/// Compares the cases of a file with what is said now.
+/// Compares the cases of a file with the present diagnostics.
 #[track_caller]
 fn check(file: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/all/errors").join(file);

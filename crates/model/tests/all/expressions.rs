@@ -1,4 +1,4 @@
-//! Expressions of the document against a model.
+//! Expressions of documents, compiled against a model.
 
 use crate::common::{At, compile, render};
 use program::{Compiled, Kind, Model};

@@ -1,15 +1,15 @@
-//! Functions of the author's own.
+//! User-defined functions.
 
 use crate::common::{At, assert_near, compile};
 use program::Model;
 
-/// The quantity of that name, for states with these values.
+/// Value of the quantity `name` for these values of the states.
 fn value(model: &Model, states: &[f64], name: &str) -> f64 {
     let quantity = model.quantities.iter().find(|quantity| quantity.name == name).unwrap();
     At::new(model, 0.0, states).value(&model.graph, quantity.value.node)
 }
 
-/// A call is what it stands for: the same nodes, so the same bits.
+/// A call compiles to the same nodes as its expansion, so the results are bit-identical.
 #[test]
 fn a_call_is_the_body_with_its_arguments() {
     let equations = |drag: &str| {
@@ -33,7 +33,7 @@ fn a_call_is_the_body_with_its_arguments() {
     }
 }
 
-/// An argument hides a name of the model, and only inside.
+/// An argument hides a name of the model, but only inside the function.
 #[test]
 fn arguments_hide_names_of_the_model() {
     let model = compile("a = 2\nb = 3\nfunction f(a) = a*b\nfunction g(b, a) = f(b) - a\nx = f(10) + a\ny = g(a, b)");
@@ -54,7 +54,7 @@ fn a_function_takes_texts_conditions_and_quantities_with_their_derivatives() {
     assert_eq!(model.texts[quantity("way") as usize], "far");
 }
 
-/// The word is free: what had it as a name before goes on having it.
+/// The word is not reserved: it can still be a name.
 #[test]
 fn the_word_stays_a_name() {
     let model = compile("function = 2\nx = 3*function\n");

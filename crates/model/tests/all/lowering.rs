@@ -1,4 +1,4 @@
-//! Models against their equations of motion worked out by hand.
+//! Models compared with equations of motion derived by hand.
 
 use crate::common::{At, assert_near, compile, value};
 use program::{Kind, Node};
@@ -68,7 +68,7 @@ fn a_text_follows_the_parameters() {
     assert_eq!(text(&at), "overdamped");
 }
 
-/// Accelerations of the double pendulum solved for by hand, as in textbooks and on myphysicslab.com.
+/// Accelerations of the double pendulum derived by hand, as in textbooks and on myphysicslab.com.
 fn double_pendulum([m1, m2, l1, l2, g]: [f64; 5], [a, wa, b, wb]: [f64; 4]) -> [f64; 2] {
     let (sin, cos) = (libm::sin, libm::cos);
     let d = 2.0 * m1 + m2 - m2 * cos(2.0 * a - 2.0 * b);
@@ -228,7 +228,7 @@ fn a_default_may_be_a_quotient_and_what_is_hidden_is_marked() {
     assert_eq!(hidden, expected);
 }
 
-/// Only where they mean nothing else are these taken for a derivative.
+/// Quotients are read as derivatives only if the names have no other meaning.
 #[test]
 fn differences_may_be_called_dx_and_dt() {
     let model = compile("dt = 0.1 [s]\ndx = 0.5 [m]\nc = dx/dt");

@@ -1,4 +1,4 @@
-//! Tests of the equation language; one program, since linking many takes longer than they do.
+//! Tests of the equation language; a single program, because linking several takes longer than running them.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 

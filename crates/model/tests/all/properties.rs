@@ -1,11 +1,11 @@
-//! What holds for every model: compiling returns, there is a model or an error, and a model is sound.
+//! Properties of all models: compiling returns, the result is a model or an error, and a model is consistent.
 
 use crate::common::At;
 use model::{Severity, has_errors};
 use program::{Model, NodeId, Variable, differentiate_all};
 use proptest::prelude::*;
 
-/// Statements that fit together often enough for many models to be sound.
+/// Statements that fit together often enough that many models are valid.
 const STATEMENTS: &[&str] = &[
     "independent t",
     "parameter k = 2",
@@ -21,7 +21,7 @@ const STATEMENTS: &[&str] = &[
     "x(0) = 0.5 [m]",
 ];
 
-/// What expressions are made of.
+/// Leaves of expressions.
 const LEAVES: &[&str] = &[
     "x", "x'", "x''", "y", "y'", "y''", "k", "m", "t", "1", "0", "2.5", "pi", "a", "b", "a'", "x(0)", "a(0)", "g",
     "1 [m]", "\"text\"",
@@ -54,7 +54,7 @@ fn statement() -> impl Strategy<Value = String> {
     ]
 }
 
-/// Models that have no units, so that most of them are sound.
+/// Models without units, so that most of them are valid.
 fn sound() -> impl Strategy<Value = String> {
     let leaf = prop::sample::select(&["x", "x'", "y", "k", "m", "t", "1", "2.5", "x(0)"][..]).prop_map(str::to_owned);
     let value = leaf.prop_recursive(4, 24, 3, |inner| {
@@ -121,7 +121,7 @@ proptest! {
         let mut model = model.unwrap();
         check_sound(&model);
         let at = At::new(&model, t, &[x, v, y]);
-        // The residues of the equations, as the author wrote them.
+        // Residuals of the equations as written.
         for equation in source.lines().filter(|line| line.contains("x''") || line.starts_with("(1 + x^2)")) {
             let (left, right) = equation.split_once(" = ").unwrap();
             let mut value = |text: &str| {

@@ -1,6 +1,6 @@
-//! Every diagnostic of the wrong models in `errors/` and `syntax_errors.txt` in Spanish: nothing is left in English, names
-//! and numbers are those of the English text, and the words are those of `spanish.txt`.
-//! `UPDATE_EXPECTED=1 cargo test -p model --test all spanish` writes that file, to be read before it is committed.
+//! Spanish texts of all diagnostics of the invalid models in `errors/` and `syntax_errors.txt`: no English is left, names
+//! and numbers are those of the English text, and the texts are those of `spanish.txt`. `UPDATE_EXPECTED=1 cargo test -p
+//! model --test all spanish` writes that file, for review before a commit.
 
 use crate::common::catalogue::Catalogue;
 use std::path::Path;

@@ -1,8 +1,8 @@
-//! Syntax errors: their exact words (in `syntax_errors.txt`), and what is left of a wrong text.
+//! Syntax errors: their exact texts (in `syntax_errors.txt`), and the tree of an invalid text.
 
 use model::{Diagnostic, StatementKind, parse, parse_assignments, parse_expression};
 
-/// What is said about a text, as written in `syntax_errors.txt`.
+/// Diagnostics of a text in the form of `syntax_errors.txt`.
 fn told(source: &str, diagnostics: &[Diagnostic]) -> String {
     let mut text = String::new();
     for diagnostic in diagnostics {

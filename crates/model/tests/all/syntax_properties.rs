@@ -1,10 +1,10 @@
-//! What holds for every text: the parser returns, its places lie in the text, and it tells what is wrong.
+//! Properties of the parser for all texts: it returns, its places lie in the text, and it reports errors.
 
 use model::{Diagnostic, Expression, ExpressionKind, Span, Statement, StatementKind};
 use model::{parse, parse_assignments, parse_expression, typeset_expression};
 use proptest::prelude::*;
 
-/// Pieces of which models are made, and some of which they are not.
+/// Pieces of models, and some that are invalid.
 const PIECES: &[&str] = &[
     "a",
     "y",
@@ -95,7 +95,7 @@ fn all_lie_in(diagnostics: &[Diagnostic], source: &str) -> bool {
     diagnostics.iter().flat_map(|diagnostic| &diagnostic.labels).all(|label| lies_in(label.span, source))
 }
 
-/// Each expression of a statement.
+/// All expressions of a statement.
 fn expressions(statement: &Statement) -> Vec<&Expression> {
     match &statement.kind {
         StatementKind::Parameter(_)
@@ -120,12 +120,12 @@ fn expressions(statement: &Statement) -> Vec<&Expression> {
     }
 }
 
-/// An expression and all it consists of.
+/// An expression and all its subexpressions.
 fn parts(expression: &Expression) -> Vec<&Expression> {
     std::iter::once(expression).chain(expression.operands().into_iter().flat_map(parts)).collect()
 }
 
-/// The expression as it would be written, with all its parentheses; `None` where it could not be read.
+/// The expression with all its parentheses; `None` if it is unreadable.
 fn written(expression: &Expression) -> Option<String> {
     use model::{BinaryOperator as B, UnaryOperator};
     let primed = |name: &str, order: &u32| format!("{name}{}", "'".repeat(*order as usize));

@@ -1,15 +1,15 @@
-//! Vectors, written out in components.
+//! Vectors, expanded to components.
 
 use crate::common::{At, assert_near, compile};
 use program::Model;
 
-/// How each state changes, for states with these values.
+/// Rate of change of each state, for these values of the states.
 fn rates(model: &Model, states: &[f64]) -> Vec<f64> {
     let at = At::new(model, 0.0, states);
     model.states.iter().map(|state| at.value(&model.graph, state.derivative)).collect()
 }
 
-/// The quantity of that name.
+/// Value of the quantity with this name.
 fn value(model: &Model, states: &[f64], name: &str) -> f64 {
     let quantity = model.quantities.iter().find(|quantity| quantity.name == name).unwrap();
     At::new(model, 0.0, states).value(&model.graph, quantity.value.node)
@@ -19,7 +19,7 @@ fn names(model: &Model) -> Vec<String> {
     model.states.iter().map(program::State::name).collect()
 }
 
-/// A vector is what it stands for: the same nodes, so the same bits.
+/// A vector expression compiles to the same nodes as its expansion, so the results are bit-identical.
 #[test]
 fn an_orbit_has_the_bits_of_its_components() {
     let parameters = "parameter GM = 1.327e20 [m^3/s^2]\nparameter v_0 = 30 [km/s]\n";
@@ -54,7 +54,7 @@ fn components_are_told_apart_in_labels_and_are_no_hidden_states() {
     assert_eq!(model.quantities[0].name, "v.x");
 }
 
-/// A literal 0 in a vector has the dimension of the other components, and stands for the zero vector where one is needed.
+/// A literal 0 in a vector has the dimension of the other components; it is also the zero vector.
 #[test]
 fn zero_has_the_dimension_of_the_vector() {
     let model = compile(
@@ -125,7 +125,7 @@ fn events_set_vectors_and_components() {
     assert!(model.quantities.iter().any(|quantity| quantity.name == "mid.x"));
 }
 
-/// The words are free: what had them as names or functions before goes on having them.
+/// The words are not reserved: they can still be names or functions.
 #[test]
 fn the_words_stay_names() {
     let model = compile("norm = 2\ndot = 3*norm\nfunction cross(a, b) = a*b + norm\nx = cross(dot, 2)\n");
@@ -134,7 +134,7 @@ fn the_words_stay_names() {
     assert_near(value(&model, &[], "x"), 4.0);
 }
 
-/// Components of a value at the start; the dimension of one is that of the others.
+/// Initial values by components; all have one dimension.
 #[test]
 fn the_start_can_be_given_by_components() {
     let model = compile("independent t\nr' = (r.y, -r.x)\nr.x(0) = 1\nr.y(0) = 2\nd = norm(r - r(0)) + r(0).y");

@@ -1,4 +1,4 @@
-//! What is drawn for each value of the parameter: `A`, `maximum(x) - minimum(x) from 60 [s] in [cm] "Range"`, `x at end`.
+//! Curves over a parameter: `A`, `maximum(x) - minimum(x) from 60 [s] in [cm] "Range"`, `x at end`.
 
 use super::range;
 use crate::blocks::curves;
@@ -11,27 +11,27 @@ use program::{Aggregate, AggregateKind, Taken};
 use std::ops::Range;
 use units::{Unit, words};
 
-/// A curve, and how it comes about.
+/// A curve, and the kind of its values.
 pub(super) struct Drawn {
     pub curve: Placed,
     pub taken: Taken,
-    /// From when on runs count (SI).
+    /// Time from which runs are evaluated (SI).
     pub from: f64,
 }
 
-/// What stands behind an expression, in any order.
+/// A curve split into its expression and the optional parts after it, which may come in any order.
 struct Written {
     body: Range<usize>,
     label: Option<String>,
-    /// `in [cm]`, if something else stands before it; what stands directly behind the expression is read with it.
+    /// `in [cm]`, if another part stands before it. A unit directly after the expression is parsed with it.
     unit: Option<StatedUnit>,
-    /// The time (SI), and where it stands with its word.
+    /// The time (SI), and its place including the word `from`.
     from: Option<(f64, Span)>,
-    /// Where `at end` stands.
+    /// Place of `at end`.
     at_end: Option<Span>,
 }
 
-/// An expression of parameters, of what is taken of a run, or of values at its end.
+/// Reads an expression of parameters, of aggregates of a run, or of values at its end.
 pub(super) fn line(
     expressions: &mut Expressions,
     range: Range<usize>,
@@ -41,7 +41,7 @@ pub(super) fn line(
     let (value, unit) = read(expressions, &written)?;
     let from = written.from.map_or(0.0, |(from, _)| from);
     let known = aggregates.len();
-    // What the same function is taken of has the label of a curve of it alone.
+    // A curve of one aggregate gets the label of the aggregated quantity.
     let named = match &value.kind {
         ExpressionKind::Call { function, arguments } => (arguments.first())
             .filter(|_| AggregateKind::named(&function.text).is_some())
@@ -72,7 +72,7 @@ pub(super) fn line(
     Some(Drawn { curve, taken: Taken::Run(node), from })
 }
 
-/// `x from 60 [s] "Position"`, of which points are drawn.
+/// Reads `x from 60 [s] "Position"`, drawn as points.
 pub(super) fn points(expressions: &mut Expressions, range: Range<usize>) -> Option<Drawn> {
     let written = written(expressions, range)?;
     if let Some(place) = written.at_end {
@@ -92,7 +92,7 @@ pub(super) fn points(expressions: &mut Expressions, range: Range<usize>) -> Opti
     Some(Drawn { curve, taken: Taken::Points(from), from })
 }
 
-/// Takes label, unit, time and `at end` off the end of a curve.
+/// Splits label, unit, time and `at end` off the end of a curve.
 fn written(expressions: &mut Expressions, range: Range<usize>) -> Option<Written> {
     let source = expressions.source;
     let (body, label) = curves::labelled(source, range);
@@ -107,7 +107,7 @@ fn written(expressions: &mut Expressions, range: Range<usize>) -> Option<Written
         match &source[last.clone()] {
             "from" if written.from.is_none() => written.from = Some((range::moment(expressions, rest)?, place)),
             "at" if written.at_end.is_none() && &source[rest.clone()] == "end" => written.at_end = Some(place),
-            // A unit directly behind the expression is read with it.
+            // A unit directly after the expression is parsed with it.
             "in" if written.unit.is_none() && [word("from"), word("at")].iter().any(Option::is_some) => {
                 written.unit = Some(stated(expressions, rest)?);
             }
@@ -118,7 +118,7 @@ fn written(expressions: &mut Expressions, range: Range<usize>) -> Option<Written
     Some(written)
 }
 
-/// The expression and its unit.
+/// Parses the expression and its unit.
 fn read(expressions: &mut Expressions, written: &Written) -> Option<(Expression, Option<StatedUnit>)> {
     let (value, unit, found) = model::parse_expression(expressions.source, written.body.clone());
     let failed = model::has_errors(&found);
@@ -138,7 +138,7 @@ fn read(expressions: &mut Expressions, written: &Written) -> Option<(Expression,
     Some((value, unit.or(written.unit.clone())))
 }
 
-/// `[cm]`
+/// Parses `[cm]`.
 fn stated(expressions: &mut Expressions, range: Range<usize>) -> Option<StatedUnit> {
     let text = &expressions.source[range.clone()];
     let span = Span::new(range.start, range.end);
@@ -159,7 +159,7 @@ fn stated(expressions: &mut Expressions, range: Range<usize>) -> Option<StatedUn
     }
 }
 
-/// An expression of what is taken of a run from a time on (SI), which is added to the aggregates.
+/// Compiles an expression with aggregates of a run from a time on (SI), which are appended to the aggregates.
 fn of_run(
     expressions: &mut Expressions,
     value: Expression,
@@ -176,7 +176,7 @@ fn of_run(
     }
 }
 
-/// Says that a time is stated from which on nothing counts.
+/// Reports a `from` time of a curve to which it does not apply.
 fn nothing_taken(expressions: &mut Expressions, place: Span, written: &Written) {
     let source = expressions.source;
     let body = &source[written.body.clone()];
@@ -191,7 +191,7 @@ fn nothing_taken(expressions: &mut Expressions, place: Span, written: &Written) 
     )));
 }
 
-/// Says why a curve has no value for each value of the parameter.
+/// Reports a curve that does not have one value for each value of the parameter.
 fn refuse_varying(expressions: &mut Expressions, curve: &Placed, takes: bool) {
     let name = &curve.curve.expression;
     let dependence = expressions.model().depends(curve.curve.value.node);

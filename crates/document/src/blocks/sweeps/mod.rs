@@ -15,26 +15,26 @@ use range::limits;
 use std::ops::Range;
 use units::words;
 
-/// How many values a curve of a definition has where the document does not say, and how many one of runs.
+/// Default numbers of values: of a curve of definitions, and of a curve of runs.
 const VALUES: f64 = 500.0;
 const RUNS: f64 = 60.0;
 
-/// What is drawn over the values.
+/// Kind of drawing over the values.
 #[derive(Clone, Copy)]
 pub enum Kind {
     /// One value of each run, joined by lines.
     Lines,
-    /// Points of each run: at the firings of an event that this counts, or at each row.
+    /// Points of each run: at the firings of the event counted by this node, or at each row for `None`.
     Points(Option<NodeId>),
 }
 
-/// `omega in 1..12 [rad/s] step 0.1`, as read: the parameter's name, its range and the step.
+/// `omega in 1..12 [rad/s] step 0.1` as byte ranges: name of the parameter, and its range with the step.
 pub struct Swept {
     name: Range<usize>,
     range: Range<usize>,
 }
 
-/// What stands after `against`, where it is a range of values.
+/// The text after `against`, if it is a range of values.
 pub fn find(source: &str, range: Range<usize>) -> Option<Swept> {
     let word = find_word(source, range.clone(), "in")?;
     source[word.end..range.end]
@@ -46,7 +46,7 @@ fn span(range: &Range<usize>) -> Span {
     Span::new(range.start, range.end)
 }
 
-/// Reads the curves in `parts` over a range of values. `until` is where the runs end (SI).
+/// Reads the curves in `parts` over a range of values. `until`: end of the runs (SI).
 pub fn read(
     expressions: &mut Expressions,
     parts: Vec<Range<usize>>,
@@ -120,7 +120,7 @@ pub fn read(
     Some((abscissa, drawn, sweep))
 }
 
-/// Where the runs end, which must be after the time `first` from which the last of the curves counts (SI).
+/// End of the runs, which must be later than `first`, the latest time from which a curve is evaluated (SI).
 fn end(expressions: &mut Expressions, first: f64, until: Option<f64>, span: Span) -> Option<f64> {
     let Some(until) = until else {
         expressions.diagnostics.push(

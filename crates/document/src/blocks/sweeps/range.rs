@@ -1,4 +1,4 @@
-//! The range of a sweep, and the numbers in it: `1..12 [rad/s] step 0.1`.
+//! Range of a sweep and its numbers: `1..12 [rad/s] step 0.1`.
 
 use crate::expressions::{Expressions, dimension_error};
 use crate::text::scan::find_word;
@@ -7,14 +7,14 @@ use model::{Diagnostic, Span};
 use std::ops::Range;
 use units::{Unit, words};
 
-/// The ends of a range and the distance of its values, SI.
+/// Ends of a range, and the distance between its values (SI).
 pub(super) struct Limits {
     pub low: f64,
     pub high: f64,
     pub step: Option<f64>,
 }
 
-/// `1..12 [rad/s] step 0.1`; bare numbers are in `unit`, or in the unit that is stated. SI.
+/// Reads `1..12 [rad/s] step 0.1`. Bare numbers are in the stated unit, or else in `unit`; the result is in SI units.
 pub(super) fn limits(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Option<Limits> {
     let source = expressions.source;
     let word = find_word(source, range.clone(), "step");
@@ -39,7 +39,8 @@ pub(super) fn limits(expressions: &mut Expressions, range: Range<usize>, unit: &
     Some(Limits { low, high, step })
 }
 
-/// `60 [s]`, from when on a run counts: a number of the dimension of the independent variable, not negative; SI.
+/// Reads `60 [s]`, the time from which a run is evaluated: a non-negative number with the dimension of the independent
+/// variable. Returns the SI value.
 pub(super) fn moment(expressions: &mut Expressions, range: Range<usize>) -> Option<f64> {
     let unit = expressions.model().independent.unit.clone();
     let text = &expressions.source[range.clone()];
@@ -62,13 +63,13 @@ pub(super) fn moment(expressions: &mut Expressions, range: Range<usize>) -> Opti
     }
 }
 
-/// A number that is not negative, in `unit`; SI.
+/// Parses a non-negative number in `unit`. Returns the SI value.
 fn positive(text: &str, unit: &Unit) -> Option<f64> {
     let value = text.trim().parse::<f64>().ok().map(|value| unit.to_si(value))?;
     (value.is_finite() && value >= 0.0).then_some(value)
 }
 
-/// A number, bare (then in `unit`) or with a unit of the same dimension; SI.
+/// Parses a number, bare (then in `unit`) or with a unit of the same dimension. Returns the SI value.
 fn number(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Option<f64> {
     let text = &expressions.source[range.clone()];
     let (digits, unit) = match text.find('[') {
@@ -82,7 +83,7 @@ fn number(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Op
     value
 }
 
-/// `[rad/s]`, of the dimension of `unit`.
+/// Parses `[rad/s]`, which must have the dimension of `unit`.
 fn stated(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Option<Unit> {
     let text = &expressions.source[range.clone()];
     let Some(inner) = text.strip_prefix('[').and_then(|text| text.trim_end().strip_suffix(']')) else {
@@ -95,7 +96,7 @@ fn stated(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Op
             let message = words("this unit has the wrong dimension", "esta unidad tiene una dimensión incorrecta");
             let place = Span::new(range.start, range.end);
             let mut diagnostic = dimension_error(message, (place, found.dimension), (place, unit.dimension));
-            // Both labels would lie on one another.
+            // Both labels would be at the same place.
             let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
             expressions.diagnostics.push(diagnostic.with_note(words!(
                 "it must be {expected}",

@@ -1,4 +1,4 @@
-//! New elements, and the scene for them.
+//! Adds elements, and a scene for them.
 
 use super::arrange::{expect_beside, indent};
 use super::distance::Measure;
@@ -11,14 +11,15 @@ use crate::text::outline::Outline;
 use model::Span;
 use units::Language;
 
-/// How lines are drawn at first.
+/// Stroke of a new line.
 const LINE: &str = "stroke=\"text\" stroke-width=\"2\"";
 
-/// What of an element's attributes says where it is.
+/// Attributes that determine the position of an element.
 const PLACING: [&str; 11] = ["at", "from", "to", "x", "y", "x1", "y1", "cx", "cy", "points", "d"];
 
-/// Adds an element in the middle of `at`, so large as `length`, both in the lengths of its place (SI, or units of the drawing): on
-/// top, in the first frame of the drawing, or in the drawing itself; beside `at` where another element stands there. Also its number.
+/// Adds an element of size `length` centred at `at`, both in the lengths of its place (SI, or units of the drawing). It is
+/// on top, in the first frame of the drawing, or else in the drawing itself. If another element is at `at`, it is placed
+/// beside. Also returns its index.
 ///
 /// # Errors
 ///
@@ -44,7 +45,7 @@ pub fn add_element(
     });
     let holder = if frame.is_some() { "frame" } else { "svg" };
     let edit = match source[opening.range()].strip_suffix("/>") {
-        // A frame without content is opened for it.
+        // A self-closed frame is opened for it.
         Some(open) => {
             let at = opening.start + open.trim_end().len();
             let (line, blanks) = (line_end(source), indent(source, opening.start));
@@ -64,7 +65,7 @@ pub fn add_element(
     Ok((edit, place))
 }
 
-/// Adds a scene with an empty frame of 40 by 30 centimetres, behind the first model.
+/// Adds a scene with an empty frame of 40 by 30 centimetres, after the first model.
 ///
 /// # Errors
 ///
@@ -77,13 +78,13 @@ pub fn add_scene(outline: &Outline, title: &str) -> Result<Edit, EditError> {
         title.trim()
     );
     let mut edit = insert_block(outline, model, BlockKind::Scene, &text)?;
-    // An empty line around it.
+    // Blank lines around it.
     let end = line_end(outline.source());
     edit.text = format!("{end}{}", edit.text);
     Ok(edit)
 }
 
-/// The attributes of a shape outside of frames, as SVG has them.
+/// Attributes of an SVG shape outside frames.
 fn plain(name: &str, [x, y]: [f64; 2], length: f64, measure: &Measure) -> String {
     let across = |part: f64| measure.moved("0", x + part * length);
     let along = |part: f64| measure.moved("0", y + part * length);
@@ -106,7 +107,7 @@ fn plain(name: &str, [x, y]: [f64; 2], length: f64, measure: &Measure) -> String
     }
 }
 
-/// The element in the first place where no other one is, which would hide it or be hidden.
+/// Text of the element in the first place that no other element occupies, so that neither hides the other.
 fn written_beside(drawing: &Drawing, source: &str, written: impl Fn(u32) -> String) -> String {
     let is_free = |text: &String| {
         let pieces: Vec<&str> = text.split('"').collect();
@@ -115,12 +116,12 @@ fn written_beside(drawing: &Drawing, source: &str, written: impl Fn(u32) -> Stri
         let place: Vec<(&str, &str)> = named.filter(|(name, _)| PLACING.contains(name)).collect();
         !drawing.items.iter().any(|item| place.iter().all(|(name, value)| item.value(source, name) == Some(value)))
     };
-    // Each element takes one place.
+    // Each element occupies one place, so one of these is free.
     let last = drawing.items.len() as u32;
     (0..last).map(&written).find(is_free).unwrap_or_else(|| written(last))
 }
 
-/// An element as it is written at first.
+/// Text of a new element.
 fn written(kind: Part, [x, y]: [f64; 2], length: f64, measure: &Measure, framed: bool, language: Language) -> String {
     let name = kind.name;
     let point = |right: f64, up: f64| {

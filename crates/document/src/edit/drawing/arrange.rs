@@ -1,4 +1,4 @@
-//! Whole elements: removed, copied, brought to the front or sent to the back.
+//! Edits of whole elements: removing, copying, changing the order.
 
 use super::distance::Measure;
 use super::expect::{Shape, drawing, expect, item, shapes};
@@ -8,16 +8,16 @@ use crate::edit::{Edit, EditError, Obstacle, apply, line_end};
 use crate::text::outline::Outline;
 use model::Span;
 
-/// Where an element goes among those beside it. What comes later in the text is drawn on top.
+/// Direction of a move among sibling elements. Later elements are drawn on top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// Above the next one.
+    /// Above the next sibling.
     Forward,
-    /// Below the one before.
+    /// Below the sibling before.
     Backward,
 }
 
-/// Removes elements with what they hold, and the lines on which nothing else stands.
+/// Removes elements with their content, and the lines that become empty.
 ///
 /// # Errors
 ///
@@ -44,12 +44,12 @@ pub fn remove_elements(outline: &Outline, numbers: &[usize]) -> Result<Vec<Edit>
     Ok(edits)
 }
 
-/// Copies an element: the copy stands behind it, moved by a distance in the lengths of its place. Ids are not copied, and nothing is
-/// copied twice. Also the number of the copy.
+/// Copies an element: the copy follows it in the text, shifted by `by` in the lengths of its place. Ids are not copied, and
+/// an element is copied only once. Also returns the index of the copy.
 ///
 /// # Errors
 ///
-/// Those of [`shift`].
+/// As in [`shift`].
 pub fn duplicate_element(
     outline: &Outline,
     number: usize,
@@ -80,12 +80,12 @@ pub fn duplicate_element(
     let indent = indent(source, item.span.start);
     let edit = Edit { span: item.span.after(), text: format!("{}{indent}{copy}", line_end(source)) };
     let count = within.count();
-    // How the copy is read follows from its own text; that nothing else changes is what matters here.
+    // The content of the copy follows from its text; it is enough to check that nothing else changes.
     expect_beside(outline, &drawing, &edit, number + count, count)?;
     Ok((edit, number + count))
 }
 
-/// Puts an element above or below the one beside it, and says which number it has then. Without one there is nothing to do.
+/// Moves an element above or below its neighbour, and returns its new index. Without a neighbour nothing changes.
 ///
 /// # Errors
 ///
@@ -105,7 +105,7 @@ pub fn reorder_element(outline: &Outline, number: usize, order: Order) -> Result
     let text = |span: Span| source[span.range()].to_owned();
     let edits = vec![Edit { span: own, text: text(span) }, Edit { span, text: text(own) }];
     let mut expected = shapes(source, &drawing);
-    // Each with what it holds.
+    // Number of elements in a span, including the content.
     let size = |span: Span| {
         let inside = |one: &&Item| span.start <= one.span.start && one.span.end <= span.end;
         drawing.items.iter().filter(inside).count()
@@ -119,7 +119,7 @@ pub fn reorder_element(outline: &Outline, number: usize, order: Order) -> Result
     Ok((edits, moved))
 }
 
-/// Refuses an insertion unless it adds so many elements at this place and leaves all others.
+/// Requires that an insertion adds `count` elements at `place` and leaves all others unchanged.
 pub(super) fn expect_beside(
     outline: &Outline,
     drawing: &Drawing,
@@ -136,14 +136,14 @@ pub(super) fn expect_beside(
     expect(outline, drawing, std::slice::from_ref(edit), &expected)
 }
 
-/// The blanks with which the line of a place begins.
+/// Leading blanks of the line at byte `at`.
 pub(super) fn indent(source: &str, at: usize) -> &str {
     let start = source[..at].rfind('\n').map_or(0, |before| before + 1);
     let line = &source[start..];
     &line[..line.len() - line.trim_start_matches([' ', '\t']).len()]
 }
 
-/// A place, with its line where nothing else stands on it.
+/// The span, extended to its whole line if nothing else stands on it.
 fn with_its_line(source: &str, span: Span) -> Span {
     let start = source[..span.start].rfind('\n').map_or(0, |before| before + 1);
     let end = source[span.end..].find('\n').map_or(source.len(), |length| span.end + length + 1);

@@ -1,4 +1,4 @@
-//! Attributes and texts of elements.
+//! Edits of attributes and texts of elements.
 
 use super::expect::{drawing, expect, item, shapes};
 use crate::drawing::{Drawing, Item, shows_text};
@@ -6,7 +6,7 @@ use crate::edit::{Edit, EditError, Obstacle};
 use crate::text::outline::Outline;
 use model::Span;
 
-/// Gives an element of the [drawing](crate::drawing::Drawing) an attribute, changes it, or with an empty text removes it.
+/// Sets an attribute of an element of the [drawing](crate::drawing::Drawing); an empty text removes it.
 ///
 /// # Errors
 ///
@@ -24,11 +24,11 @@ pub fn set_attribute(outline: &Outline, number: usize, name: &str, text: &str) -
     expect_attributes(outline, &drawing, vec![edit], number, &[(name, text)]).map_err(|error| refused(error, text))
 }
 
-/// Changes the text that an element shows, or its title, by which it is called. An empty text removes the title.
+/// Sets the text that an element shows, or its title. An empty text removes the title.
 ///
 /// # Errors
 ///
-/// Those of [`set_attribute`].
+/// As in [`set_attribute`].
 pub fn set_text(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edit>, EditError> {
     let drawing = drawing(outline)?;
     let item = item(&drawing, number)?;
@@ -40,7 +40,7 @@ pub fn set_text(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edit
     let is_shown = shows_text(item.kind);
     let edit = match item.says {
         Some(says) if text == &source[says.range()] => return Ok(Vec::new()),
-        // With the tags of the title.
+        // Includes the tags of the title.
         Some(says) if text.is_empty() && !is_shown => {
             let before = source[..says.start].rfind("<title").unwrap_or(says.start);
             let behind = source[says.end..].find('>').map_or(says.end, |end| says.end + end + 1);
@@ -58,7 +58,7 @@ pub fn set_text(outline: &Outline, number: usize, text: &str) -> Result<Vec<Edit
     Ok(vec![edit])
 }
 
-/// What keeps a typed text out of its element.
+/// Adds the obstacle in a typed text to the error.
 fn refused(error: EditError, text: &str) -> EditError {
     match error {
         EditError::NotOneElement(_) => EditError::NotOneElement(Obstacle::of(text, &["\"", "'", "<", ">", "{", "}"])),
@@ -66,7 +66,7 @@ fn refused(error: EditError, text: &str) -> EditError {
     }
 }
 
-/// Puts a text directly behind the opening tag.
+/// Edit that inserts a text directly after the opening tag.
 fn inside(source: &str, item: &Item, text: &str) -> Edit {
     let tag = &source[item.opening.range()];
     match tag.strip_suffix("/>") {
@@ -78,7 +78,7 @@ fn inside(source: &str, item: &Item, text: &str) -> Edit {
     }
 }
 
-/// The change of one attribute, not checked.
+/// Unchecked edit of one attribute.
 pub(super) fn attribute_edit(source: &str, item: &Item, name: &str, text: &str) -> Edit {
     match item.attribute(name) {
         Some(written) if text.is_empty() => {
@@ -96,7 +96,7 @@ pub(super) fn attribute_edit(source: &str, item: &Item, name: &str, text: &str) 
     }
 }
 
-/// The edits, if they change nothing but these attributes of this element.
+/// Returns the edits if they change only these attributes of this element.
 pub(super) fn expect_attributes(
     outline: &Outline,
     drawing: &Drawing,

@@ -1,23 +1,23 @@
-//! Distances as they are written: a number with a unit, alone or added to an expression.
+//! Distances in the source text: a number with a unit, alone or added to an expression.
 
 use units::Unit;
 
-/// In what a hand moves: the unit and the step of lengths at a place of a drawing.
+/// Unit and step of graphical edits at a place of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
-    /// The unit in which lengths are written, without brackets; empty for pure numbers and units of the drawing.
+    /// Unit of lengths, without brackets; empty for pure numbers and for units of the drawing.
     pub unit: String,
-    /// What is moved comes to lie on multiples of this, SI.
+    /// Step of the grid to which moved values are rounded (SI); 0 for none.
     pub step: f64,
-    /// Units of the drawing for an SI unit of length.
+    /// Units of the drawing per SI unit of length.
     pub scale: f64,
 }
 
 /// A number with a unit.
 struct Literal<'a> {
-    /// SI.
+    /// Value (SI).
     value: f64,
-    /// Without brackets.
+    /// Unit without brackets.
     unit: &'a str,
 }
 
@@ -38,8 +38,8 @@ impl<'a> Literal<'a> {
     }
 }
 
-/// An expression without the number with a unit that is added to it at its end, and that number with its sign: `y` and `+ 4 [cm]` of
-/// `y + 4 [cm]`. Of a number alone the expression is empty.
+/// Splits off a number with a unit that is added at the end of an expression: `y` and `+ 4 [cm]` for `y + 4 [cm]`. For a
+/// number alone the expression is empty.
 pub(crate) fn split_distance(text: &str) -> (&str, &str) {
     let text = text.trim();
     if Literal::read(text).is_some() {
@@ -52,7 +52,7 @@ pub(crate) fn split_distance(text: &str) -> (&str, &str) {
             '(' | '[' => depth = depth.saturating_sub(1),
             '+' | '-' if depth == 0 && Literal::read(&text[at..]).is_some() => {
                 let before = text[..at].trim_end();
-                // Of `2e-3` and `a*-1` it is a part.
+                // In `2e-3` and `a*-1` the sign is part of the number.
                 let is_added = !before.ends_with(['*', '/', '^', '(', ',', '+', '-', '=', '<', '>', 'e', 'E']);
                 let is_exponent = before.ends_with(['e', 'E'])
                     && before.trim_end_matches(['e', 'E']).ends_with(|letter: char| letter.is_ascii_digit());
@@ -69,7 +69,7 @@ pub(crate) fn split_distance(text: &str) -> (&str, &str) {
 }
 
 impl Measure {
-    /// In the least round steps of a unit, 1, 2 or 5 times a power of ten, that are not less than this (SI).
+    /// Measure with the smallest step of 1, 2 or 5 times a power of ten units that is at least `least` (SI).
     pub fn round(unit: &str, least: f64, scale: f64) -> Self {
         let known = Unit::parse(unit).unwrap_or_else(|_| Unit::dimensionless());
         let number = known.from_si(least);
@@ -83,7 +83,8 @@ impl Measure {
         Self { unit: unit.to_owned(), step, scale }
     }
 
-    /// A coordinate that is moved by a distance (SI). A number comes to lie on a step; to anything else a distance is added that does.
+    /// A coordinate shifted by `by` (SI). A number is rounded to the step; to another expression a rounded distance is
+    /// added.
     pub(super) fn moved(&self, text: &str, by: f64) -> String {
         if by == 0.0 {
             return text.to_owned();
@@ -95,13 +96,13 @@ impl Measure {
         self.joined(expression, value, unit)
     }
 
-    /// An expression with a distance (SI) behind it, in this unit.
+    /// An expression plus a distance `value` (SI), written in `unit`.
     pub(super) fn joined(&self, expression: &str, value: f64, unit: &str) -> String {
         match expression.trim() {
             "" => self.written(value, unit),
             expression if value == 0.0 => expression.to_owned(),
             expression => {
-                // A choice would take the distance into its last branch.
+                // Without parentheses, the distance would belong to the last branch of a conditional.
                 let is_loose = expression.starts_with("if ") || expression.contains(['<', '>', '=']);
                 let expression = if is_loose { format!("({expression})") } else { expression.to_owned() };
                 let sign = if value < 0.0 { '-' } else { '+' };
@@ -110,7 +111,7 @@ impl Measure {
         }
     }
 
-    /// A length of an element that grows by a distance (SI): in pixels, or like a coordinate. A number stays positive.
+    /// A length of an element increased by `by` (SI): in pixels, or like a coordinate. A number stays positive.
     pub(super) fn grown(&self, text: &str, by: f64) -> String {
         if by == 0.0 {
             return text.to_owned();
@@ -128,12 +129,12 @@ impl Measure {
         }
     }
 
-    /// The nearest multiple of the step.
+    /// Nearest multiple of the step.
     fn on_step(&self, value: f64) -> f64 {
         if self.step > 0.0 { (value / self.step).round() * self.step } else { value }
     }
 
-    /// A distance (SI) as it is written.
+    /// Text of a distance (SI) in `unit`.
     pub(super) fn written(&self, value: f64, unit: &str) -> String {
         if value == 0.0 {
             return "0".to_owned();
@@ -148,7 +149,7 @@ impl Measure {
     }
 }
 
-/// A number with as many decimals as multiples of the step have.
+/// A number with as many decimals as the step needs, at most 9.
 fn decimal(value: f64, step: f64) -> String {
     const MOST: usize = 9;
     let is_whole = |decimals: &usize| {

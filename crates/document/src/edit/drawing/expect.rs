@@ -1,4 +1,4 @@
-//! What a drawing must be read as after a change.
+//! Checks of a drawing after an edit.
 
 use crate::drawing::{Drawing, Item, read};
 use crate::edit::layout::{Layout, result};
@@ -6,20 +6,20 @@ use crate::edit::{Edit, EditError, Obstacle};
 use crate::text::outline;
 use crate::text::outline::Outline;
 
-/// An element without its places: its name, how many frames and groups are around it, its attributes.
+/// An element without its places: name, number of enclosing frames and groups, attributes.
 pub(super) type Shape = (&'static str, usize, Vec<(String, String)>);
 
-/// The drawing of a document.
+/// The drawing of a document, or [`EditError::NoDrawing`].
 pub(super) fn drawing(outline: &Outline) -> Result<Drawing, EditError> {
     read(outline).ok_or(EditError::NoDrawing)
 }
 
-/// An element of it.
+/// The element with this index, or [`EditError::UnknownElement`].
 pub(super) fn item(drawing: &Drawing, number: usize) -> Result<&Item, EditError> {
     drawing.items.get(number).ok_or(EditError::UnknownElement(number))
 }
 
-/// The elements of a drawing without their places.
+/// Elements of a drawing without their places.
 pub(super) fn shapes(source: &str, drawing: &Drawing) -> Vec<Shape> {
     drawing.items.iter().enumerate().map(|(number, item)| shape(source, (drawing, number), item)).collect()
 }
@@ -32,7 +32,7 @@ fn shape(source: &str, (drawing, number): (&Drawing, usize), item: &Item) -> Sha
     (item.kind.name, around, item.attributes.iter().map(text).collect())
 }
 
-/// Refuses edits unless they leave everything outside the scene as it is, and turn the drawing into `expected`.
+/// Requires that edits change only the scene and turn the drawing into `expected`.
 pub(super) fn expect(
     outline: &Outline,
     drawing: &Drawing,

@@ -1,4 +1,4 @@
-//! What a point follows.
+//! Makes points follow quantities.
 
 use super::attribute::{attribute_edit, expect_attributes};
 use super::distance::split_distance;
@@ -7,12 +7,12 @@ use crate::drawing::{Axis, at_axis};
 use crate::edit::{Edit, EditError};
 use crate::text::outline::Outline;
 
-/// Lets one component of a point follow a quantity, from where it is: `3 [cm]` becomes `y + 3 [cm]`. What it followed before is
-/// replaced; with an empty name it stays at its distance.
+/// Makes one component of a point follow a quantity, from its present place: `3 [cm]` becomes `y + 3 [cm]`. A quantity
+/// followed before is replaced; with an empty name only the distance remains.
 ///
 /// # Errors
 ///
-/// Those of [`set_attribute`](super::set_attribute), and [`EditError::NotAPoint`].
+/// The errors of [`set_attribute`](super::set_attribute), and [`EditError::NotAPoint`].
 pub fn follow(
     outline: &Outline,
     number: usize,

@@ -1,4 +1,4 @@
-//! Changes of a drawing by hand. Each leaves what it does not change as it was written.
+//! Graphical edits of a drawing. The rest of the text is left unchanged.
 
 mod add;
 mod arrange;

@@ -1,4 +1,4 @@
-//! Moving, sizing and turning.
+//! Moves, resizes and turns elements.
 
 use super::attribute::{attribute_edit, expect_attributes};
 use super::distance::Measure;
@@ -10,14 +10,15 @@ use crate::text::outline::Outline;
 use model::Span;
 use std::f64::consts::PI;
 
-/// Moves what is gripped of an element: to the right and upwards in a frame, to the right and downwards outside, in lengths of that
-/// place (SI, or units of the drawing); a corner or edge of something turned along its own sides. What follows a quantity goes on following it, with a distance added. A grip that turns is
-/// moved by an angle in radians, counterclockwise in a frame, clockwise outside; `measure.step` is then an angle.
+/// Moves a grip of an element by `by` in the lengths of its place (SI, or units of the drawing): to the right and upwards
+/// in a frame, to the right and downwards outside. The corner and the edge of a turned element move along its own sides. An
+/// expression keeps its quantities and gets a distance added. [`Grip::Turn`] is moved by `by[0]`, an angle in radians,
+/// counterclockwise in a frame and clockwise outside; `measure.step` is then an angle.
 ///
 /// # Errors
 ///
-/// Those of [`set_attribute`](super::set_attribute), and [`EditError::NotAPoint`] where a place is written in a way that cannot be
-/// moved.
+/// The errors of [`set_attribute`](super::set_attribute), and [`EditError::NotAPoint`] if a place is written in a form that
+/// cannot be moved.
 pub fn shift(
     outline: &Outline,
     number: usize,
@@ -80,7 +81,7 @@ impl Changes<'_> {
             let name = match self.item.kind.name {
                 "polyline" | "polygon" => "points",
                 "path" => "d",
-                // A group without a place has the origin of the frame.
+                // A group without `at` is at the origin of the frame.
                 "g" => return Ok(vec![("at", self.measure.point(by))]),
                 _ => return Err(EditError::NotAPoint),
             };
@@ -99,7 +100,8 @@ impl Changes<'_> {
         Ok(vec![(x, self.number(x, by[0])?), (y, self.number(y, by[1])?)])
     }
 
-    /// The corner to the right, below: the middle stays where `at` says, the left lower or upper corner where `x` and `y` do.
+    /// Changes of the lower right corner. The element keeps its centre with `at`, and its left lower or upper corner with
+    /// `x` and `y`.
     fn corner(&self, by: [f64; 2]) -> Result<Changed, EditError> {
         let down = if self.item.framed { -by[1] } else { by[1] };
         let both = if self.has("at") { 2.0 } else { 1.0 };
@@ -110,7 +112,7 @@ impl Changes<'_> {
         let length = |name: &'static str, by: f64| -> Result<(&'static str, String), EditError> {
             Ok((name, self.grown(name, by)?))
         };
-        // In a frame `y` is that of the lower edge, which stays: the upper one is gripped.
+        // In a frame, `y` is the lower edge, which stays; the upper corner is moved.
         let down = if self.item.framed && !self.has("at") { by[1] } else { down };
         Ok(vec![length("width", both * by[0])?, length("height", both * down)?])
     }
@@ -130,15 +132,15 @@ impl Changes<'_> {
         braced(brace, degrees.moved(text, by))
     }
 
-    /// A point with its pair moved.
+    /// Text of a point, with its pair moved.
     fn point(&self, name: &str, by: [f64; 2]) -> Result<String, EditError> {
         let value = self.item.attribute(name).ok_or(EditError::NotAPoint)?.value;
         let moved = self.pair(value, by, |_, text, by| self.measure.moved(text, by));
-        // All its pairs have factors, or it is the name of a vector.
+        // All pairs have factors, or the point is the name of a vector.
         moved.or_else(|_| Ok(format!("{} + {}", self.source[value.range()].trim(), self.measure.point(by))))
     }
 
-    /// A value whose pair is changed.
+    /// Text of a value, with its pair changed.
     fn pair(
         &self,
         value: Span,
@@ -156,7 +158,7 @@ impl Changes<'_> {
         self.edited(value, vec![one(0, &first), one(1, &second)])
     }
 
-    /// A number in an attribute of its own, in braces or not.
+    /// Text of a numeric attribute, with or without braces.
     fn number(&self, name: &str, by: f64) -> Result<String, EditError> {
         let (brace, text) = unbraced(self.text(name).ok_or(EditError::NotAPoint)?);
         self.changed_number(brace, self.measure.moved(text, by))
@@ -167,17 +169,17 @@ impl Changes<'_> {
         self.changed_number(brace, self.measure.grown(text, by))
     }
 
-    /// Outside a frame only braces hold expressions.
+    /// Outside frames, expressions are allowed only in braces.
     fn changed_number(&self, brace: bool, text: String) -> Result<String, EditError> {
         let is_number = text.parse::<f64>().is_ok();
         if self.item.framed || brace || is_number { Ok(braced(brace, text)) } else { Err(EditError::NotAPoint) }
     }
 
-    /// A list of points, each of which is moved.
+    /// Text of a list of points, with each point moved.
     fn points(&self, name: &str, by: [f64; 2]) -> Result<String, EditError> {
         let value = self.item.attribute(name).ok_or(EditError::NotAPoint)?.value;
         let text = &self.source[value.range()];
-        // Computed points: what stands before `for` is the point.
+        // For computed points, the point stands before `for`.
         let end = text.find(" for ").map_or(value.end, |length| value.start + length);
         let steps = steps(self.source, value.start..end, "MLQCTSZ").map_err(|_| EditError::NotAPoint)?;
         let mut edits = Vec::new();
@@ -192,7 +194,7 @@ impl Changes<'_> {
         self.edited(value, edits)
     }
 
-    /// The text of a value after edits of its parts.
+    /// Text of a value after edits of its parts.
     fn edited(&self, value: Span, edits: Vec<Edit>) -> Result<String, EditError> {
         let within = |edit: Edit| Edit {
             span: Span::new(edit.span.start - value.start, edit.span.end - value.start),
@@ -202,7 +204,7 @@ impl Changes<'_> {
         apply(&self.source[value.range()], &edits)
     }
 
-    /// What has no place of its own is moved as a whole.
+    /// `transform` for an element without a position of its own.
     fn translated(&self, by: [f64; 2]) -> Result<String, EditError> {
         let before = self.text("transform").unwrap_or_default();
         let (old, rest) = match before.strip_prefix("translate(").and_then(|rest| rest.split_once(')')) {
@@ -220,18 +222,18 @@ impl Changes<'_> {
 }
 
 impl Measure {
-    /// A point as it is written.
+    /// Text of a point.
     pub(super) fn point(&self, [x, y]: [f64; 2]) -> String {
         format!("({}, {})", self.moved("0", x), self.moved("0", y))
     }
 
-    /// For angles, in steps of so many degrees.
+    /// Measure for angles, with a step in degrees.
     pub fn degrees(step: f64) -> Self {
         Self { unit: "deg".to_owned(), step: step * PI / 180.0, scale: 1.0 }
     }
 }
 
-/// A value without the braces around it, and whether it had some.
+/// Removes braces around a value. The flag is true if there were braces.
 fn unbraced(text: &str) -> (bool, &str) {
     let text = text.trim();
     match text.strip_prefix('{').and_then(|text| text.strip_suffix('}')) {

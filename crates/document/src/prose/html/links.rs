@@ -1,4 +1,4 @@
-//! Links and images: where they may lead and come from.
+//! Links and images: permitted targets and sources.
 
 use super::{Image, Writer};
 use crate::prose::text::anchor;
@@ -8,7 +8,7 @@ use units::markup::escaped;
 use units::words;
 
 impl Writer<'_> {
-    /// Begins a link; what may not be followed is text only.
+    /// Opens a link. A link to a forbidden target is reported and written as text.
     pub(super) fn link(&mut self, destination: &str, span: Span) {
         if let Some(title) = destination.strip_prefix('#') {
             self.open(&format!("<a href=\"#{}\">", escaped(&anchor(title))), "</a>");
@@ -33,7 +33,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Begins an image; only one that the document holds itself is shown.
+    /// Begins an image. Only images embedded in the document are shown.
     pub(super) fn image(&mut self, source: &str, span: Span) {
         let kinds = ["png", "jpeg", "gif", "webp"];
         let allowed = kinds.iter().any(|kind| has_scheme(source, &format!("data:image/{kind};base64,")));
@@ -56,7 +56,7 @@ impl Writer<'_> {
         self.image = Some(Image { around, alternative: String::new(), nested: 0 });
     }
 
-    /// Takes what belongs to an image's alternative text.
+    /// Consumes the events inside the alternative text of an image; returns other events.
     pub(super) fn inside_image<'e>(&mut self, event: Event<'e>) -> Option<Event<'e>> {
         let Some(image) = &mut self.image else {
             return Some(event);
@@ -77,12 +77,12 @@ impl Writer<'_> {
     }
 }
 
-/// Whether an address begins with `scheme`, which is ASCII, in letters of either size.
+/// True if an address begins with `scheme` (ASCII), ignoring case.
 fn has_scheme(address: &str, scheme: &str) -> bool {
     address.get(..scheme.len()).is_some_and(|start| start.eq_ignore_ascii_case(scheme))
 }
 
-/// The beginning of a long address, for a message.
+/// First 40 characters of a long address, for a message.
 fn shortened(address: &str) -> String {
     match address.char_indices().nth(40) {
         Some((end, _)) => format!("{}...", &address[..end]),

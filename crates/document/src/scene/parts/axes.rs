@@ -1,4 +1,4 @@
-//! Axes: two lines that cross, with marks, and with numbers in the unit of the step.
+//! Axes: two crossing lines with marks, and with numbers in the unit of the step.
 
 use super::super::builder::Builder;
 use super::super::space::Spot;
@@ -8,28 +8,28 @@ use super::{Drawn, Given};
 use program::Element;
 use units::words;
 
-/// How many marks each may have.
+/// Maximum number of marks per axis.
 const MARKS: f64 = 100.0;
-/// So many steps from 0 the marks still lie apart.
+/// Maximum distance of marks from 0, in steps; farther marks would coincide.
 const FARTHEST: f64 = 1e6;
-/// With more marks than these only every fifth has a number.
+/// Maximum number of marks with a number at each; with more marks, every fifth has a number.
 const NUMBERED: i32 = 12;
 
 /// One of the two axes.
 struct Axis<'a> {
-    /// Its ends.
+    /// Both ends (SI).
     range: [f64; 2],
-    /// Where on the other axis it lies.
+    /// Position on the other axis (SI).
     across: f64,
     upright: bool,
-    /// The distance of its marks, SI, and as it is written.
+    /// Distance of its marks: SI, and in the unit as written.
     step: f64,
     size: f64,
     unit: &'a str,
 }
 
 impl Builder<'_, '_> {
-    /// Both axes. They cross at 0, or where 0 is not in a range, at the end that is nearest to it.
+    /// Draws both axes. They cross at 0; if 0 is outside a range, at the nearest end of that range.
     pub fn axes(&mut self, given: &Given) -> Option<Drawn> {
         let (x, y) = (self.fixed_range(given.get("x")?.clone()), self.fixed_range(given.get("y")?.clone()));
         let (x, y) = x.zip(y)?;
@@ -59,7 +59,7 @@ impl Builder<'_, '_> {
         Some(Drawn { defaults, children, anchor })
     }
 
-    /// An axis with an arrowhead, its marks and numbers. Where the other axis crosses there is no number.
+    /// An axis with an arrowhead, marks and numbers. There is no number at the crossing.
     fn axis_lines(&mut self, axis: &Axis) -> Vec<Element> {
         let &Axis { range: [low, high], across, upright, step, size, unit } = axis;
         let place = |at: f64| if upright { [across, at] } else { [at, across] };
@@ -100,7 +100,7 @@ impl Builder<'_, '_> {
         children
     }
 
-    /// Where a point lies that never moves.
+    /// Position of a constant point in the drawing.
     fn fixed_spot(&mut self, [x, y]: [f64; 2]) -> Spot {
         let (x, y) = (self.constant(x), self.constant(y));
         let space = self.space.clone();

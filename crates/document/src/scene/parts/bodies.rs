@@ -7,14 +7,14 @@ use super::{Drawn, Given};
 use program::{Attribute, Piece};
 use units::words;
 
-/// How a body is drawn.
+/// Default appearance of a body.
 const BODY: [(&str, &str); 3] = [("fill", MARK), ("stroke", TEXT), ("stroke-width", "1.5")];
-/// Pictures that may stand in a scene.
+/// Permitted pictures.
 const PICTURES: [&str; 4] =
     ["data:image/png;base64,", "data:image/jpeg;base64,", "data:image/gif;base64,", "data:image/webp;base64,"];
 
 impl Builder<'_, '_> {
-    /// A rectangle around its middle.
+    /// A rectangle, given by its centre.
     pub fn block(&mut self, given: &Given) -> Option<Drawn> {
         let (at, size) = (self.point_of(given, "at"), self.size(given.get("size")?.clone()));
         let (at, size) = at.zip(size)?;
@@ -31,7 +31,7 @@ impl Builder<'_, '_> {
         Some(Drawn { defaults: BODY.to_vec(), children: vec![child], anchor: at })
     }
 
-    /// A ball.
+    /// A ball, given by its centre; the default radius is [`super::BOB_RADIUS`].
     pub fn bob(&mut self, given: &Given) -> Option<Drawn> {
         let at = self.point_of(given, "at")?;
         let radius = self.extent_or(given, "r", super::BOB_RADIUS)?;
@@ -39,7 +39,7 @@ impl Builder<'_, '_> {
         Some(Drawn { defaults: BODY.to_vec(), children: vec![circle], anchor: at })
     }
 
-    /// A wheel with spokes, which show how it turns; a pulley has a groove.
+    /// A wheel with spokes that show its rotation; a pulley has a groove.
     pub fn wheel(&mut self, given: &Given, grooved: bool) -> Option<Drawn> {
         let at = self.point_of(given, "at")?;
         let radius = self.extent_or(given, "r", 24.0)?;
@@ -63,7 +63,7 @@ impl Builder<'_, '_> {
         })
     }
 
-    /// A wedge whose surface goes from its foot to its top.
+    /// A wedge; its surface goes from its foot to its top.
     pub fn ramp(&mut self, given: &Given) -> Option<Drawn> {
         let way = self.way_of(given)?;
         let text = Ink::Text;
@@ -89,7 +89,7 @@ impl Builder<'_, '_> {
         Some(Drawn { defaults, children: vec![wedge], anchor: way.to })
     }
 
-    /// A picture that the document holds.
+    /// A picture embedded in the document.
     pub fn image(&mut self, given: &Given) -> Option<Drawn> {
         let (at, size) = (self.point_of(given, "at"), self.size(given.get("size")?.clone()));
         let address = given.get("href")?.clone();

@@ -1,4 +1,4 @@
-//! Symbols of circuits, in the middle of their wires (IEC 60617).
+//! Circuit symbols (IEC 60617), in the middle of their wires.
 
 use super::super::builder::Builder;
 use super::drawing::{Ink, TEXT, fixed};
@@ -7,7 +7,7 @@ use program::{Kind, NodeId};
 use units::words;
 
 impl Builder<'_, '_> {
-    /// The symbol of this name, between two wires.
+    /// The symbol with this name, between two wires.
     pub fn circuit(&mut self, name: &str, given: &Given) -> Option<Drawn> {
         let way = self.way_of(given)?;
         let half = match name {
@@ -45,7 +45,7 @@ impl Builder<'_, '_> {
         Some(self.along_way(way, &[("fill", "none"), ("stroke", TEXT), ("stroke-width", "2")], children))
     }
 
-    /// The arm of a switch: down where it is closed.
+    /// The arm of a switch: in line with the wires if it is closed, otherwise raised.
     fn contact(&mut self, given: &Given) -> Option<program::Element> {
         let degrees: NodeId = match given.get("closed") {
             Some(range) => {

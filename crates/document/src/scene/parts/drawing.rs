@@ -1,4 +1,4 @@
-//! What parts are drawn with: lines and paths along the way from one point to another, in units of the drawing.
+//! Building blocks of parts: lines and paths from one point to another, in units of the drawing.
 
 use super::super::builder::Builder;
 use super::super::space::Spot;
@@ -6,33 +6,33 @@ use super::Given;
 use crate::scene::space::shapes::merged;
 use program::{Attribute, Binary, Child, Element, NodeId, Piece, Unary};
 
-/// The colour of what a part is drawn in.
+/// Colour of lines.
 pub const TEXT: &str = "currentColor";
-/// The colour of what moves.
+/// Colour of moving things.
 pub const MARK: &str = "var(--mark, #c4551d)";
-/// The colour of glass.
+/// Colour of glass.
 pub const GLASS: &str = "var(--glass, #6d7d86)";
-/// The colour of liquids.
+/// Colour of liquids.
 pub const LIQUID: &str = "var(--liquid, #3f9fc0)";
-/// The page's own colour.
+/// Accent colour of the page.
 pub const ACCENT: &str = "var(--accent, #0a6076)";
-/// The colour of the ground that a drawing stands on.
+/// Background colour of the drawing.
 pub const PAPER: &str = "var(--paper, #ffffff)";
 
-/// A way from one point to another: its own x goes along it.
+/// A straight line between two points, with local x axis along it.
 #[derive(Clone, Copy)]
 pub struct Way {
-    /// Where it begins.
+    /// Start.
     pub from: Spot,
-    /// Where it ends.
+    /// End.
     pub to: Spot,
-    /// Its length.
+    /// Length, in units of the drawing.
     pub length: NodeId,
-    /// Its direction in the drawing, clockwise, in degrees.
+    /// Direction in the drawing, clockwise, in degrees.
     pub degrees: NodeId,
 }
 
-/// A part of a value or of a path.
+/// A piece of an attribute value.
 #[derive(Clone, Copy)]
 pub enum Ink<'t> {
     /// A text.
@@ -41,7 +41,7 @@ pub enum Ink<'t> {
     Node(NodeId),
 }
 
-/// An element without values.
+/// An element with constant attributes.
 pub fn fixed(name: &str, attributes: &[(&str, &str)]) -> Element {
     let attribute = |(name, value): &(&str, &str)| Attribute {
         name: (*name).to_owned(),
@@ -55,14 +55,14 @@ pub fn fixed(name: &str, attributes: &[(&str, &str)]) -> Element {
     }
 }
 
-/// An element with what it holds.
+/// An element with children.
 pub fn holding(mut element: Element, children: Vec<Element>) -> Element {
     element.children = children.into_iter().map(Child::Element).collect();
     element
 }
 
 impl Builder<'_, '_> {
-    /// A number.
+    /// A constant node.
     pub fn constant(&mut self, value: f64) -> NodeId {
         self.graph().constant(value)
     }
@@ -79,14 +79,14 @@ impl Builder<'_, '_> {
         self.graph().add(node, summand)
     }
 
-    /// A number between two.
+    /// `node` clamped to the range from `least` to `greatest`.
     pub fn between(&mut self, least: NodeId, node: NodeId, greatest: NodeId) -> NodeId {
         let graph = self.graph();
         let node = graph.binary(Binary::Maximum, least, node);
         graph.binary(Binary::Minimum, node, greatest)
     }
 
-    /// A length of a part in units of the drawing; so many where it is not given.
+    /// Length of a part in units of the drawing; `otherwise` if it is not given.
     pub fn extent_or(&mut self, given: &Given, name: &str, otherwise: f64) -> Option<NodeId> {
         match given.get(name) {
             Some(range) => self.extent(range.clone()),
@@ -94,19 +94,19 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// A point of a part.
+    /// A point of a part, in units of the drawing.
     pub fn point_of(&mut self, given: &Given, name: &str) -> Option<Spot> {
         self.point(given.get(name)?.clone())
     }
 
-    /// The way `from` one point `to` another.
+    /// The line from `from` to `to` of a part.
     pub fn way_of(&mut self, given: &Given) -> Option<Way> {
         let (from, to) = (self.point_of(given, "from"), self.point_of(given, "to"));
         let (from, to) = from.zip(to)?;
         Some(self.way(from, to))
     }
 
-    /// The way between two places.
+    /// The line between two points.
     pub fn way(&mut self, from: Spot, to: Spot) -> Way {
         let graph = self.graph();
         let (x, y) = (graph.subtract(to.x, from.x), graph.subtract(to.y, from.y));
@@ -118,7 +118,7 @@ impl Builder<'_, '_> {
         Way { from, to, length, degrees }
     }
 
-    /// Adds an attribute.
+    /// Appends an attribute.
     pub fn set(&mut self, element: &mut Element, name: &str, value: &[Ink]) {
         let pieces = value.iter().filter_map(|ink| match ink {
             Ink::Text(text) => Some(Piece::Literal((*text).to_owned())),
@@ -128,7 +128,7 @@ impl Builder<'_, '_> {
         element.attributes.push(Attribute { name: name.to_owned(), value });
     }
 
-    /// An element with one number in each of some attributes.
+    /// Appends attributes with one number each.
     pub fn numbered(&mut self, mut element: Element, numbers: &[(&str, NodeId)]) -> Element {
         for (name, node) in numbers {
             self.set(&mut element, name, &[Ink::Node(*node)]);
@@ -136,7 +136,7 @@ impl Builder<'_, '_> {
         element
     }
 
-    /// A group with its origin at a place, turned by an angle in degrees, clockwise.
+    /// A group with its origin at `at`, rotated clockwise by an angle in degrees.
     pub fn standing(&mut self, at: Spot, degrees: Option<NodeId>, children: Vec<Element>) -> Element {
         let mut group = fixed("g", &[]);
         let move_to = [Ink::Text("translate("), Ink::Node(at.x), Ink::Text(" "), Ink::Node(at.y), Ink::Text(")")];
@@ -150,11 +150,11 @@ impl Builder<'_, '_> {
         holding(group, children)
     }
 
-    /// The angle that a part is turned by, in degrees of the drawing.
+    /// Rotation of a part in degrees, clockwise in the drawing; `Some(None)` without `turn`, `None` after an error.
     pub fn turn_of(&mut self, given: &Given) -> Option<Option<NodeId>> {
         let Some(turn) = given.get("turn") else { return Some(None) };
         let angle = self.angle(turn.clone())?;
-        // In a frame counterclockwise, as in the problem; in the drawing as in SVG.
+        // Angles are counterclockwise in a frame, and clockwise in SVG.
         let angle = if self.space.framed { self.graph().negate(angle) } else { angle };
         Some(Some(self.degrees(angle)))
     }

@@ -1,4 +1,4 @@
-//! Parts that lie between two points: spring, damper, rod, ground; and the arrow.
+//! Parts between two points: spring, damper, rod, ground; and the arrow.
 
 use super::super::builder::Builder;
 use super::super::space::Spot;
@@ -7,11 +7,11 @@ use super::{Drawn, Given};
 use program::{Binary, Unary};
 use units::words;
 
-/// How many turns a spring may have.
+/// Maximum number of turns of a spring.
 const TURNS: f64 = 60.0;
 
 impl Builder<'_, '_> {
-    /// A zigzag with a straight piece as long as a turn at either end.
+    /// A zigzag with straight ends, each as long as one turn.
     pub fn spring(&mut self, given: &Given) -> Option<Drawn> {
         let way = self.way_of(given)?;
         let turns = match given.get("turns") {
@@ -41,7 +41,7 @@ impl Builder<'_, '_> {
         ))
     }
 
-    /// A cylinder that stands at the beginning, and a piston on a rod that stands at the end.
+    /// A cylinder fixed at the start, and a piston whose rod is fixed at the end.
     pub fn damper(&mut self, given: &Given) -> Option<Drawn> {
         const FOOT: f64 = 10.0;
         let way = self.way_of(given)?;
@@ -93,7 +93,7 @@ impl Builder<'_, '_> {
         Some(Drawn { defaults, children: vec![line], anchor: way.to })
     }
 
-    /// A line, hatched to the right of its direction.
+    /// A line with hatching to the right of its direction.
     pub fn ground(&mut self, given: &Given) -> Option<Drawn> {
         let way = self.way_of(given)?;
         let depth = self.extent_or(given, "depth", 10.0)?;
@@ -106,7 +106,7 @@ impl Builder<'_, '_> {
         Some(self.along_way(way, &[("stroke", TEXT), ("stroke-width", "2")], vec![hatch, surface]))
     }
 
-    /// An arrow; where it is short its head is small.
+    /// An arrow. A short arrow gets a small head.
     pub fn arrow(&mut self, given: &Given) -> Option<Drawn> {
         let (at, vector) = (self.point_of(given, "at"), self.vector(given.get("vector")?.clone()));
         let (at, vector) = at.zip(vector)?;
@@ -128,7 +128,7 @@ impl Builder<'_, '_> {
         Some(self.along_way(way, &[("fill", ACCENT), ("stroke", ACCENT), ("stroke-width", "3")], vec![line, head]))
     }
 
-    /// What is drawn along a way, which begins at the origin and goes to the right.
+    /// Elements drawn along the x axis from the origin, placed on the line `way`.
     pub fn along_way(
         &mut self,
         way: Way,
@@ -139,7 +139,7 @@ impl Builder<'_, '_> {
         Drawn { defaults: defaults.to_vec(), children: vec![group], anchor: way.to }
     }
 
-    /// A whole number from 1 to `greatest` that never changes.
+    /// A constant integer from 1 to `greatest`.
     pub fn whole_number(&mut self, range: std::ops::Range<usize>, greatest: f64) -> Option<u32> {
         let range = self.inside_braces(range);
         let placed = self.expressions.number(range)?;
@@ -161,7 +161,7 @@ impl Builder<'_, '_> {
         value.map(|value| value as u32)
     }
 
-    /// The sine and cosine of an angle.
+    /// Cosine and sine of an angle.
     pub fn direction(&mut self, angle: program::NodeId) -> (program::NodeId, program::NodeId) {
         let graph = self.graph();
         (graph.unary(Unary::Cos, angle), graph.unary(Unary::Sin, angle))

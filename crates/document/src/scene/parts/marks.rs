@@ -9,22 +9,22 @@ use program::{Binary, Child, Element, NodeId, Piece, Unary};
 use std::f64::consts::PI;
 use units::words;
 
-/// How many marks a ruler may have.
+/// Maximum number of marks of a ruler.
 const MARKS: f64 = 200.0;
-/// Every so many marks of a ruler have a number.
+/// Every fifth mark of a ruler has a number.
 const NUMBERED: u32 = 5;
 
-/// The distance of marks.
+/// Distance of marks.
 pub struct Step {
-    /// The number and the unit, if they are written as such.
+    /// Number and unit as written; `None` for an expression.
     pub written: Option<(f64, String)>,
-    /// SI, in the present space.
+    /// Value (SI), in the current coordinate system.
     pub node: NodeId,
-    /// Where it stands.
+    /// Place in the source.
     pub span: Span,
 }
 
-/// A number at a mark, without the error of repeated steps; with a unit behind the last one.
+/// Number at a mark, rounded to hide the error of repeated steps; with a unit at the last mark.
 pub fn number_of_mark(value: f64, unit: Option<&str>) -> String {
     let shown = units::number::shortest((value * 1e9).round() / 1e9);
     match unit {
@@ -34,7 +34,7 @@ pub fn number_of_mark(value: f64, unit: Option<&str>) -> String {
 }
 
 impl Builder<'_, '_> {
-    /// A text at a place; what it says is added to it afterwards.
+    /// A text at a point. Its content is added afterwards.
     pub fn label(&mut self, given: &Given) -> Option<Drawn> {
         let at = self.point_of(given, "at")?;
         let text = self.numbered(fixed("text", &[]), &[("x", at.x), ("y", at.y)]);
@@ -42,7 +42,7 @@ impl Builder<'_, '_> {
         Some(Drawn { defaults, children: vec![text], anchor: at })
     }
 
-    /// A line with a mark for each `step` and a number for every fifth, beginning with `first`.
+    /// A line with a mark at each `step` and a number at every fifth mark, starting with `first`.
     pub fn ruler(&mut self, given: &Given) -> Option<Drawn> {
         let way = self.way_of(given)?;
         let Step { written, node: step, span } = self.step_of(given)?;
@@ -86,7 +86,7 @@ impl Builder<'_, '_> {
         Some(self.along_way(way, &[("stroke", TEXT), ("stroke-width", "1.5")], children))
     }
 
-    /// The distance of the marks of a ruler or of axes.
+    /// Distance of the marks of a ruler or of axes.
     pub fn step_of(&mut self, given: &Given) -> Option<Step> {
         let inner = self.inside_braces(given.get("step")?.clone());
         let written = self.expressions.written(inner.clone());
@@ -95,7 +95,7 @@ impl Builder<'_, '_> {
         Some(Step { written, node: self.of_space(step)?, span })
     }
 
-    /// The number at a mark.
+    /// Text element for the number at a mark.
     pub fn mark_text(&mut self, text: String, attributes: &[(&str, &str)]) -> Element {
         let mut label =
             fixed("text", &[&[("fill", TEXT), ("stroke", "none"), ("font-size", "12")], attributes].concat());
@@ -104,7 +104,7 @@ impl Builder<'_, '_> {
         label
     }
 
-    /// How many steps of a ruler there are from 0 to the number at its beginning.
+    /// Number at the beginning of a ruler, in steps.
     fn steps_to(&mut self, range: std::ops::Range<usize>, step: NodeId) -> Option<f64> {
         let range = self.inside_braces(range);
         let placed = self.expressions.number(range)?;
@@ -126,7 +126,7 @@ impl Builder<'_, '_> {
         steps
     }
 
-    /// An arc between two angles, measured as in the problem from the direction of x.
+    /// An arc between two angles, measured from the x direction as in the problem.
     pub fn angle_arc(&mut self, given: &Given) -> Option<Drawn> {
         let at = self.point_of(given, "at")?;
         let (from, to) = (self.angle(given.get("from")?.clone()), self.angle(given.get("to")?.clone()));
@@ -168,7 +168,7 @@ impl Builder<'_, '_> {
         Some(Drawn { defaults, children: vec![arc], anchor: end })
     }
 
-    /// A place on a circle.
+    /// Point on a circle.
     fn around(&mut self, at: Spot, radius: NodeId, angle: NodeId) -> Spot {
         let (cosine, sine) = self.direction(angle);
         let framed = self.space.framed;
@@ -178,9 +178,9 @@ impl Builder<'_, '_> {
         Spot { x: graph.add(at.x, x), y: graph.add(at.y, y) }
     }
 
-    /// A half circle with a mark for every 10 degrees.
+    /// A half circle with a mark at every 10 degrees.
     pub fn protractor(&mut self, given: &Given) -> Option<Drawn> {
-        /// The radius in which it is drawn before it is made as large as asked for.
+        /// Radius of the drawing before scaling.
         const RADIUS: f64 = 100.0;
         let at = self.point_of(given, "at")?;
         let radius = self.extent(given.get("r")?.clone())?;

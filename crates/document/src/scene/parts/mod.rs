@@ -1,4 +1,4 @@
-//! Parts: springs, blocks, arrows and the like, drawn as plain SVG from a few values.
+//! Parts: springs, blocks, arrows and others, drawn as plain SVG from a few values.
 
 mod axes;
 mod bodies;
@@ -16,30 +16,30 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use units::{Words, words};
 
-/// Attributes of a part, by name.
+/// Places of the attribute values of a part, by name.
 pub type Given = BTreeMap<String, Range<usize>>;
 
-/// A part of a drawing, or another element that editors offer.
+/// A part of a drawing, or another element for editors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// The name of its element.
+    /// Name of its element.
     pub name: &'static str,
-    /// What readers of the screen hear, and pointers see, unless the document names it.
+    /// Default title in English and Spanish, for screen readers and tooltips.
     pub words: (&'static str, &'static str),
-    /// The attributes of its own, those that it needs first.
+    /// Its own attributes, required ones first.
     pub attributes: &'static [&'static str],
-    /// How many of them it needs.
+    /// Number of required attributes.
     pub needed: usize,
 }
 
 impl Part {
-    /// What people call it.
+    /// Default title.
     pub fn title(self) -> Words {
         words(self.words.0, self.words.1)
     }
 }
 
-/// An element of this name.
+/// Constructor of a part.
 pub(crate) const fn part(
     name: &'static str,
     words: (&'static str, &'static str),
@@ -77,28 +77,28 @@ pub const PARTS: [Part; 24] = [
     part("source", ("Source", "Fuente"), 2, &["from", "to"]),
 ];
 
-/// The part of an element's name.
+/// The part with this element name.
 pub fn part_of(name: &str) -> Option<Part> {
     PARTS.into_iter().find(|part| part.name == name)
 }
 
-/// The radius of a bob that the document gives none, in units of the drawing.
+/// Default radius of a bob, in units of the drawing.
 pub(crate) const BOB_RADIUS: f64 = 12.0;
-/// That of the arc of an angle.
+/// Default radius of the arc of an angle, in units of the drawing.
 pub(crate) const ARC_RADIUS: f64 = 30.0;
 
-/// What a part looks like.
+/// A drawn part.
 pub struct Drawn {
-    /// What is set on the whole, where the document does not set it.
+    /// Attributes of the whole, unless the document sets them.
     pub defaults: Vec<(&'static str, &'static str)>,
-    /// What it consists of.
+    /// Elements of the part.
     pub children: Vec<Element>,
-    /// The place of it that follows the hand.
+    /// Point that follows the pointer when the part is dragged.
     pub anchor: Spot,
 }
 
 impl Builder<'_, '_> {
-    /// What a part looks like; its attributes have been looked at for what is missing.
+    /// Draws a part. All required attributes must be given.
     pub fn draw_part(&mut self, part: Part, given: &Given) -> Option<Drawn> {
         match part.name {
             "spring" => self.spring(given),
@@ -123,7 +123,7 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// Whether a part has what it needs.
+    /// True if all required attributes are given; reports the first missing one.
     pub fn has_needed(&mut self, part: Part, given: &Given, place: Range<usize>) -> bool {
         let missing = part.attributes.iter().take(part.needed).find(|name| !given.contains_key(**name));
         if let Some(missing) = missing {
@@ -138,7 +138,7 @@ impl Builder<'_, '_> {
         missing.is_none()
     }
 
-    /// The attributes of a part with what the document has set itself.
+    /// Adds the defaults that the document does not set.
     pub fn with_defaults(defaults: &[(&'static str, &'static str)], attributes: &mut Vec<Attribute>) {
         for (name, value) in defaults {
             if !attributes.iter().any(|attribute| attribute.name == *name) {
@@ -149,7 +149,7 @@ impl Builder<'_, '_> {
     }
 }
 
-/// The `title` of an element.
+/// A `title` element.
 pub fn title(text: Vec<Piece>) -> Element {
     Element { name: "title".to_owned(), attributes: Vec::new(), children: vec![Child::Text(text)], drag: None }
 }

@@ -1,5 +1,5 @@
-//! `<trail at="(x, y)" last="5 [s]"/>`: where a point has been; with `every="0.1 [s]"` single dots, as a stroboscope shows
-//! them.
+//! Trails: `<trail at="(x, y)" last="5 [s]"/>` shows the past path of a point. With `every="0.1 [s]"` it shows dots, like a
+//! stroboscope.
 
 use super::super::builder::Builder;
 use super::drawing::{ACCENT, fixed};
@@ -8,11 +8,11 @@ use crate::expressions::{Placed, dimension_error};
 use program::{Attribute, Compiled, Kind, NodeId, Piece, Trail};
 use units::{Unit, words};
 
-/// How many trails a scene may have.
+/// Maximum number of trails in a scene.
 const TRAILS: usize = 50;
 
 impl Builder<'_, '_> {
-    /// Where a point has been.
+    /// The past path of a point.
     pub fn trail(&mut self, given: &Given) -> Option<Drawn> {
         let at = self.point_of(given, "at")?;
         let (last, every) = (self.duration(given, "last")?, self.duration(given, "every")?);
@@ -38,7 +38,7 @@ impl Builder<'_, '_> {
         self.value(Placed { value, span: self.place })
     }
 
-    /// A length of time, where it is given.
+    /// Index of the value of a duration; `Some(None)` if it is not given.
     fn duration(&mut self, given: &Given, name: &str) -> Option<Option<usize>> {
         let Some(range) = given.get(name) else { return Some(None) };
         let range = self.inside_braces(range.clone());
@@ -49,7 +49,7 @@ impl Builder<'_, '_> {
         }
         let message = words!("`{name}` has the wrong dimension", "`{name}` tiene una dimensión incorrecta");
         let mut diagnostic = dimension_error(message, (placed.span, found), (placed.span, expected));
-        // Both labels would lie on one another.
+        // Both labels would be at the same place.
         let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
         self.expressions.diagnostics.push(diagnostic.with_note(words!(
             "it must be {expected}",

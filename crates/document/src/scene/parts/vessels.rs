@@ -6,7 +6,7 @@ use super::drawing::{GLASS, Ink, LIQUID, PAPER, fixed};
 use super::{Drawn, Given};
 
 impl Builder<'_, '_> {
-    /// A tube that is closed where it begins, open where it ends, and filled up to a length.
+    /// A tube, closed at the start and open at the end, filled up to a length.
     pub fn tube(&mut self, given: &Given) -> Option<Drawn> {
         let way = self.way_of(given)?;
         let width = self.extent(given.get("width")?.clone())?;
@@ -36,7 +36,8 @@ impl Builder<'_, '_> {
         Some(self.along_way(way, &[("stroke", GLASS), ("stroke-width", "3")], vec![liquid, wall]))
     }
 
-    /// A U-tube: the lowest point of its middle line, the distance of its arms, and the heights of arms and levels above it.
+    /// A U-tube. `at`: lowest point of its centre line; `spacing`: distance of its arms; heights and levels are measured
+    /// from `at`.
     pub fn u_tube(&mut self, given: &Given) -> Option<Drawn> {
         let at = self.point_of(given, "at")?;
         let spacing = self.extent(given.get("spacing")?.clone())?;
@@ -47,14 +48,14 @@ impl Builder<'_, '_> {
         let wall = self.plus(bore, 5.0);
         let walls = self.bend([height, height], radius, wall, GLASS);
         let inside = self.bend([height, height], radius, bore, PAPER);
-        // No lower than where the bend begins.
+        // A level is not below the beginning of the bend.
         let [left, right] = [left, right].map(|level| self.between(radius, level, height));
         let liquid = self.bend([left, right], radius, bore, LIQUID);
         let child = self.standing(at, None, vec![walls, inside, liquid]);
         Some(Drawn { defaults: vec![("fill", "none")], children: vec![child], anchor: at })
     }
 
-    /// A line down one arm, through the bend and up the other one.
+    /// A line down one arm, through the bend and up the other arm.
     fn bend(
         &mut self,
         heights: [program::NodeId; 2],

@@ -1,4 +1,4 @@
-//! `<frame x="-2..2 [m]" y="-1..2 [m]">`: inside it lengths are those of the problem, and y goes up.
+//! `<frame x="-2..2 [m]" y="-1..2 [m]">`: inside it, lengths are those of the problem, and y points up.
 
 use super::points;
 use super::{Space, Spot};
@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use units::{Dimension, Unit, words};
 
-/// The ends of an axis, SI.
+/// Ends of an axis (SI).
 #[derive(Clone, Copy)]
 struct Axis {
     low: NodeId,
@@ -20,7 +20,7 @@ struct Axis {
 }
 
 impl Builder<'_, '_> {
-    /// The space inside a frame. `name` is where the element stands, for what is missing.
+    /// Coordinate system inside a frame. `name` is the place of the element, for errors.
     pub fn frame_space(&mut self, name: Range<usize>, [x, y, place]: [Option<Range<usize>>; 3]) -> Option<Space> {
         if self.space.framed {
             self.refuse(
@@ -66,7 +66,7 @@ impl Builder<'_, '_> {
             self.length = self.value(Placed { value, span: x.span });
         }
         let graph = self.expressions.graph();
-        // The middle of the frame lies in the middle of its box.
+        // The centre of the frame is at the centre of its box.
         let middle = |graph: &mut Graph, axis: Axis| {
             let (sum, half) = (graph.add(axis.low, axis.high), graph.constant(0.5));
             let middle = graph.multiply(half, sum);
@@ -78,7 +78,7 @@ impl Builder<'_, '_> {
         Some(Space { dimension: x.dimension, declared: x.span, scale, origin, framed: true, turns: Vec::new() })
     }
 
-    /// `-2..2 [m]`
+    /// Parses `-2..2 [m]`.
     fn axis(&mut self, range: Range<usize>) -> Option<Axis> {
         let range = crate::text::source::trim(self.expressions.source, range);
         let Some((low, high)) = points::interval(self.expressions.source, &range) else {
@@ -115,7 +115,7 @@ impl Builder<'_, '_> {
         Some(Axis { low: low.value.node, high: high.value.node, dimension, span })
     }
 
-    /// The ends of a range in the present space that never change, SI.
+    /// Constant ends of a range in the current coordinate system (SI).
     pub fn fixed_range(&mut self, range: Range<usize>) -> Option<[f64; 2]> {
         let axis = self.axis(range)?;
         let value = Compiled { node: axis.high, kind: Kind::Number, unit: Unit::si(axis.dimension) };
@@ -132,7 +132,7 @@ impl Builder<'_, '_> {
         None
     }
 
-    /// `box="20 20 360 200"` in units of the drawing; without it the whole view box.
+    /// `box="20 20 360 200"`: left, top, width and height in units of the drawing; by default the whole view box.
     fn frame_box(&mut self, place: Option<Range<usize>>, name: Range<usize>) -> Option<[f64; 4]> {
         let (numbers, place) = match place {
             Some(place) => (four_numbers(self.source(&place)), place),
@@ -154,7 +154,7 @@ impl Builder<'_, '_> {
         numbers
     }
 
-    /// Moves and turns the space as a group in a frame says, and gives the group's `transform`.
+    /// Moves and rotates the coordinate system for a group in a frame. Returns the group's `transform` and its position.
     pub fn group_space(&mut self, at: Option<Range<usize>>, turn: Option<Range<usize>>) -> Option<(Attribute, Spot)> {
         let zero = self.graph().constant(0.0);
         let place = match at {
@@ -177,7 +177,7 @@ impl Builder<'_, '_> {
         Some((Attribute { name: "transform".to_owned(), value: super::shapes::merged(value) }, place))
     }
 
-    /// Radians in degrees.
+    /// Converts radians to degrees.
     pub fn degrees(&mut self, angle: NodeId) -> NodeId {
         let graph = self.graph();
         let factor = graph.constant(180.0 / PI);
@@ -185,7 +185,7 @@ impl Builder<'_, '_> {
     }
 }
 
-/// `0 0 400 300`
+/// Parses four numbers, `0 0 400 300`: left, top, and positive width and height.
 pub fn four_numbers(text: &str) -> Option<[f64; 4]> {
     let numbers = text.split([' ', ',']).filter(|part| !part.is_empty()).map(|part| part.parse::<f64>().ok());
     let numbers: [f64; 4] = numbers.collect::<Option<Vec<f64>>>()?.try_into().ok()?;

@@ -1,33 +1,33 @@
-//! Where the elements of a scene come to stand while it is built, for those who draw by hand.
+//! Places of the elements of a scene in the picture, for graphical editing.
 
 use super::{Space, Spot};
 use program::NodeId;
 use std::collections::BTreeMap;
 use units::Dimension;
 
-/// What is noted of a scene. Places in the text are where an element or the value of an attribute begins.
+/// Recorded places of a scene. Keys are the bytes at which an element or the value of an attribute begins.
 #[derive(Default)]
 pub struct Marks {
-    /// The elements, each copy by itself.
+    /// Elements; each copy has an entry.
     pub elements: Vec<Marked>,
     /// Points and sizes, in units of the drawing.
     pub spots: BTreeMap<usize, Spot>,
-    /// Coordinates, lengths and angles, in units of the drawing and radians.
+    /// Coordinates and lengths in units of the drawing, angles in radians.
     pub numbers: BTreeMap<usize, NodeId>,
-    /// What stands in the first frame.
+    /// Coordinate system of the first frame.
     pub ground: Option<Space>,
-    /// The places among their neighbours of the elements that are being built, outermost first.
+    /// Child indices of the open elements, outermost first.
     pub path: Vec<usize>,
 }
 
-/// An element.
+/// A recorded element.
 pub struct Marked {
-    /// Where it begins.
+    /// Byte at which it begins.
     pub place: usize,
-    /// Which child of which child of the `svg` it is; texts count.
+    /// Path of child indices from the `svg` element; text nodes count as children.
     pub path: Vec<usize>,
-    /// Units of the drawing for an SI unit of length, where it stands.
+    /// Units of the drawing per SI unit of length at its place.
     pub scale: NodeId,
-    /// What lengths are there.
+    /// Dimension of lengths at its place.
     pub dimension: Dimension,
 }

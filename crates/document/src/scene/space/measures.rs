@@ -1,4 +1,4 @@
-//! Lengths, angles and points as attributes have them, in the units of the problem or of the drawing.
+//! Lengths, angles and points in attributes, in units of the problem or of the drawing.
 
 use super::Spot;
 use super::points;
@@ -10,7 +10,7 @@ use std::ops::Range;
 use units::{Dimension, words};
 
 impl Builder<'_, '_> {
-    /// What stands in an attribute, without the braces that may stand around it.
+    /// Range of an attribute value without optional braces.
     pub fn inside_braces(&self, range: Range<usize>) -> Range<usize> {
         let range = crate::text::source::trim(self.expressions.source, range);
         let text = self.source(&range);
@@ -18,14 +18,14 @@ impl Builder<'_, '_> {
         if is_one { range.start + 1..range.end - 1 } else { range }
     }
 
-    /// A length or coordinate of the present space, SI.
+    /// A length or coordinate of the current coordinate system (SI).
     pub fn coordinate(&mut self, range: Range<usize>) -> Option<NodeId> {
         let range = self.inside_braces(range);
         let placed = self.expressions.number(range)?;
         self.of_space(placed)
     }
 
-    /// A length in units of the drawing: `5px`, or a length of the present space.
+    /// A length in units of the drawing: `5px`, or a length of the current coordinate system.
     pub fn extent(&mut self, range: Range<usize>) -> Option<NodeId> {
         let inner = self.inside_braces(range.clone());
         let pixels = self.source(&inner).strip_suffix("px").and_then(|number| number.trim().parse::<f64>().ok());
@@ -41,7 +41,7 @@ impl Builder<'_, '_> {
         Some(length)
     }
 
-    /// An angle, in radians.
+    /// An angle in radians.
     pub fn angle(&mut self, range: Range<usize>) -> Option<NodeId> {
         let inner = self.inside_braces(range.clone());
         let placed = self.expressions.number(inner)?;
@@ -56,7 +56,7 @@ impl Builder<'_, '_> {
         None
     }
 
-    /// A point, in the drawing.
+    /// A point, in units of the drawing.
     pub fn point(&mut self, range: Range<usize>) -> Option<Spot> {
         let place = range.start;
         let (x, y) = self.components(range)?;
@@ -68,7 +68,7 @@ impl Builder<'_, '_> {
         Some(spot)
     }
 
-    /// A way from one point to another, in the drawing.
+    /// A displacement, in units of the drawing.
     pub fn vector(&mut self, range: Range<usize>) -> Option<Spot> {
         let (x, y) = self.components(range)?;
         let (x, y) = (self.of_space(x), self.of_space(y));
@@ -77,7 +77,7 @@ impl Builder<'_, '_> {
         Some(space.way(self.graph(), x, y))
     }
 
-    /// A point of a list, in the drawing.
+    /// A point of a list, in units of the drawing.
     pub fn pair(&mut self, pair: &points::Pair) -> Option<Spot> {
         let (x, y) = (self.coordinate(pair.first.clone()), self.coordinate(pair.second.clone()));
         let (x, y) = x.zip(y)?;
@@ -85,7 +85,7 @@ impl Builder<'_, '_> {
         Some(space.spot(self.graph(), x, y))
     }
 
-    /// Both numbers of a point.
+    /// Both components of a point.
     fn components(&mut self, range: Range<usize>) -> Option<(Placed, Placed)> {
         let range = self.inside_braces(range);
         let Some(pairs) = points::pairs(self.expressions.source, range.clone()) else {
@@ -114,7 +114,7 @@ impl Builder<'_, '_> {
             let (x, y) = (self.expressions.number(pair.first.clone()), self.expressions.number(pair.second.clone()));
             return x.zip(y);
         }
-        // Each component is the expression without the other one and the comma.
+        // Each component is the expression without the other component and the comma.
         let second: Vec<_> = pairs.iter().map(|pair| pair.first.end..pair.second.end).collect();
         let first: Vec<_> = pairs.iter().map(|pair| pair.first.start..pair.second.start).collect();
         let x = self.expressions.component(range.clone(), &second);
@@ -122,7 +122,7 @@ impl Builder<'_, '_> {
         x.zip(y)
     }
 
-    /// A number that has the dimension of lengths in the present space. 0 fits any.
+    /// Requires the dimension of lengths in the current coordinate system; 0 fits every dimension.
     pub fn of_space(&mut self, Placed { value, span }: Placed) -> Option<NodeId> {
         let expected = self.space.dimension;
         if value.dimension() == expected || self.graph().as_constant(value.node) == Some(0.0) {

@@ -1,4 +1,5 @@
-//! Coordinates: where a point of the problem lies in the drawing. Outside a `<frame>` they are those of the drawing.
+//! Coordinate systems: position of a point of the problem in the drawing. Outside a `<frame>`, coordinates are those of the
+//! drawing.
 
 pub(in crate::scene) mod frame;
 pub(in crate::scene) mod marks;
@@ -11,24 +12,24 @@ use model::Span;
 use program::{Graph, NodeId, Unary};
 use units::Dimension;
 
-/// What lengths mean, and where they are drawn.
+/// A coordinate system.
 #[derive(Clone, Debug)]
 pub struct Space {
-    /// The dimension of lengths.
+    /// Dimension of lengths.
     pub dimension: Dimension,
-    /// Where that was said.
+    /// Place where it is declared.
     pub declared: Span,
-    /// Drawing units for an SI unit.
+    /// Units of the drawing per SI unit.
     pub scale: NodeId,
-    /// Where the origin is drawn.
+    /// Position of the origin in the drawing.
     pub origin: Spot,
-    /// Whether y goes up, and attributes hold expressions.
+    /// True in a frame: y points up, and attributes hold expressions.
     pub framed: bool,
-    /// The turned groups around it, outermost first: the place of each and its angle in the drawing, clockwise in radians.
+    /// Enclosing rotated groups, outermost first: position and angle in the drawing, clockwise in radians.
     pub turns: Vec<(Spot, NodeId)>,
 }
 
-/// A place in the drawing, in its units.
+/// A position in the drawing, in its units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Spot {
     /// To the right.
@@ -38,7 +39,7 @@ pub struct Spot {
 }
 
 impl Space {
-    /// The drawing itself.
+    /// Coordinate system of the drawing itself.
     pub fn drawing(graph: &mut Graph) -> Self {
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
         Self {
@@ -51,24 +52,24 @@ impl Space {
         }
     }
 
-    /// How far in the drawing a length is.
+    /// A length in units of the drawing.
     pub fn length(&self, graph: &mut Graph, length: NodeId) -> NodeId {
         graph.multiply(self.scale, length)
     }
 
-    /// A way in the drawing.
+    /// A displacement in units of the drawing.
     pub fn way(&self, graph: &mut Graph, x: NodeId, y: NodeId) -> Spot {
         let (x, y) = (self.length(graph, x), self.length(graph, y));
         Spot { x, y: if self.framed { graph.negate(y) } else { y } }
     }
 
-    /// Where a point lies.
+    /// Position of a point in the drawing.
     pub fn spot(&self, graph: &mut Graph, x: NodeId, y: NodeId) -> Spot {
         let way = self.way(graph, x, y);
         Spot { x: graph.add(self.origin.x, way.x), y: graph.add(self.origin.y, way.y) }
     }
 
-    /// Where a place of this space lies in the whole drawing.
+    /// Position of a point of this coordinate system in the whole drawing, outside all rotated groups.
     pub fn outside(&self, graph: &mut Graph, spot: Spot) -> Spot {
         self.turns.iter().rev().fold(spot, |spot, (middle, angle)| {
             let (sine, cosine) = (graph.unary(Unary::Sin, *angle), graph.unary(Unary::Cos, *angle));

@@ -1,4 +1,4 @@
-//! Notes of where the elements come to stand, taken while a scene is built.
+//! Records the places of elements while a scene is built.
 
 use super::marks::Marked;
 use super::shapes::is_geometry;
@@ -8,14 +8,14 @@ use program::NodeId;
 use std::ops::Range;
 
 impl Builder<'_, '_> {
-    /// Says that the child with this number is built next.
+    /// Begins the child with this index.
     pub fn enter(&mut self, number: usize) {
         if let Some(marks) = &mut self.marks {
             marks.path.push(number);
         }
     }
 
-    /// Notes the child that was built last, if it is one.
+    /// Ends the current child, and records it if it was built.
     pub fn leave(&mut self, place: usize, is_built: bool) {
         let (scale, dimension) = (self.space.scale, self.space.dimension);
         if let Some(marks) = &mut self.marks {
@@ -26,28 +26,28 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// Notes the space in a frame.
+    /// Records the coordinate system of the first frame.
     pub fn note_frame(&mut self, space: &Space) {
         if let Some(marks) = &mut self.marks {
             marks.ground.get_or_insert_with(|| space.clone());
         }
     }
 
-    /// Notes a point or a size; of a repeated element that of the first copy.
+    /// Records a point or a size; for a repeated element, that of the first copy.
     pub fn note_spot(&mut self, place: usize, spot: Spot) {
         if let Some(marks) = &mut self.marks {
             marks.spots.entry(place).or_insert(spot);
         }
     }
 
-    /// Notes a coordinate, a length or an angle.
+    /// Records a coordinate, a length or an angle.
     pub fn note_number(&mut self, place: usize, node: NodeId) {
         if let Some(marks) = &mut self.marks {
             marks.numbers.entry(place).or_insert(node);
         }
     }
 
-    /// Notes the coordinates and lengths of an element outside of frames, whose attributes are texts with values in them.
+    /// Records the coordinates and lengths of an element outside frames, whose attributes are texts with values.
     pub fn note_plain(&mut self, element: &str, attributes: &[(Range<usize>, Range<usize>)]) {
         if self.marks.is_none() || self.space.framed {
             return;

@@ -1,19 +1,19 @@
-//! Points as they are written: `(x, 0 [m])`, `0.2 [s]*(x', 0)`, `(0, 0) (x, y)`.
+//! Points in the source text: `(x, 0 [m])`, `0.2 [s]*(x', 0)`, `(0, 0) (x, y)`.
 
 use std::ops::Range;
 
-/// A point in parentheses, by places in the source.
+/// A point in parentheses, as byte ranges in the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pair {
-    /// With its parentheses.
+    /// Range with the parentheses.
     pub whole: Range<usize>,
-    /// Before the comma.
+    /// Range before the comma.
     pub first: Range<usize>,
-    /// Behind it.
+    /// Range after the comma.
     pub second: Range<usize>,
 }
 
-/// A part of a list of points or of a path.
+/// An item of a list of points or of a path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Step {
     /// A command of a path, such as `M`.
@@ -22,8 +22,7 @@ pub enum Step {
     Point(Pair),
 }
 
-/// The pairs of an expression that is a point: a sum of terms with one pair each, which is a factor of its term. None if
-/// it is something else.
+/// Pairs of an expression that is a point: a sum of terms, each with one pair as a factor. `None` for other expressions.
 pub fn pairs(source: &str, range: Range<usize>) -> Option<Vec<Pair>> {
     let mut pairs = Vec::new();
     for term in terms(source, range) {
@@ -42,7 +41,8 @@ pub fn pairs(source: &str, range: Range<usize>) -> Option<Vec<Pair>> {
     (!pairs.is_empty()).then_some(pairs)
 }
 
-/// A list of points, separated by blanks or commas; with `commands` the letters of a path among them.
+/// Items of a list of points, separated by blanks or commas. `commands`: letters of path commands that may stand between.
+/// The error is the range of an invalid item.
 pub fn steps(source: &str, range: Range<usize>, commands: &str) -> Result<Vec<Step>, Range<usize>> {
     let groups = groups(source, range.clone());
     let mut steps = Vec::new();
@@ -64,13 +64,13 @@ pub fn steps(source: &str, range: Range<usize>, commands: &str) -> Result<Vec<St
     Ok(steps)
 }
 
-/// `LOW..HIGH`
+/// Splits `LOW..HIGH`.
 pub fn interval(source: &str, range: &Range<usize>) -> Option<(Range<usize>, Range<usize>)> {
     let middle = range.start + source[range.clone()].find("..")?;
     Some((range.start..middle, middle + 2..range.end))
 }
 
-/// The terms of a sum, without their signs.
+/// Terms of a sum, without their signs.
 fn terms(source: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let mut terms = Vec::new();
     let mut start = range.start;
@@ -83,13 +83,13 @@ fn terms(source: &str, range: Range<usize>) -> Vec<Range<usize>> {
         }
     }
     terms.push(start..range.end);
-    // A sign before the first term leaves nothing in front of it.
+    // A sign before the first term leaves an empty term.
     let first =
         usize::from(terms.len() > 1 && terms.first().is_some_and(|term| source[term.clone()].trim().is_empty()));
     terms.split_off(first)
 }
 
-/// The characters outside parentheses, brackets and texts.
+/// Characters outside parentheses, brackets and texts, with their byte positions.
 fn outside(source: &str, range: Range<usize>) -> Vec<(usize, char)> {
     let mut depth = 0_u32;
     let mut quoted = false;
@@ -107,7 +107,7 @@ fn outside(source: &str, range: Range<usize>) -> Vec<(usize, char)> {
     found
 }
 
-/// The outermost parentheses that are not those of a call.
+/// Outermost parentheses, except those of calls.
 fn groups(source: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let mut groups = Vec::new();
     let mut open = Vec::new();
@@ -123,7 +123,7 @@ fn groups(source: &str, range: Range<usize>) -> Vec<Range<usize>> {
                 let is_call = |start: usize| {
                     source[range.start..start].ends_with(|c: char| c.is_alphanumeric() || matches!(c, '_' | '\''))
                 };
-                // A command of a path stands directly before its point, too; it is one letter.
+                // A path command also stands directly before its point; it is a single letter.
                 groups.extend(
                     start
                         .filter(|start| !is_call(*start) || is_command(source, &range, *start))
@@ -136,14 +136,14 @@ fn groups(source: &str, range: Range<usize>) -> Vec<Range<usize>> {
     groups
 }
 
-/// Whether the letter before a parenthesis stands alone.
+/// True if the letter before a parenthesis stands alone.
 fn is_command(source: &str, range: &Range<usize>, at: usize) -> bool {
     let mut before = source[range.start..at].chars().rev();
     let letter = before.next().is_some_and(|letter| letter.is_ascii_uppercase());
     letter && before.next().is_none_or(|other| !other.is_alphanumeric() && !matches!(other, '_' | '\''))
 }
 
-/// The two parts of a parenthesis with one comma.
+/// Splits a parenthesis with one comma.
 fn pair(source: &str, whole: Range<usize>) -> Option<Pair> {
     let inside = whole.start + 1..whole.end - 1;
     let mut commas = outside(source, inside.clone()).into_iter().filter(|(_, letter)| *letter == ',');

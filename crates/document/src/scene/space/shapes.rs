@@ -1,4 +1,4 @@
-//! The elements of SVG in a frame: their coordinates and lengths are those of the problem.
+//! SVG elements in a frame, with coordinates and lengths of the problem.
 
 use super::Spot;
 use super::points::{Step, steps};
@@ -8,10 +8,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use units::words;
 
-/// Attributes with lengths or points, by name.
+/// Places of attribute values with lengths or points, by name.
 pub type Geometry = BTreeMap<String, Range<usize>>;
 
-/// Whether an attribute of an element is a length or a place.
+/// True if an attribute of an element is a length or a position.
 pub fn is_geometry(element: &str, attribute: &str) -> bool {
     match element {
         "rect" => matches!(attribute, "x" | "y" | "width" | "height" | "rx" | "ry" | "at" | "size"),
@@ -27,7 +27,7 @@ pub fn is_geometry(element: &str, attribute: &str) -> bool {
 }
 
 impl Builder<'_, '_> {
-    /// The attributes that place an element in a frame, and a place of it that follows the hand when it is dragged.
+    /// Attributes that place an element in a frame, and its point that follows the pointer when it is dragged.
     pub fn shape(&mut self, element: &str, geometry: &Geometry) -> (Vec<Attribute>, Option<Spot>) {
         let mut attributes = Vec::new();
         let at = geometry.get("at").and_then(|at| self.point(at.clone()));
@@ -70,7 +70,7 @@ impl Builder<'_, '_> {
         (attributes, anchor)
     }
 
-    /// The upper left corner of a rectangle, which is given by its lower left one or by its middle.
+    /// Upper left corner of a rectangle, which is given by its lower left corner or by its centre.
     fn rectangle(&mut self, geometry: &Geometry, at: Option<Spot>, attributes: &mut Vec<Attribute>) -> Option<Spot> {
         let zero = self.graph().constant(0.0);
         let (width, height) = match geometry.get("size") {
@@ -98,7 +98,7 @@ impl Builder<'_, '_> {
         Some(at.unwrap_or(corner))
     }
 
-    /// The upper left corner of what has its middle and size.
+    /// Upper left corner of a rectangle, from its centre and size.
     pub fn corner(&mut self, middle: Spot, width: NodeId, height: NodeId) -> Spot {
         let graph = self.graph();
         let half = graph.constant(0.5);
@@ -106,7 +106,7 @@ impl Builder<'_, '_> {
         Spot { x: graph.subtract(middle.x, right), y: graph.subtract(middle.y, down) }
     }
 
-    /// `(30 [cm], 20px)`: width and height in the drawing.
+    /// Parses `(30 [cm], 20px)`: width and height in units of the drawing.
     pub fn size(&mut self, range: Range<usize>) -> Option<Spot> {
         let inner = self.inside_braces(range.clone());
         let found = steps(self.expressions.source, inner.clone(), "");
@@ -128,7 +128,7 @@ impl Builder<'_, '_> {
         Some(size)
     }
 
-    /// A place whose coordinates stand in two attributes; one that is missing is 0.
+    /// Position whose coordinates are in two attributes; a missing one is 0.
     fn spot_of(&mut self, geometry: &Geometry, x: &str, y: &str) -> Option<Spot> {
         let zero = self.graph().constant(0.0);
         let mut number = |name: &str| geometry.get(name).map_or(Some(zero), |range| self.coordinate(range.clone()));
@@ -183,7 +183,7 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// The two attributes of a place.
+    /// Both attributes of a position.
     pub fn place(&mut self, spot: Option<Spot>, names: [&str; 2], attributes: &mut Vec<Attribute>) {
         if let Some(spot) = spot {
             for (name, node) in names.into_iter().zip([spot.x, spot.y]) {
@@ -192,12 +192,12 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// An attribute that is a number in drawing units.
+    /// An attribute with a number in units of the drawing.
     pub fn number_attribute(&mut self, name: &str, node: NodeId) -> Option<Attribute> {
         Some(Attribute { name: name.to_owned(), value: vec![self.drawn(node)?] })
     }
 
-    /// Adds ` x y`.
+    /// Appends ` x y`.
     pub fn write_spot(&mut self, spot: Spot, pieces: &mut Vec<Piece>) {
         for node in [spot.x, spot.y] {
             pieces.push(Piece::Literal(" ".to_owned()));
@@ -206,7 +206,7 @@ impl Builder<'_, '_> {
     }
 }
 
-/// Neighbouring texts as one.
+/// Joins adjacent texts.
 pub fn merged(pieces: Vec<Piece>) -> Vec<Piece> {
     let mut merged: Vec<Piece> = Vec::new();
     for piece in pieces {

@@ -1,4 +1,4 @@
-//! A drawing that is changed by hand.
+//! Graphical edits of a drawing.
 
 use crate::editing::edit::documents;
 use crate::editing::form::inverse;
@@ -11,7 +11,8 @@ use model::Edit;
 use proptest::prelude::*;
 use units::Language;
 
-/// A document with this in the frame of its scene; one centimetre is 10 units of the drawing, and the origin is at (200, 150).
+/// A document with `content` in the frame of its scene; 10 units of the drawing per centimetre, and the origin is at (200,
+/// 150).
 pub fn framed(content: &str) -> String {
     document_of(&format!("<frame x=\"-20..20 [cm]\" y=\"-15..15 [cm]\">\n    {content}\n  </frame>"))
 }
@@ -23,7 +24,7 @@ pub fn document_of(content: &str) -> String {
     )
 }
 
-/// In steps of 5 mm.
+/// Measure with steps of 5 mm.
 fn centimetres() -> Measure {
     Measure { unit: "cm".to_owned(), step: 0.005, scale: 1000.0 }
 }
@@ -33,7 +34,7 @@ fn opens(text: &str) {
     assert!(found.is_empty(), "{text}\n{found:?}");
 }
 
-/// The first element after a grip was moved, as it is written.
+/// Text of the first element after a grip was moved.
 fn shifted(text: &str, grip: Grip, by: [f64; 2], measure: &Measure) -> String {
     opens(text);
     let edits = shift(&document::read(text), first(text), grip, by, measure).unwrap();
@@ -42,7 +43,7 @@ fn shifted(text: &str, grip: Grip, by: [f64; 2], measure: &Measure) -> String {
     element(&after, first(text))
 }
 
-/// The number of the first element that is no frame.
+/// Index of the first element that is not a frame.
 fn first(text: &str) -> usize {
     let drawing = read(&document::read(text)).unwrap();
     drawing.items.iter().position(|item| !item.is_frame()).unwrap()
@@ -216,7 +217,7 @@ fn a_text_that_would_end_its_element_is_refused_with_the_reason() {
     assert_eq!(set_text(&outline, 2, "a < b"), refused("<"));
 }
 
-/// What lies exactly on another element hides it.
+/// An element exactly on another one hides it.
 #[test]
 fn new_elements_come_to_lie_beside_those_that_are_there() {
     let pixels = Measure { unit: String::new(), step: 5.0, scale: 1.0 };
@@ -312,8 +313,8 @@ fn elements_are_copied_reordered_named_and_removed() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
 
-    /// Whatever is done by hand to the drawings of the gallery: the text can be read again, nothing outside the scene changes, and
-    /// what was there before comes back when the edits are taken back.
+    /// Arbitrary graphical edits of the drawings of the gallery: the text can be read again, nothing outside the scene
+    /// changes, and undoing the edits restores the text.
     #[test]
     fn any_sequence_of_changes_leaves_a_drawing(
         which in any::<prop::sample::Index>(),

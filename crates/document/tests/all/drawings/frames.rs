@@ -1,4 +1,4 @@
-//! Frames: drawings in the units of the problem.
+//! Frames: drawings in units of the problem.
 
 use engine::Readings;
 use program::{Child, Dragged, Element, Program, write_attribute};
@@ -13,7 +13,7 @@ fn open(scene: &str) -> (Program, Vec<String>) {
     (opened.document.expect("the model is good").program, found)
 }
 
-/// The values of the drawing for a state.
+/// Values of the drawing for these states.
 fn values(program: &Program, state: &[f64]) -> Vec<f64> {
     let values = &program.scene("en").expect("a scene").values;
     let nodes: Vec<_> = values.iter().map(|value| value.node).collect();
@@ -36,7 +36,7 @@ fn print(element: &Element, values: &[f64]) -> String {
     text + ";"
 }
 
-/// What a scene draws for x = 0.5 m and theta = 0.3.
+/// SVG of a scene for x = 0.5 m and theta = 0.3.
 fn check(scene: &str, expected: &str) {
     let (program, found) = open(scene);
     assert_eq!(found, [""; 0], "{scene}");
@@ -49,7 +49,7 @@ fn refused(scene: &str, messages: &[&str]) {
     assert_eq!(found, messages, "{scene}");
 }
 
-/// 4 m by 3 m in 400 by 300 units: 100 units for a metre; the origin lies 200 to the right and 200 down.
+/// 4 m by 3 m in 400 by 300 units: 100 units per metre; the origin is at (200, 200).
 const FRAME: &str = "<frame x='-2..2 [m]' y='-1..2 [m]'>";
 
 #[test]
@@ -116,7 +116,7 @@ fn what_does_not_fit_is_refused_at_its_place() {
     refused("<frame x='0..1' y='0..1' box='1 2 3'/>", &["a frame is fitted into a box, and there is none"]);
 }
 
-/// The part that is dragged, and what a unit upwards and to the right adds when x = 0.5 m and theta = 0.3.
+/// The drag target, and its change per unit upwards and to the right, for x = 0.5 m and theta = 0.3.
 fn dragged(scene: &str) -> (Dragged, Option<f64>, Option<f64>) {
     let (program, found) = open(scene);
     assert_eq!(found, [""; 0], "{scene}");
@@ -149,7 +149,7 @@ fn a_part_of_a_frame_follows_the_hand_along_its_way() {
     assert_eq!(target, Dragged::State(1));
     assert!((up.expect("up") - libm::sin(0.3) / 200.0).abs() < 1e-12);
     assert!((right.expect("right") - libm::cos(0.3) / 200.0).abs() < 1e-12);
-    // In a group turned by 90 degrees to the left, its x is upwards.
+    // In a group turned by 90 degrees to the left, its x axis points up.
     let (_, up, right) = dragged(&format!("{FRAME}<g turn='pi/2'><circle at='(x, 0)' r='9px' drag='x'/></g></frame>"));
     assert!((up.expect("up") - 0.01).abs() < 1e-12 && right.is_none_or(|right| right.abs() < 1e-12));
     assert_eq!(

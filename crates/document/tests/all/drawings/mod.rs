@@ -1,4 +1,4 @@
-//! Scenes: what may stand in them, and how they change by hand.
+//! Scenes: permitted content, and graphical edits.
 
 mod drawing;
 mod frames;

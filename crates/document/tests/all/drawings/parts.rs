@@ -1,11 +1,11 @@
-//! Parts of a scene: what they are drawn with.
+//! Parts of a scene: their SVG elements.
 
 use engine::Readings;
 use program::{Child, Element, Program, write_attribute};
 
 const MODEL: &str = "```model\nparameter l = 2 [m] in 1..3\nx' = 0 [m/s]\nx(0) = 0.5 [m]\ntheta' = 0 [1/s]\n\
                      theta(0) = 0.5 [rad]\n```\n\n";
-/// 100 units for a metre; the origin lies 200 to the right and 200 down.
+/// 100 units per metre; the origin is at (200, 200).
 const FRAME: &str = "<frame x='-2..2 [m]' y='-1..2 [m]'>";
 
 fn open(scene: &str) -> (Program, Vec<String>) {
@@ -48,7 +48,7 @@ fn drawn(scene: &str, language: &str) -> String {
     print(&scene.root, Readings::new(&program.model, &nodes).at(&[2.0], &state, 0.0, &state))
 }
 
-/// What is drawn for a part in a frame, for x = 0.5 m and theta = 0.5.
+/// Elements of a part in a frame, for x = 0.5 m and theta = 0.5.
 fn check(part: &str, expected: &str) {
     let drawn = drawn(&format!("{FRAME}{part}</frame>"), "en");
     assert!(drawn.contains(expected), "{part}\nhas   {drawn}\nwants {expected}");
@@ -78,7 +78,7 @@ fn parts_stand_where_they_are_placed_and_are_as_large_as_said() {
     check("<switch from='(0, 0)' to='(1 [m], 0)' closed='x > l'/>", "translate(-16 0) rotate(-28)");
 }
 
-/// An arrow ends at the sum of its place and its vector; in the drawing itself y goes down.
+/// An arrow ends at the sum of its point and its vector; outside frames y points down.
 #[test]
 fn arrows_are_as_long_as_their_vectors() {
     check(
@@ -90,7 +90,7 @@ fn arrows_are_as_long_as_their_vectors() {
     assert!(plain.contains("translate(10 20) rotate(90)"), "{plain}");
 }
 
-/// The smaller arc between two angles, against the clock: large-arc 0, sweep 0.
+/// The smaller arc between two angles, counterclockwise: large-arc 0, sweep 0.
 #[test]
 fn an_angle_is_an_arc_between_two_directions() {
     check("<angle at='(0, 0)' from='0' to='90 [deg]' r='10px'/>", "d=M210 200A10 10 0 0 0 200 190");
@@ -100,7 +100,7 @@ fn an_angle_is_an_arc_between_two_directions() {
 #[test]
 fn axes_cross_at_the_origin_and_are_numbered_in_the_unit_of_their_step() {
     let axes = drawn(&format!("{FRAME}<axes x='-1..2 [m]' y='-1..2 [m]' step='50 [cm]'/></frame>"), "en");
-    // Two lines, and seven marks on each.
+    // Two lines with seven marks each.
     assert_eq!(axes.matches("<line").count(), 16, "{axes}");
     for line in ["<line x1=100 y1=200 x2=400 y2=200>", "<line x1=200 y1=300 x2=200 y2=0>"] {
         assert!(axes.contains(line), "{axes}");
@@ -108,7 +108,7 @@ fn axes_cross_at_the_origin_and_are_numbered_in_the_unit_of_their_step() {
     for (number, count) in [(">-100;", 2), (">50;", 2), (">200 cm;", 2), (">0;", 0)] {
         assert_eq!(axes.matches(number).count(), count, "{number}: {axes}");
     }
-    // Where 0 is in no range they cross at the nearest ends.
+    // Axes cross at the nearest ends if 0 is in no range.
     let beside = drawn(&format!("{FRAME}<axes x='1..2 [m]' y='-1..-0.5 [m]' step='0.5 [m]'/></frame>"), "es");
     assert!(beside.contains("<title>Ejes;") && beside.contains("<line x1=300 y1=250 x2=400 y2=250>"), "{beside}");
 }
@@ -174,7 +174,7 @@ fn the_size_of_a_drawing_is_bounded() {
     assert!(program.scene("en").is_some());
 }
 
-/// The words between the parts of a plot and of a claim may be names of quantities.
+/// The words between the parts of a plot or of a claim can be names of quantities.
 #[test]
 fn connecting_words_are_names_too() {
     for name in ["at", "from", "every", "by", "of", "within"] {

@@ -4,7 +4,7 @@ use engine::Readings;
 use program::{Child, Element, Program, write_attribute};
 
 const MODEL: &str = "```model\nparameter N = 3\nl = 2 [m]\nx' = 0 [m/s]\nx(0) = 0.5 [m]\n```\n\n";
-/// 100 units for a metre; the origin lies 200 to the right and 200 down.
+/// 100 units per metre; the origin is at (200, 200).
 const FRAME: &str = "<frame x='-2..2 [m]' y='-1..2 [m]'>";
 
 fn open(scene: &str) -> (Program, Vec<String>) {
@@ -14,7 +14,7 @@ fn open(scene: &str) -> (Program, Vec<String>) {
     (opened.document.expect("the model is good").program, found)
 }
 
-/// The values of an attribute, in the order of the drawing, for x = 0.5 m.
+/// Values of an attribute, in the order of the drawing, for x = 0.5 m.
 fn drawn(scene: &str, attribute: &str) -> Vec<String> {
     fn collect(element: &Element, attribute: &str, values: &[f64], found: &mut Vec<String>) {
         for one in element.attributes.iter().filter(|one| one.name == attribute) {
@@ -84,7 +84,7 @@ fn indices_are_checked_and_bounded() {
     refused(&lines, &["there are too many parts in this scene"]);
 }
 
-/// Each copy alone is small enough.
+/// Each copy by itself is small enough.
 #[test]
 fn the_calls_of_all_copies_together_are_bounded() {
     let source = "```model\nfunction f(x) = x*(1 - x)\nfunction g(x) = f(f(f(x)))\nx' = -x/1 [s]\nx(0) = 0.5\n```\n\n\

@@ -1,4 +1,4 @@
-//! What a scene lets through and what it refuses, on the outside of the crate.
+//! Permitted and refused content of a scene, through the public interface.
 use document::Opened;
 use program::{Child, Dragged, Element, Piece, Template};
 
@@ -56,7 +56,7 @@ fn check(scene: &str, expected: &str, messages: &[&str]) {
     assert_eq!(scene, expected);
 }
 
-/// What browsers would pass over in silence, and the remedies.
+/// Values that browsers would silently ignore, and their fixes.
 #[test]
 fn colours_and_numbers_of_attributes_are_checked() {
     for (attribute, message, remedy) in [
@@ -105,7 +105,7 @@ fn colours_and_numbers_of_attributes_are_checked() {
     }
 }
 
-/// A scene with one thing inside.
+/// A scene with one element.
 fn inside(content: &str, expected: &str, messages: &[&str]) {
     check(&format!("<svg viewBox=\"0 0 9 9\">{content}</svg>"), &format!("<svg viewBox=0 0 9 9>{expected};"), messages);
 }
@@ -120,7 +120,7 @@ fn values_follow_the_model() {
     inside("<text>{{y}} &lt;</text><path d='M0 {if y < h then 1 else 2}'/>", "<text>({y} <);<path d=M0 {0}>;", &[]);
 }
 
-/// The number in an attribute is that of the unit stated, and the same expression in a text keeps its own.
+/// A number in an attribute is in the stated unit; the same expression in a text keeps its own unit.
 #[test]
 fn a_stated_unit_holds_in_attributes() {
     let source = "```model\nparameter phi = 0.5 [rad]\n```\n\n```scene\n<svg viewBox='0 0 9 9'><g transform='rotate({phi in \
@@ -269,7 +269,7 @@ fn values_that_run_or_load_are_refused() {
             &[&format!("`{word}` is not allowed in a scene; `fill` is left out")],
         );
     }
-    // Numbers between the letters do not hide a word.
+    // Digits between the letters do not hide a word.
     inside("<g fill='ur{y}l(x)'/>", "<g>;", &["`url(` is not allowed in a scene; `fill` is left out"]);
 }
 

@@ -1,4 +1,4 @@
-//! Where the elements of a drawing stand in its picture.
+//! Places of the elements of a drawing in its picture.
 
 use super::drawing::{document_of, framed};
 use crate::editing::edit::documents;
@@ -6,7 +6,7 @@ use document::drawing::{Grip, Sketch, read};
 use document::edit::{Measure, apply, shift};
 use engine::Readings;
 
-/// The places of the elements of a drawing at the start of a run.
+/// Places of the elements of a drawing at the start of a run.
 fn located(text: &str) -> Vec<Option<document::drawing::Located>> {
     let sketch = Sketch::read(text).unwrap();
     let mut readings = Readings::new(&sketch.model, &sketch.nodes);
@@ -37,7 +37,7 @@ fn grips_stand_where_the_picture_has_them() {
         let (_, found) = place.grips.iter().find(|(one, _)| *one == grip).unwrap();
         assert!(near(*found, expected), "{element}: {found:?} for {expected:?}");
     }
-    // Outside of frames, beside a title, in a group, repeated.
+    // Outside frames, beside a title, in a group, repeated.
     let places = located(&document_of(
         "<title>T</title>\n  <rect x=\"5\" y=\"{10*phi}\" width=\"20\" height=\"10\"/>\n  <g><bob repeat=\"i in 1..3\" at=\"(10*i, 20)\" r=\"4\"/></g>",
     ));
@@ -48,7 +48,7 @@ fn grips_stand_where_the_picture_has_them() {
     assert!(near(bob.grips[1].1, [14.0, 20.0]));
 }
 
-/// Moving what is gripped by a distance moves the grip by it in the picture, for all elements of all documents.
+/// Moving a grip by a distance moves it by that distance in the picture, for all elements of all documents.
 #[test]
 fn grips_of_the_gallery_follow_the_hand() {
     let mut moved = 0;
@@ -68,7 +68,7 @@ fn grips_of_the_gallery_follow_the_hand() {
             let step = 8.0 / place.scale;
             let measure = Measure { unit: place.unit.clone(), step: step / 1e6, scale: place.scale };
             for (grip, at) in place.grips.iter().filter(|(grip, _)| matches!(grip, Grip::Beginning | Grip::End)) {
-                // One of each kind in a document: reading it again takes time.
+                // One element of each kind per document, because reading the document again takes time.
                 if seen.contains(&(item.kind.name, *grip)) {
                     continue;
                 }

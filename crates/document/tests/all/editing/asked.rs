@@ -1,4 +1,4 @@
-//! Questions as they are written, and further ones.
+//! Edits of questions.
 
 use document::edit::{EditError, NewQuestion, Obstacle, add_question, apply, remove_question, set_question};
 use document::{QuestionPart, asked, open, possible_answers, read};
@@ -36,7 +36,7 @@ fn what_the_model_computes_from_parameters_can_be_an_answer() {
     assert_eq!(found, [("T".to_owned(), Some("Period".to_owned()))]);
 }
 
-/// The remedy of a wrong reference works.
+/// The fix of a wrong reference works.
 #[test]
 fn a_question_waits_for_earlier_ones() {
     let model = "```model\nparameter a = 1\ny' = a*1 [1/s]\ny(0) = 0\n```\n";
@@ -59,7 +59,7 @@ fn a_question_waits_for_earlier_ones() {
     }
     let first = document::open(&[model, &question("after: previous\n")].concat(), &[]);
     assert!(first.diagnostics[0].1.fixes.is_empty() && first.diagnostics.len() == 1);
-    // A question that has errors is not waited for.
+    // A question does not depend on one that has errors.
     let faulty = text("after: 2\n").replacen("after: previous\nanswer: a", "after: previous\nanswer: b", 1);
     let opened = document::open(&faulty, &[]).document.unwrap();
     let questions: Vec<_> = opened.program.questions.iter().map(|question| question.after.clone()).collect();
@@ -86,7 +86,7 @@ fn a_question_is_added_behind_the_last_and_works() {
     }
 }
 
-/// Parts of the only question of [`DOCUMENT`], and what its block is then.
+/// Edits of each part of the only question of [`DOCUMENT`], and the expected content of its block.
 #[test]
 fn each_part_of_a_question_is_written_in_its_place() {
     use QuestionPart::{After, Answer, Explanation, Hide, Hint, Prompt, Set};
@@ -113,7 +113,7 @@ fn each_part_of_a_question_is_written_in_its_place() {
     assert_eq!(asked_in(DOCUMENT).len(), 1);
 }
 
-/// What the third and fourth question wait for before and after the removal of one of four.
+/// References between questions before and after one of four is removed.
 #[test]
 fn a_removed_question_leaves_its_translation_and_later_questions_wait_for_those_that_are_left() {
     let question = |name: &str, after: &str| {

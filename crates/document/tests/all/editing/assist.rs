@@ -1,4 +1,4 @@
-//! What is suggested and explained at places of a document, marked by `|`.
+//! Suggestions and explanations at places of a document marked by `|`.
 
 use document::assist::{Completion, complete, explain, typeset_at};
 use program::functions::{FUNCTIONS, Function};
@@ -20,7 +20,7 @@ fn completed(before: &str, behind: &str) -> Completion {
     complete(&document::read(DOCUMENT), program, offset)
 }
 
-/// The texts, and what the word stands for that they replace.
+/// Suggested texts, and the text that they replace.
 fn texts(before: &str, behind: &str) -> (String, Vec<String>) {
     let found = completed(before, behind);
     (DOCUMENT[found.span.range()].to_owned(), found.suggestions.into_iter().map(|suggestion| suggestion.text).collect())
@@ -41,7 +41,7 @@ fn suggestions_fit_their_place() {
         let (begun, found) = texts(before, behind);
         assert_eq!((begun.as_str(), found.first().map(String::as_str)), (word, Some(first)), "{before}: {found:?}");
     }
-    // In comments, labels, numbers and prose nothing is suggested.
+    // No suggestions in comments, labels, numbers and prose.
     for (before, behind) in [("# om", "\n"), ("\"Stiff", "ness"), ("x(0) = 3", " [cm]"), ("Te", "xt")] {
         assert_eq!(texts(before, behind).1, [""; 0], "{before}");
     }

@@ -1,4 +1,4 @@
-//! After an edit, reading the text gives what was asked, and all other bytes are as before.
+//! After an edit, the text contains the requested change, and all other bytes are unchanged.
 
 use super::outline::check_places;
 use crate::arbitrary::document_text;
@@ -12,7 +12,7 @@ use program::{Program, bundle};
 use proptest::prelude::*;
 use std::path::Path;
 
-/// The texts of all documents that come with Meniscus, without translations.
+/// Texts of all documents of Meniscus, without translations.
 pub fn documents() -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../simulations");
     let mut texts = Vec::new();
@@ -30,7 +30,7 @@ pub fn documents() -> Vec<String> {
 
 fn program(text: &str) -> Program {
     let opened = open(text, &[]);
-    // At the end of a range an event may be true at the start, of which a warning speaks.
+    // At an end of a range, an event may be true at the start, which causes a warning.
     assert!(!opened.has_errors(), "{:?}", opened.diagnostics);
     opened.document.unwrap().program
 }
@@ -48,7 +48,7 @@ fn parameters<'a>(outline: &'a Outline) -> Vec<&'a ParameterStatement> {
     parameters.collect()
 }
 
-/// Each block with its kind.
+/// Contents of the blocks with their kinds.
 fn blocks(text: &str) -> Vec<(BlockKind, String)> {
     let outline = read(text);
     outline.blocks().iter().map(|block| (block.kind, text[block.content.range()].to_owned())).collect()
@@ -67,7 +67,7 @@ fn with_parameter(text: &str, name: &str, value: &str) -> String {
     changed(text, set_parameter(&read(text), name, value))
 }
 
-/// Every parameter of every document that is a number gets another value of its range.
+/// Every numeric parameter of every document gets another value of its range.
 #[test]
 fn a_parameter_gets_another_default_and_nothing_else_changes() {
     for text in documents() {
@@ -166,7 +166,7 @@ fn front_matter_is_changed_added_to_and_removed_from() {
     }
 }
 
-/// Each block is replaced by another text and back again, removed and inserted again.
+/// Each block is replaced by another text and restored, removed and inserted again.
 #[test]
 fn blocks_are_replaced_removed_and_inserted() {
     for text in documents() {
@@ -183,7 +183,7 @@ fn blocks_are_replaced_removed_and_inserted() {
             assert_eq!(changed(&edited, replace_block(&read(&edited), index, content)), text);
             let edited = changed(&text, remove_block(&outline, index));
             assert_eq!(edited, format!("{}{}", &text[..block.span.start], &text[block.span.end..]));
-            // Prose around a removed block is joined, so that the place where it was is gone.
+            // Prose around a removed block is joined, so its former place cannot be restored.
             let after = index.checked_sub(1);
             if blocks(&edited).len() == before.len() - 1 {
                 let again = insert_block(&read(&edited), after, block.kind, content);
@@ -242,7 +242,7 @@ fn edits_out_of_place_are_refused() {
     assert_eq!(insert_block(&read(text), None, BlockKind::Prose, &long), Err(EditError::TooLong));
 }
 
-/// What every block but the one at `except` holds, without the line end that an edit may add.
+/// Contents of all blocks except `except`, without the line end that an edit may add.
 fn others(text: &str, except: Option<usize>) -> Vec<(BlockKind, String)> {
     let blocks = blocks(text).into_iter().enumerate().filter(|(index, _)| Some(*index) != except);
     blocks
@@ -251,7 +251,7 @@ fn others(text: &str, except: Option<usize>) -> Vec<(BlockKind, String)> {
         .collect()
 }
 
-/// All edits of a document, with any texts.
+/// All kinds of edits of a document, with arbitrary texts.
 fn edit_all(text: &str, content: &str, number: f64) {
     let outline = read(text);
     for parameter in parameters(&outline) {
@@ -324,7 +324,7 @@ proptest! {
     }
 }
 
-/// Everything that means the quantity gets the new name, and nothing that only looks like it.
+/// Every occurrence of the quantity gets the new name, and nothing else.
 #[test]
 fn a_quantity_is_renamed_where_it_is_meant() {
     let source = "---\ntitle: m\n---\nThe mass m is {m in [g]}, $m$.\n\n```model\nparameter m = 1 [kg] \"m\"  # m\nparameter m_2 = 2 [m]\n\
@@ -340,7 +340,7 @@ fn a_quantity_is_renamed_where_it_is_meant() {
         .replace("= m*x'", "= mass*x'")
         .replace(": m = 3", ": mass = 3");
     assert_eq!(renamed(place, "mass").unwrap(), expected);
-    // In translations and in the list of what fits vary, too.
+    // Also in translations and in `vary`.
     let varying = source.replace("title: m\n", "title: m\nvary: m_2, m\n");
     let spanish = "---\nlanguage: es\ntranslates: a.md\n---\nLa masa m es {m in [g]}.\n\n```translations\n\"m\" = \"masa m\"\n```\n";
     let edits = rename_with(&read(&varying), varying.find("= m*x'").unwrap() + 2, "mass", &[spanish]).unwrap();

@@ -1,4 +1,4 @@
-//! Text and form are the same document: what is set in a cell is read there afterwards, and all other bytes are as before.
+//! Text and form agree: a value set in a cell is read there afterwards, and all other bytes are unchanged.
 
 use super::edit::documents;
 use document::edit::{Edit, EditError, Obstacle, add_statement, apply, remove_statement, set_cell};
@@ -13,7 +13,7 @@ fn set(text: &str, number: usize, kind: CellKind, value: &str) -> Result<String,
     set_cell(&read(text), number, kind, value).map(|edits| apply(text, &edits).unwrap())
 }
 
-/// The lines that two texts of as many lines do not share.
+/// Lines that differ between two texts with the same number of lines.
 fn difference(before: &str, after: &str) -> Vec<String> {
     let lines = before.lines().zip(after.lines());
     lines.filter(|(before, after)| before != after).map(|(_, after)| after.to_owned()).collect()
@@ -127,7 +127,7 @@ fn a_cell_gets_another_text_and_its_line_keeps_its_comment_and_columns() {
 fn a_value_can_be_emptied_and_typed_again() {
     let empty = set(SPRING, 1, CellKind::Value, "").unwrap();
     assert_eq!(set(&empty, 1, CellKind::Value, "20").unwrap(), SPRING);
-    // The whole line of one that is wrong stays a row.
+    // A line with errors remains a row as a whole.
     for value in ["", "2 +", "m", "1e", "-"] {
         let wrong = set(SPRING, 0, CellKind::Value, value).unwrap();
         let opened = open(&wrong, &[]);
@@ -146,7 +146,7 @@ fn statements_are_added_and_removed() {
         let found = open(&text, &[]).diagnostics.into_iter().map(|(_, found)| found);
         let errors: Vec<&str> =
             found.filter(|found| found.severity == model::Severity::Error).map(|found| found.code).collect();
-        // No equation is invented; the author is asked for it.
+        // No equation is invented; the author must write it.
         let missing = if section == Section::InitialValues { &["initial-value-without-equation"][..] } else { &[] };
         assert_eq!(errors, missing, "{added}");
         let after = form(&read(&text));
@@ -169,7 +169,7 @@ fn statements_are_added_and_removed() {
     assert_eq!(add_statement(&read(SPRING), Section::Events, "when y < 1 [m] {"), Err(EditError::NotOneStatement));
 }
 
-/// What turns the text after the edits into the one before.
+/// Edits that restore the text before.
 pub fn inverse(before: &str, edits: &[Edit]) -> Vec<Edit> {
     let mut ordered = edits.to_vec();
     ordered.sort_by_key(|edit| edit.span.start);
@@ -209,7 +209,7 @@ fn asked() -> impl Strategy<Value = Asked> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
 
-    /// Whatever is asked of the forms of the gallery, one thing after the other.
+    /// Arbitrary sequences of edits of the forms of the gallery.
     #[test]
     fn text_and_form_agree(which in any::<prop::sample::Index>(), wishes in prop::collection::vec(asked(), 1..12)) {
         let all = documents();

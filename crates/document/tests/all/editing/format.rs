@@ -1,4 +1,4 @@
-//! One layout: it changes no meaning, keeps all comments, and is reached in one step.
+//! Formatting: keeps the meaning and all comments, and is idempotent.
 
 use crate::arbitrary::document_text;
 use document::{BlockKind, Formatted, format, read};
@@ -6,7 +6,7 @@ use program::bundle;
 use proptest::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// All documents that come with Meniscus, translations included.
+/// All documents of Meniscus, including translations.
 fn texts() -> Vec<(PathBuf, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folders = ["../simulations", "../simulations/theories", "document/templates/en", "document/templates/es"];
@@ -20,12 +20,12 @@ fn formatted(text: &str) -> String {
     document::edit::apply(text, &edits).unwrap()
 }
 
-/// The program of a document; of a translation, none.
+/// Program of a document; `None` for a translation.
 fn compiled(text: &str) -> Option<Vec<u8>> {
     document::open(text, &[]).document.map(|document| bundle::write(&document.program).unwrap())
 }
 
-/// All comments of models, in their order.
+/// All comments of models, in text order.
 fn comments(text: &str) -> Vec<String> {
     let outline = read(text);
     let models = outline.blocks().iter().filter(|block| block.kind == BlockKind::Model);
@@ -45,7 +45,7 @@ fn documents_mean_the_same_in_their_layout() {
     }
 }
 
-/// Blanks as authors write them: none where they mean nothing, or several.
+/// Different numbers of blanks, as authors write them: none where they are optional, or several.
 #[test]
 fn careless_blanks_mean_the_same() {
     const TIGHT: &[(&str, &str)] = &[(" = ", "="), (" + ", "+"), (", ", ",")];
@@ -55,7 +55,7 @@ fn careless_blanks_mean_the_same() {
         for replacements in [TIGHT, WIDE] {
             let mut careless = text.clone();
             for block in read(&text).blocks().iter().rev().filter(|block| block.kind == BlockKind::Model) {
-                // Labels and comments are words.
+                // Labels and comments are texts.
                 let content = text[block.content.range()].lines().map(|line| {
                     let (code, rest) = line.split_at(line.find(['"', '#']).unwrap_or(line.len()));
                     let code = replacements.iter().fold(code.to_owned(), |code, (from, to)| code.replace(from, to));
@@ -83,7 +83,7 @@ fn a_layout_is_settled() {
     assert_eq!(formatted(text), expected);
 }
 
-/// Columns follow from the words and not from the blanks between them.
+/// Columns depend on the tokens and not on the blanks between them.
 #[test]
 fn columns_of_neighbouring_lines() {
     let cases = [
@@ -93,17 +93,17 @@ fn columns_of_neighbouring_lines() {
             "parameter k    = 4 [N/m] in 1..10 step 2  \"Stiffness\"\nparameter mu_0 = 0.25    in 0..1          \"Friction\"\n\
              T = k*x^2/2 in [J]  \"Energy\"\n",
         ),
-        // A comment and the further lines of a statement end no group, a blank line does.
+        // A blank line ends a group; a comment and continuation lines of a statement do not.
         (
             "a = 1\n# between\nbcd = (2 +\n    3)\ne = 4\n\nfgh = 5\ni = 6\n",
             "a   = 1\n# between\nbcd = (2 +\n    3)\ne   = 4\n\nfgh = 5\ni   = 6\n",
         ),
-        // An equation of motion is in no column, nor the `in` of a family.
+        // An equation of motion is not aligned, nor the `in` of a family.
         (
             "m*x'' = -k*x\nx[i](0) = 1 for i in 1..3\ny(0) = 0 in [cm]\n",
             "m*x'' = -k*x\nx[i](0) = 1 for i in 1..3\ny(0)    = 0 in [cm]\n",
         ),
-        // A line that is much longer than the others moves none of them.
+        // A line that is much longer than the others does not move them.
         (
             "a = 1 \"One\"\nb = 1 + 2 + 3 + 4 + 5 + 6 + 7 + 8 + 9 + 10 + 11 + 12 + 13 + 14 \"Many\"\nc = 10 \"Ten\"\n",
             "a = 1   \"One\"\nb = 1 + 2 + 3 + 4 + 5 + 6 + 7 + 8 + 9 + 10 + 11 + 12 + 13 + 14  \"Many\"\nc = 10  \"Ten\"\n",
@@ -128,7 +128,7 @@ fn a_block_with_errors_stays() {
     assert_eq!(formatted(text), "```model\nx=(1\n```\n\n```plots\n\"x\": y against t\n```\n");
 }
 
-/// What a text is read as: kinds of blocks and keys of the front matter.
+/// Structure of a text: kinds of blocks and keys of the front matter.
 fn structure(text: &str) -> (Vec<BlockKind>, Vec<(String, String)>) {
     let outline = read(text);
     let kinds = outline.blocks().iter().map(|block| block.kind).filter(|kind| *kind != BlockKind::Prose);

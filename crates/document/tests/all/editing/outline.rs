@@ -1,4 +1,4 @@
-//! The structure of a text is there whatever is wrong in it.
+//! The structure of a text is available despite errors.
 
 use crate::arbitrary::document_text;
 use document::{BlockKind, Outline, read};
@@ -37,7 +37,7 @@ fn blocks_have_kinds_and_places() {
     assert_eq!(matter.closing.map(|line| text(&outline, line)), Some("---"));
 }
 
-/// Neither units nor names are checked, and an error in one statement leaves the others.
+/// Units and names are not checked, and an error in one statement does not affect the others.
 #[test]
 fn a_statement_with_an_error_leaves_the_others() {
     let outline = read(WRONG);
@@ -72,7 +72,7 @@ fn work_is_bounded() {
     assert_eq!(outline_of(&format!("---\n{}", "step:\n".repeat(150_000))).2.len(), 101);
 }
 
-/// What the documentation of [`Outline`] promises.
+/// Properties stated in the documentation of [`Outline`].
 pub fn check_places(outline: &Outline) {
     let matter = outline.front_matter();
     let source = outline.source();
@@ -84,7 +84,7 @@ pub fn check_places(outline: &Outline) {
         assert!(block.span.start <= block.content.start && block.content.end <= block.span.end);
         assert!(source.get(block.content.range()).is_some());
         for statement in &block.statements {
-            // A table begins in its opening line.
+            // A table begins in the opening line of its block.
             assert!(block.span.start <= statement.span.start && statement.span.end <= block.content.end);
         }
     }

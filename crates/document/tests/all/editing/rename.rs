@@ -1,4 +1,4 @@
-//! A renamed document computes the same bits, or the new name is refused.
+//! A renamed document computes bit-identical results, or the new name is refused.
 
 use super::edit::documents;
 use document::edit::{EditError, apply, rename, rename_with};
@@ -8,11 +8,11 @@ use model::Severity;
 use std::collections::BTreeSet;
 use units::split_mix::SplitMix64;
 
-/// Names that all kinds of quantities and all local names of [`text`] can have.
+/// Names used for all kinds of quantities and all local names of [`text`].
 const NAMES: [&str; 14] = ["a", "b", "c", "d", "g", "i", "j", "k", "q", "u", "at", "from", "x", "y"];
 
-/// A document with every construct that gives a local name. `global` are the names of quantities, `local` those of arguments, indices
-/// and `let`.
+/// A document with every construct that declares a local name. `global`: names of quantities; `local`: names of arguments,
+/// indices and `let`.
 fn text(global: [&str; 5], local: [&str; 5]) -> String {
     let [p, w, f, y, n] = global;
     let [argument, second, index, summed, kept] = local;
@@ -25,7 +25,7 @@ fn text(global: [&str; 5], local: [&str; 5]) -> String {
     )
 }
 
-/// The bits of the states of a run, and the default values; `None` if nothing runs.
+/// Bits of the states of a run, and the default values; `None` if the document does not run.
 fn bits(opened: &Opened) -> Option<Vec<u64>> {
     let program = &opened.document.as_ref()?.program;
     let mut run = Run::start(&program.model, Setup::of(program)).ok()?;
@@ -70,7 +70,7 @@ fn a_new_name_changes_no_bits() {
     assert!(sound > 15 && renamed > 30 && refused > 10, "{sound} {renamed} {refused}");
 }
 
-/// Renames the first place of `written` in a document of this model.
+/// Renames the first occurrence of `written` in a document with this model.
 fn renamed(model: &str, written: &str, new: &str) -> Result<String, EditError> {
     let text = format!("```model\nindependent T\nx' = -x\nx(0) = 1\n{model}\n```\n");
     let place = text.find(written).unwrap() + written.len();
@@ -87,28 +87,28 @@ fn a_local_name_is_not_captured() {
         ("size N = 1\ny[i] = N*i for i in 1..N", "size N", "i"),
         ("parameter k = 2\nwhen T > 1 { let u = 3, x = u*k }", "parameter k", "u"),
         ("parameter k = 2\nfunction f(a) = 2*a\nfunction g(a) = f(a) + k\ny = g(3)", "parameter k", "a"),
-        // In a model with errors, too.
+        // Also in a model with errors.
         ("parameter k = 2\nfunction f(a) = k*a\ny = f(3) + unknown", "parameter k", "a"),
     ] {
         let refused =
             EditError::Captured { old: written.split(' ').next_back().unwrap().to_owned(), new: new.to_owned() };
         assert_eq!(renamed(model, written, new), Err(refused), "{model}");
     }
-    // The braces of a formula hold no expressions.
+    // The braces of a formula contain no expressions.
     let text = "$$\\sqrt{k}$$ and $\\frac{k}{2}$ of {k}.\n\n```model\nparameter k = 2\n```\n";
     let edits = rename(&read(text), text.find("= 2").unwrap() - 1, "a").unwrap();
     assert_eq!(apply(text, &edits).unwrap(), text.replace("{k}.", "{a}.").replace("parameter k", "parameter a"));
-    // Here the local name hides nothing.
+    // Here the local name hides no quantity.
     let good = renamed("parameter k = 2\nfunction f(a) = 2*a\ny = f(k)", "parameter k", "a").unwrap();
     assert!(good.contains("parameter a = 2\nfunction f(a) = 2*a\ny = f(a)"), "{good}");
-    // A local name of the old quantity's name goes with it.
+    // A local name equal to that of the quantity is renamed as well.
     let good = renamed("parameter k = 2\nfunction f(k) = 2*k\ny = f(k)", "parameter k", "a").unwrap();
     assert!(good.contains("parameter a = 2\nfunction f(a) = 2*a\ny = f(a)"), "{good}");
     let drawn = "random seed = 1 in 1..9\ndiscrete n = 0\nwhen T > 1 { n = uniform(0, 1) }";
     assert_eq!(renamed(drawn, "discrete n", "m"), Err(EditError::ComputesOthers("m".to_owned())));
 }
 
-/// The quantities of real documents can have other names.
+/// Renaming the quantities of real documents.
 #[test]
 fn real_documents_are_renamed() {
     let mut refused = BTreeSet::new();

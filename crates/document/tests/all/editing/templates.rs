@@ -1,4 +1,4 @@
-//! What the files of new documents are called.
+//! File names of new documents.
 
 use document::file_name;
 

@@ -1,4 +1,4 @@
-//! The texts of a document beside those of its translation.
+//! Texts of a document with their translations.
 
 use document::edit::{EditError, Obstacle, apply, set_translation};
 use document::translating::{TextKey, beginning, likely_language, pairs, short_texts};
@@ -23,7 +23,7 @@ fn gallery() -> Vec<(String, String)> {
     found
 }
 
-/// What is missing of the whole gallery: nothing.
+/// The gallery has no missing translations.
 #[test]
 fn every_text_of_the_gallery_has_its_translation() {
     for (document, translation) in gallery() {
@@ -75,7 +75,7 @@ fn a_translation_is_written_text_by_text_until_nothing_is_missing() {
     }
     let refused = |mark: &str| Err(EditError::NotOneCell(Obstacle::Mark(mark.to_owned())));
     assert_eq!(set(TextKey::Short("Place".to_owned()), "a\" = \"b"), refused("\""));
-    // What follows a word of the language is another part of the question.
+    // Text after a keyword is another part of the question.
     assert_eq!(set(TextKey::Hint(0), "a\nexplanation: b"), refused("explanation:"));
     assert_eq!(set(TextKey::Prompt(4), "a"), Err(EditError::EarlierQuestion(4)));
 }
@@ -83,7 +83,7 @@ fn a_translation_is_written_text_by_text_until_nothing_is_missing() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 16, ..ProptestConfig::default() })]
 
-    /// Any text in the place of any other: it is read as what was asked, the others stay, or it is refused.
+    /// Arbitrary edits of translations: the text is set and the others are unchanged, or the edit is refused.
     #[test]
     fn what_is_written_is_read(which in any::<prop::sample::Index>(), at in any::<prop::sample::Index>(), text in "[a-zé$`\"#:\\n ]{0,20}") {
         let all = gallery();

@@ -1,4 +1,4 @@
-//! Bodies: in fields of force, on rods, thrown, bound by gravitation.
+//! Bodies in force fields, on rods, thrown, and bound by gravitation.
 
 use super::{Case, Motion, Values};
 use libm::{cos, hypot, sin, sqrt};
@@ -77,7 +77,7 @@ pub const CASES: [Case; 9] = [
         motion: |values| {
             let (electric, magnetic) = (values.of("E_0"), values.of("B_0"));
             let (speed, angle) = (values.of("v_0"), values.of("alpha"));
-            // An electron: charge by mass.
+            // An electron: charge-to-mass ratio.
             let ratio = -1.602176634e-19 / 9.1093837e-31;
             let start = [-0.34, speed * cos(angle), 0.0, 0.0, 0.0, speed * sin(angle)];
             Motion::new(start, move |_, y, rate| {
@@ -163,7 +163,7 @@ pub fn named(names: &[&str]) -> Vec<String> {
     names.iter().map(|name| (*name).to_owned()).collect()
 }
 
-/// The accelerations of the angles, solved by hand (Cramer's rule).
+/// Angular accelerations, derived by hand (Cramer's rule).
 fn double_pendulum(values: &Values) -> Motion {
     let [m_1, m_2, l_1, l_2, g] = ["m_1", "m_2", "l_1", "l_2", "g"].map(|name| values.of(name));
     Motion::new([values.of("a_1"), 0.0, values.of("a_2"), 0.0], move |_, y, rate| {
@@ -181,7 +181,7 @@ fn double_pendulum(values: &Values) -> Motion {
     })
 }
 
-/// Three bodies of mass 1 with G = 1 on one curve (Chenciner & Montgomery 2000), of any size.
+/// Three bodies of mass 1 with G = 1 on one curve (Chenciner & Montgomery 2000), at any scale.
 fn figure_eight(values: &Values) -> Motion {
     let (size, shift) = (values.of("s"), values.of("epsilon"));
     let (place, speed) = ([0.97000436, -0.24308753], [-0.93240737, -0.86473146].map(|v: f64| v / sqrt(size)));

@@ -59,7 +59,7 @@ pub const CASES: [Case; 6] = [
         motion: |values| {
             let (r, l, c) = (values.of("R"), values.of("L"), values.of("C"));
             let (source, omega) = (values.of("U_s"), values.of("omega"));
-            // 1 C corresponds to 100 m.
+            // A charge of 1 C corresponds to 100 m.
             let start = [values.of("q_0"), 0.0, 100.0 * values.of("q_0"), 0.0];
             Motion::new(start, move |t, y, rate| {
                 let voltage = source * cos(omega * t);
@@ -104,7 +104,7 @@ pub const CASES: [Case; 6] = [
             let (hole_1, hole_2) = (values.of("mu") * square("d_1"), values.of("mu") * square("d_2"));
             let (tank_1, tank_2) = (square("D_1"), square("D_2"));
             let start = [sqrt(2.0 * G * values.of("l_1")), sqrt(2.0 * G * values.of("l_2")), 0.0];
-            // Bernoulli: v^2 = 2 g h, and each level falls by what flows out.
+            // Bernoulli: v^2 = 2 g h, and each level falls by the outflow.
             Motion::new(start, move |_, y, rate| {
                 rate[0] = -G * hole_1 / tank_1;
                 rate[1] = G / y[1] * (hole_1 * y[0] - hole_2 * y[1]) / tank_2;
@@ -112,7 +112,7 @@ pub const CASES: [Case; 6] = [
             })
         },
     },
-    // A relaxation oscillation: two of its slow branches and the jumps between them.
+    // A relaxation oscillation: two slow branches and the jumps between them.
     Case {
         document: "van-der-pol",
         settings: &[],

@@ -1,4 +1,4 @@
-//! Many equal parts, and chaos.
+//! Many identical parts, and chaos.
 
 use super::bodies::named;
 use super::{Case, Motion, Values};
@@ -6,7 +6,7 @@ use libm::{cos, sin};
 use std::f64::consts::PI;
 
 pub const CASES: [Case; 4] = [
-    // In a mode without nodes at the masses: every state has a magnitude.
+    // A mode without nodes at the masses, so that no state is zero throughout.
     Case {
         document: "chain",
         settings: &[("n", 5.0)],
@@ -76,7 +76,7 @@ fn members(values: &Values, name: &str) -> Vec<String> {
     (1..=values.of("N") as usize).flat_map(|i| [format!("{name}[{i}]"), format!("{name}[{i}]'")]).collect()
 }
 
-/// Points between fixed ends that start in a normal mode; `stiffness` is that between neighbours per mass.
+/// Points between fixed ends, started in a normal mode. `stiffness`: stiffness between neighbours per mass.
 fn line(values: &Values, stiffness: f64, mode: f64) -> Motion {
     let count = values.of("N") as usize;
     let start = (1..=count).flat_map(|i| {

@@ -1,5 +1,5 @@
-//! The documents that come with Meniscus against an independent solver: their equations, written by hand a second time as systems of
-//! first order, go through the method DOP853 of another library. Both must give the same motion, row by row.
+//! Documents of Meniscus compared with an independent solver. Their equations, written a second time by hand as systems of
+//! first order, are solved with the method DOP853 of another library. Both must give the same motion, row by row.
 
 mod bodies;
 mod circuits;
@@ -12,26 +12,26 @@ use document::Document;
 use engine::{Run, Setup};
 use program::{Node, NodeId, Program, Test};
 
-/// A document beside its equations written by hand.
+/// A document and its equations written by hand.
 struct Case {
-    /// The name of the document.
+    /// Name of the document.
     document: &'static str,
-    /// What else than the defaults of the document is set, SI.
+    /// Values set in addition to the defaults of the document (SI).
     settings: &'static [(&'static str, f64)],
-    /// How long both are compared, SI: until the first event that changes a state, and of a chaotic motion as long as the
+    /// Duration of the comparison (SI): until the first event that changes a state; for a chaotic motion, as long as the
     /// errors of both are small.
     until: f64,
-    /// How far apart they may be, relative to the greatest magnitude that each state has in the run.
+    /// Allowed difference, relative to the greatest magnitude of each state in the run.
     error: f64,
-    /// The tolerance of an adaptive method, where not that of the document.
+    /// Tolerance of an adaptive method, if not that of the document.
     tolerance: Option<f64>,
-    /// The states that are compared, by name, in the order of the equations.
+    /// Names of the compared states, in the order of the equations.
     states: fn(&Values) -> Vec<String>,
     /// The equations, from the values of the parameters.
     motion: fn(&Values) -> Motion,
 }
 
-/// A system of first order, SI.
+/// A system of first order (SI).
 struct Motion {
     start: Vec<f64>,
     rates: Rates,
@@ -46,7 +46,7 @@ impl Motion {
     }
 }
 
-/// The parameters and sizes of a document.
+/// Parameters and sizes of a document.
 struct Values(Vec<(String, f64)>);
 
 impl Values {
@@ -61,7 +61,7 @@ impl Values {
         values
     }
 
-    /// The value of the parameter or size of this name, SI.
+    /// Value of the parameter or size with this name (SI).
     fn of(&self, name: &str) -> f64 {
         self.0.iter().find(|(own, _)| own == name).expect(name).1
     }
@@ -77,7 +77,7 @@ fn documents_move_as_an_independent_solver_says() {
     assert_eq!(failures, [""; 0]);
 }
 
-/// Where a document and its equations written by hand are farther apart than they may be.
+/// First difference above the allowed one between a document and its equations written by hand.
 fn difference(case: &Case) -> Option<String> {
     let document = faultless(case.document);
     let values = Values::new(&document.program, case.settings);
@@ -121,13 +121,13 @@ fn run(document: &Document, case: &Case, values: &Values) -> Run {
     run
 }
 
-/// The number of the state of this name.
+/// Index of the state with this name.
 fn place(document: &Document, name: &str) -> usize {
     let states = &document.program.model.states;
     states.iter().position(|state| state.name() == name).unwrap_or_else(|| panic!("no state {name}"))
 }
 
-/// The states at these times, of these magnitudes.
+/// States at these times and their magnitudes.
 fn solve(motion: Motion, times: &[f64], scale: &[f64]) -> Vec<Vec<f64>> {
     const TOLERANCE: f64 = 1e-12;
     let absolute: Vec<f64> = scale.iter().map(|scale| TOLERANCE * scale).collect();
@@ -142,8 +142,8 @@ fn solve(motion: Motion, times: &[f64], scale: &[f64]) -> Vec<Vec<f64>> {
     solution.unwrap_or_else(|_| panic!("the independent solver fails")).y
 }
 
-/// A document is compared with an independent solver above, or compares itself with theory: it has a claim about a number that
-/// should be computed without a state of the run.
+/// Every document is compared with an independent solver above, or with theory: it has a claim about a value that is
+/// computed without states of the run.
 #[test]
 fn every_document_is_compared_with_what_meniscus_does_not_compute() {
     for name in names() {
@@ -157,7 +157,7 @@ fn has_closed_form(program: &Program) -> bool {
     let closed = |root: NodeId| {
         let nodes: Vec<Node> = graph.reachable(&[root]).into_iter().map(|id| graph.node(id)).collect();
         let has = |test: fn(&Node) -> bool| nodes.iter().any(test);
-        // What is but kept, `E(0)`, is no closed form.
+        // An initial value such as `E(0)` is not a closed form.
         let kept = has(|node| matches!(node, Node::Initial(_))) && !has(|node| matches!(node, Node::Independent));
         !kept && !has(|node| matches!(node, Node::State(_))) && graph.as_constant(root) != Some(0.0)
     };

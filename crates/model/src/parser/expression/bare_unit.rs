@@ -5,18 +5,18 @@ use crate::parser::cursor::Cursor;
 use crate::{Diagnostic, Span};
 use units::{Unit, words};
 
-/// The tokens from the next one on that together read as a unit.
+/// Tokens after the position that together form a unit.
 pub(in crate::parser) struct BareUnit<'a> {
     /// The unit, without the parentheses around it.
     pub(in crate::parser) text: &'a str,
     pub(in crate::parser) span: Span,
     is_round: bool,
-    /// Whether it is a quotient, such as `N/m`, and so hardly a product of quantities.
+    /// True for a quotient such as `N/m`, which is hardly a product of quantities.
     pub(in crate::parser) is_certain: bool,
 }
 
 impl<'a> Cursor<'a> {
-    /// The longest unit that the tokens from the next one on can be.
+    /// The longest unit that the next tokens form.
     pub(in crate::parser) fn bare_unit(&self) -> Option<BareUnit<'a>> {
         let first = self.peek();
         if !matches!(first, TokenKind::Name { order: 0, .. } | TokenKind::Symbol(Symbol::LeftParenthesis)) {
@@ -34,7 +34,7 @@ impl<'a> Cursor<'a> {
         Some(BareUnit { text, span: Span::new(start, end), is_round: inside.is_some(), is_certain })
     }
 
-    /// The next token, taken for a unit.
+    /// The next token, read as a unit.
     pub(in crate::parser) fn bare_name(&self) -> BareUnit<'a> {
         let span = self.span();
         BareUnit { text: &self.source[span.range()], span, is_round: false, is_certain: false }
@@ -53,7 +53,7 @@ impl<'a> Cursor<'a> {
 }
 
 impl BareUnit<'_> {
-    /// What is said of a unit that follows the number `number`.
+    /// Error for a unit that follows the number `number`.
     pub(in crate::parser) fn after(&self, number: &str) -> Diagnostic {
         let Self { text, span, .. } = self;
         let wrong = if self.is_round {

@@ -1,17 +1,17 @@
-//! Commas: the decimal comma, and what separates arguments.
+//! Commas: decimal commas and separators of arguments.
 
 use crate::parser::cursor::{Cursor, Read};
 use crate::{Diagnostic, Name, Span};
 use units::words;
 
-/// Functions of any number of arguments, to which `1,5` is two of them.
+/// Functions with any number of arguments, for which `1,5` is two arguments.
 const OF_ANY_NUMBER: [&str; 3] = ["min", "max", "sum"];
 
-/// Digits after a comma that may separate thousands.
+/// Number of digits after a comma that may separate thousands.
 const THOUSANDS: usize = 3;
 
 impl Cursor<'_> {
-    /// A comma where none can stand; if it stands between digits, it was meant as a decimal point.
+    /// Reports a comma in a place where none is allowed; between digits it was meant as a decimal point.
     pub(in crate::parser) fn decimal_comma<T>(&mut self) -> Read<T> {
         let comma = self.span();
         if !self.is_between_digits(comma) {
@@ -39,14 +39,15 @@ impl Cursor<'_> {
         })
     }
 
-    /// Whether it stands directly between two digits.
+    /// True if the comma stands directly between two digits.
     pub(in crate::parser) fn is_between_digits(&self, comma: Span) -> bool {
         let bytes = self.source.as_bytes();
         let is_digit = |at: Option<usize>| at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit);
         is_digit(comma.start.checked_sub(1)) && is_digit(Some(comma.end))
     }
 
-    /// `max(1,5; 2)` and `max(1,5)`: where a semicolon separates arguments, commas are decimal; alone they may be.
+    /// Reports decimal commas in arguments: `max(1,5; 2)` and `max(1,5)`. If semicolons separate arguments, commas are
+    /// decimal; otherwise they may be.
     pub(in crate::parser) fn check_separators(&mut self, function: &Name, separators: &[Span], end: Span) {
         let source = self.source;
         let is_semicolon = |span: &&Span| &source[span.range()] == ";";

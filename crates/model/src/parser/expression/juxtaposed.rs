@@ -1,4 +1,5 @@
-//! Two operands with nothing between them: a product as textbooks print it, the argument of a function, a unit without brackets.
+//! Two operands without an operator between them: a product as in textbooks, the argument of a function, a unit without
+//! brackets.
 
 use crate::lexer::{Symbol, TokenKind};
 use crate::parser::cursor::Cursor;
@@ -7,7 +8,8 @@ use program::functions::Function;
 use units::words;
 
 impl Cursor<'_> {
-    /// The names and numbers that are multiplied, divided or raised from the next token on: the textbook's `sin omega*t`.
+    /// Span of the names and numbers that are multiplied, divided or raised from the next token on: the argument in `sin
+    /// omega*t`.
     fn product_ahead(&self) -> Span {
         let is_operand = |ahead| matches!(self.peek_ahead(ahead), TokenKind::Number(_) | TokenKind::Name { .. });
         let goes_on = |ahead| {
@@ -22,7 +24,7 @@ impl Cursor<'_> {
         self.span().to(self.span_ahead(last))
     }
 
-    /// The parenthesis that opens with the next token, with what stands in it.
+    /// Span of the parenthesis that begins at the next token, including its content.
     fn parenthesis_ahead(&self) -> Option<Span> {
         let mut depth = 0_usize;
         for ahead in 0.. {
@@ -39,7 +41,7 @@ impl Cursor<'_> {
         None
     }
 
-    /// `sin^2(x)`, `sin^2 x` and `sin^-1(x)`
+    /// Reports `sin^2(x)`, `sin^2 x` and `sin^-1(x)`.
     fn power_before_argument(&mut self, power: &PowerOfFunction) {
         let PowerOfFunction { function, span, exponent } = power;
         let source = self.source;
@@ -61,14 +63,14 @@ impl Cursor<'_> {
         self.say(Diagnostic::error("foreign-power", wrong, place).with_fix(place, ours));
     }
 
-    /// Says what is missing between an expression and the operand that follows it.
+    /// Reports the missing operator between an expression and the operand after it.
     pub(in crate::parser) fn missing_operator(&mut self, left: &Expression) {
         if let Some(power) = power_of_function(left) {
             return self.power_before_argument(&power);
         }
         let source = self.source;
         let next = self.span();
-        // Only the operands next to the gap, not all of the expression before it.
+        // The operands next to the gap, without the rest of the expression.
         let last = last_operand(left);
         let before = &source[last.span.range()];
         let now = &source[next.range()];
@@ -116,7 +118,7 @@ impl Cursor<'_> {
     }
 }
 
-/// `-1` and `⁻¹`
+/// True for `-1` and `⁻¹`.
 fn is_minus_one(expression: &Expression) -> bool {
     match &expression.kind {
         ExpressionKind::Unary(UnaryOperator::Negate, one) => {
@@ -126,15 +128,15 @@ fn is_minus_one(expression: &Expression) -> bool {
     }
 }
 
-/// `sin^2`
+/// A power of a function name: `sin^2`.
 struct PowerOfFunction<'e> {
     function: &'e str,
-    /// Where the function stands.
+    /// Place of the function name.
     span: Span,
     exponent: &'e Expression,
 }
 
-/// A function without argument that is raised at the end of an expression.
+/// A power of a function name at the end of an expression.
 fn power_of_function(expression: &Expression) -> Option<PowerOfFunction<'_>> {
     match &expression.kind {
         ExpressionKind::Binary(BinaryOperator::Power, base, exponent) => match &base.kind {
@@ -150,7 +152,7 @@ fn power_of_function(expression: &Expression) -> Option<PowerOfFunction<'_>> {
     }
 }
 
-/// The operand that stands last in an expression.
+/// Last operand of an expression.
 fn last_operand(expression: &Expression) -> &Expression {
     match &expression.kind {
         ExpressionKind::Binary(_, _, last) | ExpressionKind::Unary(_, last) if last.span.end == expression.span.end => {

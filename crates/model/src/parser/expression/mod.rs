@@ -1,4 +1,4 @@
-//! Expressions, by precedence climbing (Pratt's method): each operator binds the operands around it with a strength.
+//! Expressions, by precedence climbing (Pratt's method): each operator has a binding strength.
 
 mod bare_unit;
 mod comma;
@@ -12,21 +12,21 @@ use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
 use units::{Words, words};
 
-/// Parentheses, prefixes, exponents and branches in one another.
+/// Maximum nesting depth of parentheses, prefixes, exponents and branches.
 pub(super) const DEEPEST: usize = 64;
 
-/// Levels of the tree. A sum of n terms has n of them, so this bounds the length of a sum too.
+/// Maximum height of the tree. A sum of n terms has height n, so this also limits the length of a sum.
 const HIGHEST: usize = crate::limits::HEIGHT;
 
-/// An expression and the number of levels of its tree.
+/// An expression and the height of its tree.
 pub(super) struct Tree {
     pub(super) expression: Expression,
     pub(super) height: usize,
-    /// Whether it stood in parentheses or after a plus, and so is more than what it consists of.
+    /// True if it stands in parentheses or after a plus; its tokens then extend beyond its operands.
     pub(super) parenthesised: bool,
 }
 
-/// How strongly an operator binds, weakest first. Prefix minus stands between product and power.
+/// Binding strength of operators, weakest first. Prefix minus stands between product and power.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Strength {
     Any,
@@ -62,7 +62,7 @@ fn operator(kind: &TokenKind) -> Option<(BinaryOperator, Strength)> {
     })
 }
 
-/// What the right operand of an operator of this strength may consist of.
+/// Weakest operator allowed in the right operand of an operator of this strength.
 fn right_of(strength: Strength) -> Strength {
     match strength {
         Strength::Any | Strength::Disjunction => Strength::Conjunction,
@@ -79,12 +79,12 @@ pub(super) fn leaf(kind: ExpressionKind, span: Span) -> Tree {
 }
 
 impl Cursor<'_> {
-    /// An expression of any kind. After it, the token that cannot continue it is next.
+    /// Parses an expression. The next token is then the first that cannot continue it.
     pub(super) fn expression(&mut self) -> Read<Tree> {
         self.climb(Strength::Any)
     }
 
-    /// An expression that reaches to the end of the tokens, with an optional `in [unit]`.
+    /// Parses an expression up to the end of the tokens, with an optional `in [unit]`.
     pub(super) fn whole_expression(&mut self) -> (Expression, Option<StatedUnit>) {
         let start = self.span();
         let read = self.expression();
@@ -153,7 +153,7 @@ impl Cursor<'_> {
                 continue;
             }
             let Some((operator, strength)) = operator(self.peek()) else {
-                // `2 g`, `(a)(b)`: reported, and then read as the product that was meant.
+                // `2 g`, `(a)(b)`: reported, then parsed as the product that was meant.
                 if weakest <= Strength::Product && self.begins_operand() {
                     self.missing_operator(&left.expression);
                     let right = self.climb(right_of(Strength::Product))?;
@@ -188,7 +188,7 @@ impl Cursor<'_> {
         Ok(Tree { expression: Expression { kind, span }, height, parenthesised: false })
     }
 
-    /// `a < b < c`
+    /// Reports `a < b < c`.
     fn refuse_chain(&mut self, left: &Tree, place: Span) -> Read<()> {
         use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
         let ExpressionKind::Binary(Less | LessOrEqual | Greater | GreaterOrEqual | Equal | NotEqual, _, middle) =
@@ -216,7 +216,7 @@ impl Cursor<'_> {
         Ok(())
     }
 
-    /// Whether the next token can only be the beginning of another operand.
+    /// True if the next token can only begin another operand.
     fn begins_operand(&self) -> bool {
         matches!(
             self.peek(),
@@ -226,13 +226,13 @@ impl Cursor<'_> {
             && !self.at_for()
     }
 
-    /// `step`, which is a word of its own only in a parameter's statement.
+    /// True at `step` before a number, which is a keyword only in a parameter statement.
     fn at_step(&self) -> bool {
         let number = matches!(self.peek_ahead(1), TokenKind::Number(_));
         number && matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "step")
     }
 
-    /// `10^3 [m]`: the unit directly after a number is that number's, and here that is the exponent.
+    /// Reports `10^3 [m]`: the unit belongs to the number before it, which is the exponent.
     fn refuse_unit_in_exponent(&mut self, base: &Tree, exponent: &mut Tree) {
         let Expression { kind: ExpressionKind::Number { value, unit: Some(unit) }, span } = &exponent.expression else {
             return;
@@ -289,7 +289,7 @@ impl Cursor<'_> {
                 "la línea termina antes del `{word}` de este `if`"
             );
             let end = self.last_span().after();
-            // What follows on the next line belongs to the same mistake.
+            // The next line belongs to the same mistake.
             self.advance();
             Diagnostic::error(code, wrong, start)
                 .with_label(end, words("the statement ends here", "la sentencia termina aquí"))
@@ -310,7 +310,7 @@ impl Cursor<'_> {
                     "the form is: if CONDITION then VALUE else VALUE",
                     "la forma es: if CONDICIÓN then VALOR else VALOR",
                 ));
-            // A 0 fits every dimension.
+            // A literal 0 fits every dimension.
             let is_last =
                 self.at_line_end() || matches!(self.peek(), TokenKind::Text(_) | TokenKind::Keyword(Keyword::In));
             if keyword == Keyword::Else && is_last {
@@ -322,7 +322,7 @@ impl Cursor<'_> {
         self.fail(diagnostic)
     }
 
-    /// After a condition, `=` is a comparison written as an equation.
+    /// Reports `=` in a condition, where `==` is meant.
     pub(super) fn refuse_equals(&mut self, what: Words) {
         if *self.peek() == TokenKind::Symbol(Symbol::Equals) {
             let wrong = words!(
@@ -333,7 +333,7 @@ impl Cursor<'_> {
             let diagnostic = Diagnostic::error("equals-in-condition", wrong, self.span());
             self.say(diagnostic.with_hint(words("to compare, write ==", "para comparar, escribe ==")));
             self.advance();
-            // What it was compared with; if that is wrong too, one message is enough.
+            // Skips the right side; a second message about it is not needed.
             let _ = self.climb(Strength::Sum);
         }
     }

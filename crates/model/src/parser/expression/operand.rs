@@ -8,7 +8,7 @@ use program::functions::Function;
 use units::words;
 
 impl Cursor<'_> {
-    /// An operand, and the component of it that may follow.
+    /// Parses an operand and an optional component after it.
     pub(in crate::parser) fn operand(&mut self) -> Read<Tree> {
         let whole = self.whole_operand()?;
         self.component_of(whole)
@@ -71,7 +71,7 @@ impl Cursor<'_> {
         Ok(leaf(kind, span.to(end)))
     }
 
-    /// A name, a call or an initial value.
+    /// Parses a name, a call or an initial value.
     fn name(&mut self, name: Name, order: u32, span: Span) -> Read<Tree> {
         let Some(parenthesis) = self.take(Symbol::LeftParenthesis) else {
             return Ok(leaf(ExpressionKind::Name { name: name.text, order }, span));
@@ -123,7 +123,7 @@ impl Cursor<'_> {
         Ok(call(name, arguments, span.to(end)))
     }
 
-    /// `y'(t)`, `y'(1)`: only `y'(0)` has a meaning.
+    /// Reports `y'(t)` and `y'(1)`: only `y'(0)` is defined.
     fn derivative_call(&mut self, name: &Name, order: u32, span: Span, parenthesis: Span) -> Read<Tree> {
         let argument = self.expression()?;
         let end = self.close(parenthesis)?;
@@ -152,7 +152,7 @@ impl Cursor<'_> {
         Ok(leaf(ExpressionKind::Name { name: name.text.clone(), order }, span.to(end)))
     }
 
-    /// Reads the `)` that belongs to the `(` at `open`.
+    /// Consumes the `)` that closes the `(` at `open`.
     pub(in crate::parser) fn close(&mut self, open: Span) -> Read<Span> {
         if let Some(end) = self.take(Symbol::RightParenthesis) {
             return Ok(end);
@@ -175,7 +175,7 @@ impl Cursor<'_> {
         self.fail(diagnostic.with_fix(self.last_span().after(), ")"))
     }
 
-    /// `(a + b)'`
+    /// Reports a prime after a number or a parenthesis, as in `(a + b)'`.
     fn refuse_prime(&mut self) -> Read<()> {
         if *self.peek() != TokenKind::Primes {
             return Ok(());

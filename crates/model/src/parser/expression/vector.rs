@@ -8,7 +8,7 @@ use crate::{Diagnostic, Expression, ExpressionKind, Span, limits};
 use units::words;
 
 impl Cursor<'_> {
-    /// `(1, 0) [au]`, of which the first component has been read; `open` is its parenthesis.
+    /// Parses the rest of `(1, 0) [au]` after the first component; `open` is its parenthesis.
     pub(in crate::parser) fn tuple(&mut self, first: Tree, open: Span) -> Read<Tree> {
         let mut height = first.height;
         let mut parts = vec![first.expression];
@@ -44,7 +44,7 @@ impl Cursor<'_> {
         Ok(Tree { height: height + 1, ..leaf(ExpressionKind::Tuple { parts, unit }, span) })
     }
 
-    /// A component of what has been read, if it comes next.
+    /// Parses a component of `whole`, if it comes next.
     pub(in crate::parser) fn component_of(&mut self, whole: Tree) -> Read<Tree> {
         let TokenKind::Component { axis, order } = *self.peek() else { return Ok(whole) };
         if order > 0 {
@@ -55,7 +55,8 @@ impl Cursor<'_> {
         Ok(Tree { height: whole.height + 1, ..leaf(ExpressionKind::Component { of, axis }, span) })
     }
 
-    /// The component after an index and its primes, if it comes next, and how many primes there are with those after it.
+    /// Parses a component after an index and `order` primes, if it comes next. Returns its axis and the total number of
+    /// primes.
     pub(in crate::parser) fn axis_after(&mut self, order: u32) -> Read<(Option<usize>, u32)> {
         let TokenKind::Component { axis, order: more } = *self.peek() else { return Ok((None, order)) };
         if order + more > limits::ORDER {
@@ -79,7 +80,8 @@ impl Cursor<'_> {
         self.fail(diagnostic)
     }
 
-    /// `r[1].x(0) = 2`: the start of a vector is given as a whole.
+    /// Reports `r[1].x(0) = 2`: the initial value of a vector is given as a whole. Returns true if `left` is such a
+    /// component.
     pub(in crate::parser) fn component_at_start(&mut self, left: &Expression) -> bool {
         let ExpressionKind::Component { of, .. } = &left.kind else { return false };
         let ExpressionKind::Member { at_start: true, .. } = &of.kind else { return false };

@@ -1,4 +1,4 @@
-//! `button "Kick" { x' = x' + 1 [m/s] }`: an event that happens when the reader presses a button.
+//! `button "Kick" { x' = x' + 1 [m/s] }`: an event that fires when the reader presses a button.
 
 use super::{Salvaged, nothing};
 use crate::lexer::TokenKind;
@@ -6,12 +6,12 @@ use crate::parser::cursor::Cursor;
 use crate::{BinaryOperator, Diagnostic, EventExtras, Expression, Span, Statement, StatementKind};
 use units::{Words, words};
 
-/// How a button is written.
+/// Form of a button statement, for hints.
 pub(in crate::parser) const BUTTON_FORM: Words =
     words("the form is: button \"TITLE\" { y' = EXPRESSION }", "la forma es: button \"TÍTULO\" { y' = EXPRESIÓN }");
 
 impl Cursor<'_> {
-    /// Whether a statement begins with `button` and a text or a name.
+    /// True at `button` followed by a text or a name.
     pub(in crate::parser) fn is_button(&self) -> bool {
         self.at_word("button") && matches!(self.peek_ahead(1), TokenKind::Text(_) | TokenKind::Name { .. })
     }
@@ -40,7 +40,7 @@ impl Cursor<'_> {
         (StatementKind::Event { condition, actions, extras }, read)
     }
 
-    /// Refuses what an event may have and a button may not.
+    /// Reports parts that an event may have and a button may not.
     pub(in crate::parser) fn check_button(&mut self, statement: &Statement) {
         let StatementKind::Event { extras: EventExtras { button: Some(title), .. }, .. } = &statement.kind else {
             return;
@@ -68,7 +68,7 @@ impl Cursor<'_> {
     }
 }
 
-/// A condition that never holds.
+/// A condition that is never true.
 fn never(span: Span) -> Expression {
     Expression::binary(BinaryOperator::Greater, Expression::number(0.0, span), Expression::number(1.0, span), span)
 }

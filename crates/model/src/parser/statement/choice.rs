@@ -1,4 +1,4 @@
-//! `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`: quantities that depend on what the reader chooses.
+//! `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`: quantities that depend on a choice of the reader.
 
 use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
@@ -12,7 +12,7 @@ const FORM: Words = words(
 );
 
 impl Cursor<'_> {
-    /// Whether a statement begins with `choice NAME`.
+    /// True at `choice NAME`.
     pub(in crate::parser) fn is_choice(&self) -> bool {
         self.begins_with("choice")
     }

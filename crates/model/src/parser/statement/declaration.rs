@@ -1,4 +1,4 @@
-//! Statements that begin with a word of the language, and the assignments of presets.
+//! Statements that begin with a keyword, and the assignments of presets.
 
 use super::{Salvaged, nothing};
 use crate::lexer::{Keyword, Symbol, TokenKind};
@@ -86,7 +86,7 @@ impl Cursor<'_> {
         if let TokenKind::Brackets(inside) = self.peek().clone() {
             let span = self.advance();
             let Ok(unit) = self.unit(inside) else {
-                // Without its unit the value means nothing.
+                // Without its unit the value is meaningless.
                 return self.parameter_limits(parameter);
             };
             parameter.unit = Some(StatedUnit { unit, span });
@@ -95,14 +95,14 @@ impl Cursor<'_> {
         self.parameter_limits(parameter)
     }
 
-    /// `0.5 kg` and `0.5 foo`
+    /// Reports `0.5 kg` and `0.5 foo`.
     fn refuse_bare_unit<T>(&mut self, number: Span) -> Read<T> {
         let unit = self.bare_unit().unwrap_or_else(|| self.bare_name());
         let diagnostic = unit.after(&self.source[number.range()]);
         self.fail(diagnostic)
     }
 
-    /// `from 0.1 to 2`
+    /// Reports the range `from 0.1 to 2`.
     fn refuse_range_in_words(&mut self) -> Read<()> {
         let from = self.span();
         self.advance();
@@ -121,7 +121,7 @@ impl Cursor<'_> {
         })
     }
 
-    /// Whether a word comes next that stands between the ends of a range elsewhere.
+    /// True at a word that separates the ends of a range in other languages.
     fn at_range_word(&self) -> bool {
         ["to", "until", "a", "hasta"].iter().any(|word| self.at_word(word))
     }
@@ -151,7 +151,7 @@ impl Cursor<'_> {
         }
     }
 
-    /// `0..30` after `in`.
+    /// Parses `0..30` after `in`.
     pub(in crate::parser) fn bounds(&mut self, keyword: Span) -> Read<Bounds> {
         let start = self.span();
         if let TokenKind::Brackets(_) = self.peek() {
@@ -219,7 +219,7 @@ impl Cursor<'_> {
         Ok(())
     }
 
-    /// A number with an optional sign. If there is none, at most the sign is read.
+    /// Parses a number with an optional sign. Returns `None` if there is no number; the sign is then consumed.
     pub(in crate::parser) fn signed_number(&mut self) -> Option<f64> {
         let negative = self.take(Symbol::Minus).is_some();
         if !negative {
@@ -232,7 +232,7 @@ impl Cursor<'_> {
         Some(if negative { -value } else { value })
     }
 
-    /// A number and the one behind `/`, if there is one: `1/3`.
+    /// Divides by the number after `/`, if there is one: `1/3`.
     fn divided(&mut self, value: f64) -> f64 {
         let TokenKind::Number(divisor) = *self.peek_ahead(1) else { return value };
         if divisor == 0.0 || self.take(Symbol::Slash).is_none() {
@@ -257,7 +257,7 @@ impl Cursor<'_> {
         (StatementKind::Independent { name, unit, counts: counts.unwrap_or(false) }, read)
     }
 
-    /// Assignments up to the end.
+    /// Parses assignments up to the end of the tokens.
     pub(in crate::parser) fn assignments(&mut self) -> Vec<Assignment> {
         let mut assignments = Vec::new();
         loop {
@@ -312,7 +312,7 @@ impl Cursor<'_> {
     }
 }
 
-/// What a range looks like.
+/// Form of a range, for hints.
 fn range_form() -> Words {
     words(
         "a range is written LOW..HIGH, such as: in 0..30",

@@ -8,7 +8,7 @@ use crate::{Diagnostic, Expression, Members, Name, StatedUnit, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
-    /// Whether a statement begins with `discrete NAME`: a word that is free for other use everywhere else.
+    /// True at `discrete NAME`. The word is reserved only there.
     pub(in crate::parser) fn is_discrete(&self) -> bool {
         let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "discrete");
         here && matches!(self.peek_ahead(1), TokenKind::Name { .. })

@@ -1,4 +1,4 @@
-//! `drawn in -5..5 from 0 [s] until 10 [s]`: what the reader may draw in the place of a table.
+//! `drawn in -5..5 from 0 [s] until 10 [s]`: range of the curve that the reader may draw instead of a table.
 
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::parser::cursor::{Cursor, Read};
@@ -18,7 +18,7 @@ const END: Words =
     words("`until` with the greatest argument is expected here", "aquí se espera `until` con el argumento máximo");
 
 impl Cursor<'_> {
-    /// `drawn in -5..5 from 0 [s] until 10 [s]`. The unit of the arguments stands behind the first of them.
+    /// `drawn in -5..5 from 0 [s] until 10 [s]`. The unit of the arguments stands after the first of them.
     pub(in crate::parser) fn drawn(&mut self, unit: &mut Option<StatedUnit>) -> Read<DrawnRange> {
         self.advance();
         let keyword = self.span();
@@ -46,7 +46,7 @@ impl Cursor<'_> {
         Ok(DrawnRange { bounds, from, until, until_span })
     }
 
-    /// Whether the next line begins with a number.
+    /// True if the next line begins with a number.
     pub(in crate::parser) fn points_follow(&self) -> bool {
         self.at_line_end() && matches!(self.peek_ahead(1), TokenKind::Number(_) | TokenKind::Symbol(Symbol::Minus))
     }

@@ -1,5 +1,5 @@
-//! Events: `when y < 0 [m] { y' = -e*y' }`, what they may have besides condition and actions (`as landing`, `stop`,
-//! `let u = e*y'`), and events at equal intervals, `every 0.1 [s] from 0 [s]`. The words are free as names everywhere else.
+//! Events: `when y < 0 [m] { y' = -e*y' }`, their optional parts (`as landing`, `stop`, `let u = e*y'`), and periodic
+//! events, `every 0.1 [s] from 0 [s]`. The words are reserved only in these places.
 
 use super::button::BUTTON_FORM;
 use super::{Salvaged, nothing};
@@ -152,7 +152,7 @@ impl Cursor<'_> {
         Ok(Action { name, indices, component, order, value, over: Vec::new() })
     }
 
-    /// Whether a statement begins with `every` and an interval.
+    /// True at `every` followed by an interval.
     pub(in crate::parser) fn is_every(&self) -> bool {
         self.at_word("every") && matches!(self.peek_ahead(1), TokenKind::Number(_) | TokenKind::Name { .. })
     }
@@ -180,7 +180,8 @@ impl Cursor<'_> {
         (StatementKind::Event { condition, actions, extras }, read)
     }
 
-    /// Whether what follows an expression is `as NAME` or `from` and a number or name: a word and no further operand.
+    /// True at `as NAME`, or at `from` before a number or a name: these words end an expression and are not further
+    /// operands.
     pub(in crate::parser) fn at_event_word(&self) -> bool {
         let name = |ahead: usize| matches!(self.peek_ahead(ahead), TokenKind::Name { .. });
         let brace =
@@ -189,7 +190,7 @@ impl Cursor<'_> {
         from || self.at_word("as") && name(1) && brace(2)
     }
 
-    /// `as landing`, if it is there.
+    /// Parses `as landing`, if it comes next.
     pub(in crate::parser) fn event_name(&mut self, extras: &mut EventExtras) -> Read<()> {
         if !self.at_word("as") {
             return Ok(());
@@ -199,7 +200,7 @@ impl Cursor<'_> {
         Ok(())
     }
 
-    /// Whether an action is `stop`.
+    /// True at the action `stop`.
     pub(in crate::parser) fn at_stop(&self) -> bool {
         use Symbol::{Comma, RightBrace, Semicolon};
         let ends = matches!(
@@ -209,7 +210,7 @@ impl Cursor<'_> {
         self.at_word("stop") && ends
     }
 
-    /// Whether an action is `let NAME ...`.
+    /// True at `let NAME ...`.
     pub(in crate::parser) fn at_let(&self) -> bool {
         self.at_word("let") && matches!(self.peek_ahead(1), TokenKind::Name { .. })
     }

@@ -10,11 +10,11 @@ use std::ops::Range;
 use units::alphabet::primes;
 use units::words;
 
-/// What joins the values for each index.
+/// Functions that combine the values for all indices.
 const REDUCTIONS: [&str; 3] = ["sum", "min", "max"];
 
 impl Cursor<'_> {
-    /// Whether a statement begins with `size NAME`: a word that is free for other use everywhere else.
+    /// True at `size NAME`. The word is reserved only there.
     pub(in crate::parser) fn is_size(&self) -> bool {
         let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "size");
         here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
@@ -61,7 +61,7 @@ impl Cursor<'_> {
         Ok(())
     }
 
-    /// Whether `for NAME in` comes next: a word that is free for other use everywhere else.
+    /// True at `for NAME in`. The word is reserved only there.
     pub(in crate::parser) fn at_for(&self) -> bool {
         matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "for") && self.at_index(1)
     }
@@ -71,7 +71,7 @@ impl Cursor<'_> {
             && *self.peek_ahead(ahead + 1) == TokenKind::Keyword(Keyword::In)
     }
 
-    /// Reads `for i in 1..N, j in 1..M` if it comes next.
+    /// Parses `for i in 1..N, j in 1..M` if it comes next.
     pub(in crate::parser) fn over(&mut self) -> Read<Vec<Over>> {
         let mut over = Vec::new();
         if !self.at_for() {
@@ -104,7 +104,7 @@ impl Cursor<'_> {
         }
     }
 
-    /// `x[i+1]''`, `x[i](0)`: `name` has been read, and its index comes next.
+    /// Parses `x[i+1]''` or `x[i](0)` after `name`; the index comes next.
     pub(in crate::parser) fn member(&mut self, name: Name) -> Read<Tree> {
         let (indices, mut height) = self.indices()?;
         height += 1;
@@ -126,12 +126,12 @@ impl Cursor<'_> {
         Ok(Tree { height: height + 1, ..leaf(ExpressionKind::Component { of, axis }, span) })
     }
 
-    /// Whether an index comes next: brackets without a blank before them.
+    /// True at an index: brackets without a blank before them.
     pub(in crate::parser) fn at_indices(&self) -> bool {
         matches!(self.peek(), TokenKind::Brackets(_)) && self.span().start == self.last_span().end
     }
 
-    /// Reads `[i, j+1]`, and says how many levels its tree has.
+    /// Parses `[i, j+1]`. Also returns the height of the highest index expression.
     pub(in crate::parser) fn indices(&mut self) -> Read<(Vec<Expression>, usize)> {
         let TokenKind::Brackets(inside) = self.peek().clone() else {
             return Ok((Vec::new(), 0));
@@ -158,7 +158,7 @@ impl Cursor<'_> {
         read.map(|()| (indices, height))
     }
 
-    /// A cursor over what stands in brackets.
+    /// Cursor for the content of brackets.
     fn inside(&self, inside: Range<usize>) -> Cursor<'_> {
         let (tokens, found) = lexer::tokens(self.source, inside);
         let mut cursor = Cursor::new(self.source, layout::one_line(tokens), found);
@@ -166,7 +166,7 @@ impl Cursor<'_> {
         cursor
     }
 
-    /// The primes that follow an index without a blank.
+    /// Parses the primes directly after an index and returns their number.
     pub(in crate::parser) fn primes_here(&mut self) -> Read<u32> {
         if *self.peek() != TokenKind::Primes || self.span().start != self.last_span().end {
             return Ok(0);
@@ -185,7 +185,7 @@ impl Cursor<'_> {
         Ok(order)
     }
 
-    /// `sum(x[i] for i in 1..N)`, of which everything up to `for` has been read.
+    /// Parses `sum(x[i] for i in 1..N)` from `for` on.
     pub(in crate::parser) fn reduction(&mut self, function: Name, body: Vec<Tree>, open: Span) -> Read<Tree> {
         let place = self.span();
         let over = self.over()?;

@@ -1,4 +1,4 @@
-//! `function Re(v, d) = rho*abs(v)*d/eta`: a function of the author's own.
+//! `function Re(v, d) = rho*abs(v)*d/eta`: a user-defined function.
 
 use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
@@ -8,7 +8,7 @@ use crate::{Diagnostic, FunctionStatement, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
-    /// Whether a statement begins with `function NAME`: a word that is free for other use everywhere else.
+    /// True at `function NAME`. The word is reserved only there.
     pub(in crate::parser) fn is_function(&self) -> bool {
         let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "function");
         here && matches!(self.peek_ahead(1), TokenKind::Name { .. })

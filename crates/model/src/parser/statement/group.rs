@@ -1,4 +1,4 @@
-//! `group "Circuit"`: the heading under which the controls of the parameters after it stand.
+//! `group "Circuit"`: heading of the controls of the parameters after it.
 
 use super::{Salvaged, nothing};
 use crate::lexer::TokenKind;
@@ -9,7 +9,7 @@ use units::{Words, words};
 const GROUP_FORM: Words = words("the form is: group \"NAME\"", "la forma es: group \"NOMBRE\"");
 
 impl Cursor<'_> {
-    /// Whether a statement begins with `group` and what may be meant as a name.
+    /// True at `group`, followed by its name or by something that may be meant as one.
     pub(in crate::parser) fn is_group(&self) -> bool {
         let named = || {
             matches!(
@@ -40,7 +40,7 @@ impl Cursor<'_> {
         (StatementKind::Group(name), Ok(()))
     }
 
-    /// Refuses what other statements may have and a group may not.
+    /// Reports parts that other statements may have and a group may not.
     pub(in crate::parser) fn check_group(&mut self, statement: &Statement) {
         let StatementKind::Group(_) = &statement.kind else { return };
         let more = statement.over.first().map(|over| over.index.span);

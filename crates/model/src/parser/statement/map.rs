@@ -1,5 +1,5 @@
-//! Maps: `independent k by 1` counts, and `next p = r*p*(1 - p)` gives the value at the next count. Both words are free as
-//! names everywhere else.
+//! Iterated maps: `independent k by 1` makes the independent variable discrete, and `next p = r*p*(1 - p)` gives the value
+//! at the next count. Both words are reserved only in these places.
 
 use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
@@ -9,7 +9,7 @@ use crate::{Diagnostic, EventExtras, StatedUnit, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
-    /// `by 1`, if it is there: whether the independent variable counts.
+    /// Parses `by 1`, if it comes next. Returns true if the independent variable is discrete.
     pub(in crate::parser) fn counting(&mut self, unit: Option<&StatedUnit>) -> Read<bool> {
         if !self.at_word("by") {
             return Ok(false);
@@ -34,12 +34,12 @@ impl Cursor<'_> {
         self.fail(Diagnostic::error("counts-by", wrong, place).with_hint(words("write `by 1`", "escribe `by 1`")))
     }
 
-    /// Whether a name and `(` follow.
+    /// True if a name and `(` follow.
     fn is_at_the_start(&self) -> bool {
         matches!(self.peek_ahead(1), TokenKind::Symbol(Symbol::LeftParenthesis))
     }
 
-    /// Whether a statement begins with `next NAME`.
+    /// True at `next NAME`.
     pub(in crate::parser) fn is_next(&self) -> bool {
         self.begins_with("next")
     }

@@ -1,5 +1,5 @@
-//! Statements, and where one ends after an error. What could be read of a wrong statement is kept, so that the names
-//! it defines are known to the others.
+//! Statements, and recovery after errors. The valid parts of a wrong statement are kept, so that the names that it defines
+//! are known to the other statements.
 
 mod button;
 mod choice;
@@ -22,7 +22,7 @@ use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Diagnostic, Expression, ExpressionKind, Members, Name, Quoted, Span, Statement, StatementKind};
 use units::{Words, words};
 
-/// What other languages write, and the word it stands for here.
+/// Words of other languages, and the keyword that each stands for here.
 const OTHER_WORDS: &[(&str, &[&str])] = &[
     (
         "parameter",
@@ -33,11 +33,11 @@ const OTHER_WORDS: &[(&str, &[&str])] = &[
     ("when", &["event", "on", "while"]),
 ];
 
-/// A statement as far as it was read, and whether its end may be looked at.
+/// The parsed part of a statement, and the result; after an error the end of the statement is not checked.
 pub(super) type Salvaged = (StatementKind, Read<()>);
 
 impl Cursor<'_> {
-    /// All statements up to the end.
+    /// Parses all statements up to the end of the tokens.
     pub(super) fn statements(&mut self) -> Vec<Statement> {
         let mut statements = Vec::new();
         loop {
@@ -102,7 +102,7 @@ impl Cursor<'_> {
         statement
     }
 
-    /// Only what would stand among the values can be hidden.
+    /// Reports `hidden` before a statement that would not appear among the values.
     fn require_value(&mut self, kind: &StatementKind, hidden: Span) {
         let gives_value = match kind {
             StatementKind::Definition { .. }
@@ -125,7 +125,7 @@ impl Cursor<'_> {
         );
     }
 
-    /// The word of the language that was probably meant where a statement begins with two names.
+    /// The keyword that was probably meant, if a statement begins with two names.
     fn meant_word(&self) -> Option<&'static str> {
         let TokenKind::Name { .. } = self.peek_ahead(1) else {
             return None;
@@ -164,7 +164,7 @@ impl Cursor<'_> {
         )
     }
 
-    /// A text in quotation marks, if it comes next.
+    /// Parses a text in quotation marks, if it comes next.
     pub(super) fn label(&mut self) -> Option<Quoted> {
         let TokenKind::Text(_) = self.peek() else {
             return None;
@@ -173,7 +173,7 @@ impl Cursor<'_> {
         Some(Quoted { text: self.take_text(), span })
     }
 
-    /// A definition, an initial value or an equation.
+    /// Parses a definition, an initial value or an equation.
     fn equation(&mut self) -> Salvaged {
         let start = self.span();
         let left = match self.expression() {
@@ -234,7 +234,7 @@ impl Cursor<'_> {
         }
     }
 
-    /// Reads the `=` after a left side.
+    /// Consumes the `=` after a left side.
     fn equals(&mut self, left: &Tree) -> Read<()> {
         if self.take(Symbol::Equals).is_some() {
             return Ok(());
@@ -262,7 +262,7 @@ impl Cursor<'_> {
         );
         diagnostic = if self.next_line_continues() {
             let end = self.last_span().after();
-            // What follows on the next line belongs to the same mistake.
+            // The next line belongs to the same mistake.
             self.advance();
             diagnostic
                 .with_label(end, words("the statement ends with its line", "la sentencia termina con su línea"))
@@ -290,7 +290,7 @@ impl Cursor<'_> {
         ) && *self.peek() == TokenKind::Newline
     }
 
-    /// Reads a name without primes.
+    /// Parses a name without primes.
     pub(super) fn plain_name(&mut self, what: &Words) -> Read<Name> {
         let span = self.span();
         match self.peek() {
@@ -321,7 +321,7 @@ impl Cursor<'_> {
     }
 }
 
-/// A statement of which nothing is known.
+/// Placeholder for an unreadable statement.
 pub(super) fn nothing(span: Span) -> StatementKind {
     StatementKind::Equation { left: unread(span), right: unread(span) }
 }

@@ -1,15 +1,15 @@
-//! `random seed = 1 in 1..9999 "Seed"`: the whole number that decides all random draws of a run.
+//! `random seed = 1 in 1..9999 "Seed"`: the integer seed of all random draws of a run.
 
 use super::Salvaged;
 use crate::parser::cursor::Cursor;
 use crate::{Diagnostic, ParameterForm, StatementKind};
 use units::words;
 
-/// Beyond it not every whole number is a number of the machine.
+/// 2^53: all integers up to it are exact as `f64`.
 const GREATEST: f64 = 9_007_199_254_740_992.0;
 
 impl Cursor<'_> {
-    /// Whether a statement begins with `random NAME`.
+    /// True at `random NAME`.
     pub(in crate::parser) fn is_random(&self) -> bool {
         self.begins_with("random")
     }

@@ -7,13 +7,13 @@ use crate::{Diagnostic, ParameterForm, ParameterStatement, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
-    /// Whether a statement begins with this word and a name. The word is free for other use everywhere else.
+    /// True at this word followed by a name. The word is reserved only there.
     pub(in crate::parser) fn begins_with(&self, word: &str) -> bool {
         let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word);
         here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
     }
 
-    /// Whether a statement begins with `switch NAME`.
+    /// True at `switch NAME`.
     pub(in crate::parser) fn is_switch(&self) -> bool {
         self.begins_with("switch")
     }

@@ -1,4 +1,4 @@
-//! `table eta(T) in [mPa s] "Viscosity" { 273 [K] 1.792  293 1.002 }`: a function that is given by its points.
+//! `table eta(T) in [mPa s] "Viscosity" { 273 [K] 1.792  293 1.002 }`: a function defined by points.
 
 use super::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
@@ -14,8 +14,7 @@ const FORM: Words = words(
 );
 
 impl Cursor<'_> {
-    /// Whether a statement begins with `table NAME`, `smooth table NAME` or `steps table NAME`: words that are free for other
-    /// use everywhere else.
+    /// True at `table NAME`, `smooth table NAME` or `steps table NAME`. The words are reserved only there.
     pub(in crate::parser) fn is_table(&self) -> bool {
         if self.begins_with("table") {
             return true;
@@ -26,7 +25,7 @@ impl Cursor<'_> {
             && matches!(self.peek_ahead(2), TokenKind::Name { .. })
     }
 
-    /// A table. If `whole`, its points may be all that follows up to the end, without braces.
+    /// Parses a table. If `whole`, its points may be the rest of the text, without braces.
     pub(in crate::parser) fn table(&mut self, whole: bool) -> Salvaged {
         let course = match () {
             () if self.at_word("smooth") => Course::Smooth,
@@ -102,7 +101,7 @@ impl Cursor<'_> {
         }
     }
 
-    /// Moves behind the points of a table that could not be read.
+    /// Skips the points of an unreadable table.
     fn skip_table(&mut self, in_braces: bool) {
         while *self.peek() != TokenKind::End {
             let closes = *self.peek() == TokenKind::Symbol(Symbol::RightBrace);
@@ -148,7 +147,7 @@ impl Cursor<'_> {
         Ok(())
     }
 
-    /// A number in the unit of its column. The first number of a column may state the unit of all of them.
+    /// Parses a number in the unit of its column. The first number of a column may state the unit of the whole column.
     pub(in crate::parser) fn table_number(&mut self, column: &mut Option<StatedUnit>, first: bool) -> Read<f64> {
         let start = self.span();
         let Some(value) = self.signed_number() else {

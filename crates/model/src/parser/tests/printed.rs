@@ -1,11 +1,11 @@
-//! Trees as one line of text.
+//! Syntax trees as one line of text.
 
 use crate::{
     BinaryOperator, Expression, ExpressionKind, Over, ParameterForm, StatedUnit, Statement, StatementKind,
     UnaryOperator,
 };
 
-/// The tree with all its parentheses.
+/// The tree with all parentheses.
 pub(super) fn shown(expression: &Expression) -> String {
     let primed = |name: &str, order: u32| format!("{name}{}", "'".repeat(order as usize));
     match &expression.kind {

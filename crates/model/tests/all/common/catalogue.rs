@@ -1,17 +1,17 @@
-//! The texts of diagnostics in both languages: what must hold of each pair, and a catalogue of them to be read.
+//! Texts of diagnostics in both languages: checks of each pair, and a catalogue for review.
 use model::Diagnostic;
 use std::collections::BTreeSet;
 use std::path::Path;
 use units::Words;
 
-/// Words that stand in many English sentences, in no Spanish one and not in the language of models.
+/// Words that occur in many English sentences, but not in Spanish ones or in the language of models.
 const ENGLISH: &[&str] = &[
     "the", "is", "are", "of", "must", "with", "which", "this", "that", "these", "write", "cannot", "has", "by", "it",
     "its", "to", "for", "from", "here", "give", "was", "were", "there", "than", "at", "on", "an", "use", "only",
     "other", "does", "stands", "such", "too", "many", "length", "force", "number", "term", "side",
 ];
 
-/// All pairs of texts that were seen, in the order in which they came first.
+/// All pairs of texts, in the order of first occurrence.
 #[derive(Default)]
 pub struct Catalogue {
     seen: BTreeSet<(String, String)>,
@@ -20,7 +20,7 @@ pub struct Catalogue {
 }
 
 impl Catalogue {
-    /// Checks all texts of these diagnostics and adds them.
+    /// Checks and adds all texts of these diagnostics.
     pub fn add(&mut self, diagnostics: &[Diagnostic]) {
         for found in diagnostics {
             let labels = found.labels.iter().map(|label| &label.text).filter(|text| !text.is_empty());
@@ -37,7 +37,7 @@ impl Catalogue {
         }
     }
 
-    /// Compares with the reviewed file; `UPDATE_EXPECTED=1` writes it instead, to be read before it is committed.
+    /// Compares with the reviewed file; `UPDATE_EXPECTED=1` writes it instead, for review before a commit.
     #[track_caller]
     pub fn compare(&self, file: &Path) {
         assert!(self.problems.is_empty(), "{:#?}", self.problems);
@@ -53,7 +53,7 @@ impl Catalogue {
     }
 }
 
-/// What is wrong with a text and its translation.
+/// Fault of a text and its translation, or `None`.
 fn problem(words: &Words) -> Option<&'static str> {
     let (english, spanish) = (Parts::of(&words.english), Parts::of(&words.spanish));
     if words.english.is_empty() || spanish.words.is_empty() && !english.words.is_empty() {
@@ -67,9 +67,9 @@ fn problem(words: &Words) -> Option<&'static str> {
     }
 }
 
-/// A text taken apart, each part sorted.
+/// A text split into parts, each sorted.
 struct Parts {
-    /// What stands between backquotes, without what an author would write in quotation marks.
+    /// Text between backquotes, without texts in quotation marks.
     quoted: Vec<String>,
     numbers: Vec<String>,
     words: Vec<String>,
@@ -86,7 +86,7 @@ impl Parts {
                 rest += part;
             }
         }
-        // A text of the document stays as its author wrote it.
+        // A quoted text of the document is not translated.
         let rest: String = rest.split(['«', '»', '"']).step_by(2).collect();
         let pieces = rest.split(|c: char| !(c.is_alphanumeric() || matches!(c, '.' | ',' | '\'' | '_')));
         let (mut numbers, mut words) = (Vec::new(), Vec::new());

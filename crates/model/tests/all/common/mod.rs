@@ -1,10 +1,10 @@
-//! What the tests share: compiling, computing the value of a node, and diagnostics as plain text.
+//! Helpers of the tests: compiling, evaluating a node, and diagnostics as plain text.
 pub mod catalogue;
 
 use model::{Diagnostic, Edit, Fix, Severity};
 use program::{Graph, Model, Node, NodeId, Variable};
 
-/// Compiles a text that is all model; it must have no errors.
+/// Compiles a text that consists of a model only; it must have no errors.
 #[track_caller]
 pub fn compile(source: &str) -> Model {
     let (model, diagnostics) = model::compile(source, std::slice::from_ref(&(0..source.len())));
@@ -12,7 +12,7 @@ pub fn compile(source: &str) -> Model {
     model.unwrap_or_else(|| panic!("{}", render(source, &diagnostics)))
 }
 
-/// The diagnostics of a text that is all model.
+/// Diagnostics of a text that consists of a model only.
 pub fn diagnostics(source: &str) -> String {
     let compile = |source: &str| model::compile(source, std::slice::from_ref(&(0..source.len()))).1;
     let diagnostics = compile(source);
@@ -20,7 +20,7 @@ pub fn diagnostics(source: &str) -> String {
     render(source, &diagnostics)
 }
 
-/// The text after a change.
+/// The text after a fix.
 pub fn applied(fix: &Fix, source: &str) -> String {
     let mut edits: Vec<&Edit> = fix.edits.iter().collect();
     edits.sort_by_key(|edit| std::cmp::Reverse(edit.span.start));
@@ -29,7 +29,7 @@ pub fn applied(fix: &Fix, source: &str) -> String {
     text
 }
 
-/// What the diagnostics of a text offer to change, when it is changed: nothing may remain of the diagnostic, and no other may come.
+/// Applies each fix: fewer diagnostics with its code and message must remain.
 #[track_caller]
 pub fn check_fixes(source: &str, diagnostics: &[Diagnostic], again: impl Fn(&str) -> Vec<Diagnostic>) {
     for diagnostic in diagnostics {
@@ -44,7 +44,7 @@ pub fn check_fixes(source: &str, diagnostics: &[Diagnostic], again: impl Fn(&str
     }
 }
 
-/// Diagnostics as plain text: code and message, each place with what is said of it, notes, hints, and what can be changed.
+/// Diagnostics as plain text: code and message, places with their texts, notes, hints and fixes.
 pub fn render(source: &str, diagnostics: &[Diagnostic]) -> String {
     let mut text = String::new();
     for diagnostic in diagnostics {
@@ -69,7 +69,7 @@ pub fn render(source: &str, diagnostics: &[Diagnostic]) -> String {
     text
 }
 
-/// Where a node is evaluated.
+/// Inputs for the evaluation of nodes.
 pub struct At {
     pub parameters: Vec<f64>,
     pub initial: Vec<f64>,
@@ -78,7 +78,7 @@ pub struct At {
 }
 
 impl At {
-    /// The default parameters, a time and states.
+    /// Default parameters with a time and states.
     pub fn new(model: &Model, time: f64, states: &[f64]) -> Self {
         let parameters: Vec<f64> = model.parameters.iter().map(|parameter| parameter.value).collect();
         let mut at = Self { parameters, initial: vec![f64::NAN; states.len()], time, states: states.to_vec() };
@@ -86,7 +86,7 @@ impl At {
         at
     }
 
-    /// The value of a node, the slow way.
+    /// Value of a node, by evaluating the graph.
     pub fn value(&self, graph: &Graph, root: NodeId) -> f64 {
         let mut values = vec![f64::NAN; graph.len()];
         for id in graph.reachable(&[root]) {
@@ -151,21 +151,21 @@ fn eliminate(mut matrix: Vec<f64>, mut right: Vec<f64>) -> Vec<f64> {
     right
 }
 
-/// The value of a name with primes.
+/// Value of a name with primes.
 #[track_caller]
 pub fn value(model: &Model, at: &At, name: &str, order: u32) -> f64 {
     let compiled = model.lookup(name, order).unwrap_or_else(|| panic!("no {name} with {order} primes"));
     at.value(&model.graph, compiled.node)
 }
 
-/// Compares with a relative tolerance of some roundings.
+/// Compares with a relative tolerance of a few rounding errors.
 #[track_caller]
 pub fn assert_near(found: f64, expected: f64) {
     let scale = expected.abs().max(1e-3);
     assert!((found - expected).abs() <= 1e-12 * scale, "{found} instead of {expected}");
 }
 
-/// The derivative by central differences, good to some nine digits.
+/// Derivative by central differences, accurate to about nine digits.
 pub fn difference(model: &Model, at: &At, node: NodeId, variable: Variable) -> f64 {
     let moved = |by: f64| {
         let mut at = At {

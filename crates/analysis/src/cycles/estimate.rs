@@ -33,7 +33,7 @@ impl Estimate {
 }
 
 /// Damped sinusoid close to a record of any scale, with gaps (NaN) or without. `None` for fewer than six points, or if all
-/// values are equal.
+/// times or all values are equal.
 ///
 /// The crossings of the middle level give the frequency, the extremes between them damping and offset; three Gauss-Newton
 /// steps improve them. If there are too few crossings, or that curve explains less than half of the scatter, all

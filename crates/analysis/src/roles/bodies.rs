@@ -75,7 +75,7 @@ pub(super) fn owners(columns: &[Column], clocks: &[usize]) -> Vec<usize> {
     columns.iter().enumerate().map(owner).collect()
 }
 
-/// Removes bodies that are only numbered, as [`super::assign`] does it for several clocks.
+/// Removes bodies that are only numbered, as after the import of a table with several clocks without bodies.
 pub(super) fn forget_bodies(table: &mut Table) {
     if table.columns.iter().all(|column| column.body.as_deref().is_none_or(is_number)) {
         table.columns.iter_mut().for_each(|column| column.body = None);

@@ -44,7 +44,7 @@ fn errors(columns: &[Column]) -> Vec<bool> {
 
 struct Table<'a> {
     columns: &'a [Column],
-    /// The columns that are called as the errors of others.
+    /// One per column: true if it is named as the error of another column.
     errors: Vec<bool>,
     /// True if any column has a name.
     named: bool,

@@ -16,7 +16,7 @@ pub enum Remark {
     RowNumbers {
         /// Column of the row numbers.
         counter: String,
-        /// The independent variable.
+        /// Independent variable.
         variable: String,
     },
     /// A column in a unit of time, or named as a time, is taken as a measured quantity.

@@ -18,7 +18,7 @@ pub(in crate::fit) struct Criteria {
 }
 
 /// Criteria from the given errors, or with a variance of its own for each observation at its maximum of the likelihood.
-/// That variance is bounded from below by that of an exact fit, so that several exact fits are rated equal. `determined` is
+/// This variance is bounded from below by that of an exact fit, so that several exact fits are rated equal. `determined` is
 /// the number of parameters that the data determine, `chi2` the weighted sum of squares, `values` the number of independent
 /// values.
 pub(in crate::fit) fn criteria(

@@ -62,7 +62,7 @@ impl Current {
 /// Stages still to be tried.
 #[derive(Clone, Debug, Default)]
 pub(in crate::fit) struct Stages {
-    /// The last one first.
+    /// Pending stages, the last one first.
     pending: Vec<Stage>,
     /// One per record: oscillation estimated from the data.
     estimates: Vec<Option<Estimate>>,

@@ -4,7 +4,7 @@ use crate::scale_line;
 use crate::spreadsheet::Cell;
 pub use engine::csv::Dialect;
 
-/// Table of a film as in [`write`], below a line with the relative standard error of its scale, if there is one.
+/// Table of a film as in [`write()`], below a line with the relative standard error of its scale, if there is one.
 pub fn write_film(headers: &[&str], columns: &[&[f64]], scale_error: Option<f64>, dialect: Dialect) -> String {
     let mut out = dialect.start().to_owned();
     if let Some(error) = scale_error {

@@ -23,7 +23,7 @@ const RATES: [f64; 17] = [
     600.0,
 ];
 
-/// Sampling of a record.
+/// Sampling of a record. Times are in the unit passed to [`examine`]: s for a clock.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sampling {
     /// Typical time between two rows: the slope of the times over the frames, or the mean step of uneven rows. 0 for fewer

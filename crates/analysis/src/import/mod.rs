@@ -103,7 +103,7 @@ enum Pass {
 }
 
 impl<'a> Importer<'a> {
-    /// Begins to read a text as returned by [`decode`]: recognises its notation and the first row.
+    /// Begins to read a text as returned by [`decode()`]: recognises its notation and the first row.
     ///
     /// # Errors
     /// There are no rows of numbers.

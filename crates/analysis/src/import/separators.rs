@@ -136,8 +136,8 @@ impl Survey {
                 Refusal::Separator { column: index + 1, text: text.clone(), beside: plain.clone() },
             ));
         }
-        // A column of only `1,295` is read as decimal. A decimal comma is reported, because it is not usual everywhere,
-        // except with semicolons as delimiters.
+        // A column of only `1,295` is read as decimal. A comma is reported, unless semicolons are the delimiters: then a
+        // decimal comma is usual.
         let alone = columns
             .into_iter()
             .filter(|column| column.plain.is_none() && !column.long)

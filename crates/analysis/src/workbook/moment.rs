@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 const SECONDS_PER_DAY: f64 = 86_400.0;
 /// Latest date of a spreadsheet: the end of the year 9999, in days from the end of 1899.
 const LAST_DAY: f64 = 2_958_466.0;
-/// Rounding of dates and times, in parts of a second. A date has fifteen digits: some microseconds.
+/// Parts of a second to which dates and times are rounded. A date is exact to fifteen digits: some microseconds.
 const PER_SECOND_OF_DATES: f64 = 1e5;
 const PER_SECOND: f64 = 1e6;
 

@@ -213,7 +213,7 @@ fn old_texts_in_latin_1_and_byte_order_marks_are_read() {
 #[test]
 fn what_is_no_project_is_refused_with_its_reason() {
     let doctype = |text: &str| PIXELS.replace("?>\n<object", &format!("?>\n{text}\n<object"));
-    // What the library itself writes where it is asked to.
+    // Document type that the library writes on request.
     assert_eq!(read(doctype("<!DOCTYPE object SYSTEM \"osp10.dtd\">").into()).text, read(PIXELS.into()).text);
     let bomb = doctype("<!DOCTYPE object [<!ENTITY a \"&b;&b;\">]>");
     let deep = "<property name=\"a\">".repeat(300);

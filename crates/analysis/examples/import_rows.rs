@@ -1,5 +1,5 @@
-//! How many rows a second the import reads: a million rows of time, position, velocity and acceleration, as Tracker writes
-//! them. Prints the number for decimal points, `points 1500000`, and for decimal commas.
+//! Speed of the import in rows per second: a million rows of time, position, velocity and acceleration, as written by
+//! Tracker. Prints it for decimal points, `points 1500000`, and for decimal commas.
 
 use std::fmt::Write;
 use std::time::Instant;

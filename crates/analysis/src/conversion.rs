@@ -1,36 +1,36 @@
-//! From the numbers in the cells of a column to values in its unit, where a factor of the unit is not all.
+//! Conversion of the numbers in the cells of a column to values in its unit, where a factor of the unit is not enough.
 
-/// How the text of a unit was read.
+/// Reading of the text of a unit that needs a conversion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitReading {
-    /// A temperature in °C, converted to K.
+    /// Temperature in °C, converted to K.
     Celsius,
-    /// A temperature in °F, converted to K.
+    /// Temperature in °F, converted to K.
     Fahrenheit,
-    /// A difference of temperatures in °C, which is one in K.
+    /// Difference of temperatures in °C, numerically equal in K.
     CelsiusDifference,
-    /// A difference of temperatures in °F, converted to K.
+    /// Difference of temperatures in °F, converted to K.
     FahrenheitDifference,
-    /// The standard acceleration of gravity, converted to m/s².
+    /// Multiples of the standard acceleration of gravity, converted to m/s².
     Gravity {
         /// True if the numbers are thousandths of it, `mg`.
         thousandth: bool,
     },
-    /// Seconds, written as a capital letter.
+    /// Seconds, written with a capital letter.
     Seconds,
 }
 
-/// The conversion of the numbers of the cells: a power of ten of the heading, then the reading of the unit.
+/// Conversion of the numbers of cells: a power of ten from the heading, then the reading of the unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Conversion {
-    /// The numbers were multiplied by ten to this.
+    /// Exponent of ten by which the numbers are multiplied.
     pub tens: i32,
-    /// How the unit was read, if that is not plain.
+    /// Reading of the unit; `None` if the numbers are in the unit.
     pub reading: Option<UnitReading>,
 }
 
 impl Conversion {
-    /// The value in the unit of the column, for the number of a cell.
+    /// Value in the unit of the column for the number of a cell.
     pub(crate) fn value(self, number: f64) -> f64 {
         let number = scaled(number, self.tens);
         match self.reading {
@@ -43,7 +43,7 @@ impl Conversion {
         }
     }
 
-    /// The number of the cell, for a value in the unit of the column.
+    /// Number of the cell for a value in the unit of the column.
     pub fn number(self, value: f64) -> f64 {
         let number = match self.reading {
             Some(UnitReading::Celsius) => rounded(value - 273.15),
@@ -56,19 +56,19 @@ impl Conversion {
         scaled(number, -self.tens)
     }
 
-    /// True for a temperature whose zero is not that of the unit.
+    /// True for a temperature scale whose zero is not 0 K.
     pub fn is_level(self) -> bool {
         matches!(self.reading, Some(UnitReading::Celsius | UnitReading::Fahrenheit))
     }
 }
 
-/// Times ten to this; a power up to 22 is exact.
+/// Number times ten to the power `tens`; exact for powers up to 22.
 fn scaled(number: f64, tens: i32) -> f64 {
     let power = (0..tens.unsigned_abs()).fold(1.0, |power, _| power * 10.0);
     if tens < 0 { number / power } else { number * power }
 }
 
-/// A sum of two decimal numbers has their decimals: 295.55, not 295.54999999999995.
+/// Removes rounding errors of a sum of two decimal numbers: 295.55, not 295.54999999999995.
 fn rounded(value: f64) -> f64 {
     if value.abs() < 1e6 { (value * 1e9).round() / 1e9 } else { value }
 }

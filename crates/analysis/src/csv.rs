@@ -1,10 +1,10 @@
-//! Tables of numbers as CSV files, for programs and for spreadsheets of both kinds.
+//! Tables of numbers as CSV files, with the separators and decimal signs of [`Dialect`].
 
 use crate::scale_line;
 use crate::spreadsheet::Cell;
 pub use engine::csv::Dialect;
 
-/// The table of a film: as [`write`], below a line with the relative standard error of its scale, where it has one.
+/// Table of a film as in [`write()`], below a line with the relative standard error of its scale, if there is one.
 pub fn write_film(headers: &[&str], columns: &[&[f64]], scale_error: Option<f64>, dialect: Dialect) -> String {
     let mut out = dialect.start().to_owned();
     if let Some(error) = scale_error {
@@ -14,8 +14,8 @@ pub fn write_film(headers: &[&str], columns: &[&[f64]], scale_error: Option<f64>
     out
 }
 
-/// A table with one header line. Numbers have all their digits; what is not finite is an empty cell. Columns may be of
-/// different lengths.
+/// Table with one header line. Numbers have all their digits; a number that is not finite is an empty cell. Columns may
+/// differ in length.
 pub fn write(headers: &[&str], columns: &[&[f64]], dialect: Dialect) -> String {
     let mut out = dialect.start().to_owned();
     add_table(&mut out, headers, columns, dialect);
@@ -31,7 +31,7 @@ fn add_table(out: &mut String, headers: &[&str], columns: &[&[f64]], dialect: Di
     }
 }
 
-/// Rows of cells, those of the header among them.
+/// Table of rows of cells, including the header.
 pub fn write_rows(rows: &[Vec<Cell>], dialect: Dialect) -> String {
     let mut out = dialect.start().to_owned();
     for row in rows {

@@ -3,26 +3,26 @@
 use crate::smoothing::{WIDEST, savitzky_golay};
 use crate::stencil::{Stencil, differentiate};
 
-/// How a column is differentiated.
+/// Method of differentiating a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Differentiation {
-    /// Central differences, over five rows for the second derivative: as Tracker makes them.
+    /// Central differences; the second derivative uses five rows, as in Tracker.
     Central,
-    /// The difference to the next row.
+    /// Difference to the next row.
     Forward,
-    /// The difference to the row before.
+    /// Difference to the row before.
     Backward,
-    /// Polynomials of a degree over so many rows, which smooth as well (Savitzky and Golay).
+    /// Local polynomials (Savitzky and Golay), which also smooth.
     Smooth {
-        /// How many rows; an odd number up to [`crate::smoothing::WIDEST`].
+        /// Number of rows of a window; odd, up to [`crate::smoothing::WIDEST`].
         window: usize,
-        /// The degree of the polynomials: from 2 to 7, and below the number of rows.
+        /// Degree of the polynomials: from 2 to 7, and below the number of rows.
         degree: usize,
     },
 }
 
 impl Differentiation {
-    /// Whether there is such a polynomial, if it is one.
+    /// True unless it is a polynomial with an invalid window or degree.
     pub fn is_possible(self) -> bool {
         match self {
             Self::Smooth { window, degree } => {
@@ -32,8 +32,8 @@ impl Differentiation {
         }
     }
 
-    /// The values themselves (smoothed, if they are), their first and their second derivative. NaN where a value or a
-    /// neighbour is missing; all NaN where nothing can be differentiated.
+    /// Values (smoothed for polynomials), first and second derivative, in the units of values and times. NaN where a value
+    /// or a neighbour is missing; all NaN if nothing can be differentiated.
     pub fn derivatives(self, times: &[f64], values: &[f64]) -> [Vec<f64>; 3] {
         let (first, second) = match self {
             Self::Central => (Stencil::Central, Stencil::FivePoint),
@@ -46,7 +46,7 @@ impl Differentiation {
         [values.to_vec(), differentiate(times, values, first), differentiate(times, values, second)]
     }
 
-    /// A short name that [`Differentiation::from_code`] reads.
+    /// Short name, read by [`Differentiation::from_code`].
     pub fn code(self) -> String {
         match self {
             Self::Central => "central".to_owned(),
@@ -56,7 +56,7 @@ impl Differentiation {
         }
     }
 
-    /// What [`Differentiation::code`] has written.
+    /// Method with this [`Differentiation::code`]; `None` for an unknown code.
     pub fn from_code(code: &str) -> Option<Self> {
         match code {
             "central" => Some(Self::Central),
@@ -71,7 +71,7 @@ impl Differentiation {
     }
 }
 
-/// The unit of a derivative of this order, as it is written: `cm/s^2`. Empty where that of the values is not known.
+/// Text of the unit of a derivative of this order: `cm/s^2`. Empty if the unit of the values is unknown.
 pub fn unit(of_values: &str, of_times: &str, order: usize) -> String {
     match order {
         _ if of_values.is_empty() => String::new(),

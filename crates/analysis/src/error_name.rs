@@ -1,17 +1,17 @@
-//! Names of columns that hold the standard errors of another one: `sigma_y`, `y_err`, `u(y)`, `dy`, `±`.
+//! Names of columns that hold the standard errors of another column: `sigma_y`, `y_err`, `u(y)`, `dy`, `±`.
 
-/// The column to which the errors of a name belong.
+/// Column to which the errors of a name belong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Belongs<'a> {
     /// The column of this name.
     To(&'a str),
-    /// The column of this name, if its numbers can be errors: `dy` and `Δy` are differences as often.
+    /// The column of this name, if its numbers can be errors: `dy` and `Δy` are often differences.
     Perhaps(&'a str),
     /// The column before.
     ToPrevious,
 }
 
-/// Beginnings, before the name.
+/// Prefixes of the name.
 const BEFORE: [&str; 27] = [
     "sigma_",
     "sigma ",
@@ -41,9 +41,9 @@ const BEFORE: [&str; 27] = [
     "±",
     "+/-",
 ];
-/// Beginnings before the name and a closing parenthesis.
+/// Prefixes of the name, followed by a closing parenthesis.
 const AROUND: [&str; 7] = ["u(", "σ(", "sigma(", "err(", "error(", "std(", "sd("];
-/// Endings, behind the name.
+/// Suffixes of the name.
 const BEHIND: [&str; 22] = [
     "_err",
     "_error",
@@ -68,7 +68,7 @@ const BEHIND: [&str; 22] = [
     " ±",
     "±",
 ];
-/// Names without that of a column.
+/// Names without that of another column.
 const ALONE: [&str; 17] = [
     "±",
     "+/-",
@@ -89,7 +89,7 @@ const ALONE: [&str; 17] = [
     "error estándar",
 ];
 
-/// The column whose standard errors a column of this name holds, as far as the name says.
+/// Column whose standard errors a column of this name holds; `None` for other names.
 pub(crate) fn of(name: &str) -> Option<Belongs<'_>> {
     let name = name.trim();
     let lower = name.to_lowercase();

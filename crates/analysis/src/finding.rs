@@ -1,4 +1,4 @@
-//! What was noticed about a file, and what its measurement hides, in words.
+//! Findings: notes for the user on a file and on its measurements, as text.
 
 mod heading;
 mod words;
@@ -12,168 +12,168 @@ use units::Language::{self, Spanish};
 pub(crate) use words::readings;
 use words::{backwards, called, clock, decimal, missing, reading, rounded_step, runs, separator, word};
 
-/// Something a person should know about their data. Lines and rows count from 1; times are in SI.
+/// Note for the user on their data. Lines and rows count from 1; times are in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Finding {
-    /// The workbook has several sheets; this is the one that was read, by its name.
+    /// The workbook has several sheets; the one with this name was read.
     Sheet(String),
-    /// What the positions of a project of Tracker are.
+    /// Remark on a Tracker project.
     Project(Remark),
-    /// What was noticed about data sets that were exported together.
+    /// Remark on data sets that were exported together.
     DataSets(data_sets::Remark),
-    /// A word, or a number too large for a double, stands where a number should; the cell became a gap.
+    /// A cell holds a word, or a number too large for a double, instead of a number; it became a gap.
     Word {
         /// The line of the file.
         line: usize,
-        /// The column, by its label.
+        /// Label of the column.
         column: String,
-        /// What stands there.
+        /// Text of the cell.
         text: String,
     },
-    /// So many more words, which are not listed.
+    /// Number of further words that are not listed.
     MoreWords(usize),
-    /// Lines of words between the rows; they were passed over.
+    /// Lines of words between the rows were ignored.
     WordLines {
-        /// The first of them.
+        /// Line of the first.
         line: usize,
-        /// How many.
+        /// Number of lines.
         count: usize,
     },
     /// A column of words was left out.
     WordColumn(String),
     /// A column has a name but no number.
     EmptyColumn(String),
-    /// Rows with more cells than a table of this size can have columns; what was beyond was left out.
+    /// Rows have more cells than the table can have columns; the excess cells were left out.
     ExtraCells {
-        /// The first of them.
+        /// Line of the first.
         line: usize,
-        /// How many rows.
+        /// Number of rows.
         count: usize,
     },
-    /// What was decided about names, units and errors in the header.
+    /// Decision about names, units and errors in the header.
     Heading(Heading),
-    /// What stands in the brackets of a header is no unit.
+    /// The text in brackets in a header is not a known unit.
     UnknownUnit {
         /// The column.
         column: String,
-        /// What stands there.
+        /// Text in brackets.
         unit: String,
     },
-    /// A comma or a point could be read in two ways, and a column contradicts one of them.
+    /// A comma or a point is ambiguous, and a column contradicts one of the readings.
     Separator {
-        /// The line of the first number with it.
+        /// Line of the first number with the sign.
         line: usize,
-        /// That number: `1,295`.
+        /// This number: `1,295`.
         text: String,
-        /// A number without it in the same column: `926`.
+        /// Number without the sign in the same column: `926`.
         beside: String,
-        /// Whether it was taken to group digits, and not for a decimal sign.
+        /// True if it was read as a separator of groups, false as a decimal sign.
         thousands: bool,
     },
-    /// All commas have three digits behind them; they were taken for decimal signs.
+    /// All commas are followed by three digits; they were read as decimal signs.
     DecimalSign {
-        /// The line of the first.
+        /// Line of the first number.
         line: usize,
-        /// The number: `1,295`.
+        /// Number: `1,295`.
         text: String,
     },
-    /// All points or commas between the digits of a column's numbers have three digits behind them, and the file's decimal sign is
-    /// the other one; they were taken to group digits.
+    /// All points or commas in the numbers of a column are followed by three digits, and the decimal sign of the file is
+    /// the other one; they were read as separators of groups.
     GroupSign {
-        /// The line of the first.
+        /// Line of the first number.
         line: usize,
-        /// The number: `1.295`.
+        /// Number: `1.295`.
         text: String,
     },
-    /// A column has the other decimal sign than the rest of the file, and was read with its own.
+    /// A column has another decimal sign than the rest of the file, and was read with its own.
     OtherSign {
         /// The column.
         column: String,
-        /// Whether its numbers have a point, and the others a comma.
+        /// True if its numbers have a point, and the others a comma.
         point: bool,
     },
     /// Clock times or dates were read as seconds from the first row.
     Clock {
         /// The column.
         column: String,
-        /// Whether it holds dates alone.
+        /// True if it holds only dates.
         days: bool,
-        /// How often the clock began again at zero.
+        /// Number of times the clock restarted at zero.
         wrapped: usize,
-        /// Whether `12:30` was taken for minutes and seconds without anything that says so.
+        /// True if `12:30` was read as minutes and seconds without an indication in the file.
         minutes: bool,
     },
-    /// The time stamps of a serial monitor were left out for the times of the device itself.
+    /// The time stamps of a serial monitor were replaced by the times of the device itself.
     Stamps {
-        /// The unit in which those are.
+        /// Unit of these times.
         unit: String,
     },
     /// The runs of a logger, each with its own clock.
     Runs(Vec<String>),
-    /// The role of columns, where it is not plain.
+    /// Role of columns, where it is unclear.
     Role(roles::Remark),
-    /// No unit is stated for a time; it is taken for seconds, or in a fit for the unit of the model's time.
+    /// No unit is stated for a time; it is taken as seconds, or in a fit as the unit of the model's time.
     AssumedSeconds(String),
-    /// The times of these columns are all the same, or there are none.
+    /// The times of a column are missing or all equal.
     NoTimes(String),
-    /// All lengths share a relative standard error, that of the scale of their film.
+    /// Relative standard error common to all lengths, from the scale of their film.
     Scale(f64),
     /// Frames are missing.
     Missing {
-        /// Where.
+        /// The gaps.
         gaps: Vec<Gap>,
-        /// The unit of the times, `s`.
+        /// Unit of the times, `s`.
         unit: &'static str,
     },
     /// Rows with the time of the row before.
     Doubled {
-        /// The first such time.
+        /// Time of the first such row.
         time: f64,
-        /// Its unit.
+        /// Unit of the time.
         unit: &'static str,
-        /// How many.
+        /// Number of rows.
         count: usize,
     },
-    /// Rows that are earlier than the row before.
+    /// Rows with an earlier time than the row before.
     Backwards {
-        /// The first such time.
+        /// Time of the first such row.
         time: f64,
-        /// Its unit.
+        /// Unit of the time.
         unit: &'static str,
-        /// How many.
+        /// Number of rows.
         count: usize,
     },
-    /// The distances of the rows vary by this part of their mean (standard deviation).
+    /// Standard deviation of the distances of the rows, as a part of their mean.
     Uneven(f64),
-    /// Every time is rounded.
+    /// All times are rounded.
     RoundedTimes {
-        /// To this.
+        /// Rounding unit.
         to: f64,
-        /// Its unit.
+        /// Unit of the times.
         unit: &'static str,
     },
-    /// The time step itself was rounded, and the error adds up.
+    /// The time step is rounded, so that the error of the times grows.
     RoundedStep {
-        /// The step of the file.
+        /// Step in the file, s.
         interval: f64,
-        /// Frames a second.
+        /// Frame rate, 1/s.
         rate: f64,
     },
     /// A column was computed from another one by finite differences.
     Derived {
         /// The column.
         column: String,
-        /// What it was computed from.
+        /// Column from which it was computed.
         of: String,
-        /// How.
+        /// Formula of the finite differences.
         stencil: Stencil,
-        /// The factor by which it is too small at the frequency of this record, if that is known.
+        /// Factor by which the result is too small at the frequency of this record; `None` if unknown.
         attenuation: Option<f64>,
     },
 }
 
 impl Finding {
-    /// It in a sentence or two, in English or Spanish.
+    /// Finding as one or two sentences in English or Spanish.
     pub fn text(&self, language: Language) -> String {
         let say = |english: String, other: String| if language == Spanish { other } else { english };
         match self {

@@ -1,4 +1,4 @@
-//! Everything that a table hides, looked for at once.
+//! Inspection of a table: sampling, and columns computed from others.
 
 use crate::cycles;
 use crate::finding::Finding;
@@ -7,50 +7,50 @@ use crate::stencil::{self, Recognised};
 use crate::table::Table;
 use units::{Dimension, Unit};
 
-/// What was found out about a table.
+/// Result of the inspection of a table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inspection {
-    /// What a person should know.
+    /// Notes for the user.
     pub findings: Vec<Finding>,
     /// Columns that were computed from others.
     pub derived: Vec<Derived>,
 }
 
-/// A column that was computed from another one.
+/// Column computed from another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Derived {
-    /// The column.
+    /// Index of the column.
     pub column: usize,
-    /// What it was computed from.
+    /// Index of the column from which it was computed.
     pub of: usize,
-    /// How that was recognised.
+    /// Recognised formula.
     pub recognised: Recognised,
-    /// The factor by which it is too small at the frequency of the record, if there is an oscillation.
+    /// Factor by which it is too small at the frequency of the record; `None` without an oscillation.
     pub attenuation: Option<f64>,
 }
 
-/// Looks at the sampling of every independent variable, and for columns that are finite differences of others.
+/// Examines the sampling of every independent variable, and finds columns that are finite differences of others.
 pub fn inspect(table: &Table) -> Inspection {
     let mut inspector = Inspector::new(table);
     while !inspector.advance(table) {}
     inspector.finish()
 }
 
-/// The same in slices.
+/// Inspection in slices.
 #[derive(Clone, Debug)]
 pub struct Inspector {
     observed: Vec<usize>,
-    /// The independent variables that are left, the next one last.
+    /// Remaining independent variables, the next one last.
     left: Vec<usize>,
-    /// The times that are looked at, SI, and how far that has come.
+    /// Times under examination, SI, with its state.
     present: Option<(Vec<f64>, Examination)>,
     inspection: Inspection,
 }
 
 impl Inspector {
-    /// Begins to look at a table.
+    /// Begins the inspection of a table.
     pub fn new(table: &Table) -> Self {
-        // A table of more bodies is no film.
+        // Upper bound of the examined independent variables: a table with more is not from a film.
         const BODIES: usize = 100;
         let mut left: Vec<usize> = table.independent().take(BODIES).collect();
         left.reverse();
@@ -58,7 +58,7 @@ impl Inspector {
         Self { observed, left, present: None, inspection: Inspection::default() }
     }
 
-    /// Goes on with the table that it began with. Whether it has come to the end.
+    /// Continues with the table given at the start. Returns true at the end.
     pub fn advance(&mut self, table: &Table) -> bool {
         let Some(independent) = self.left.last().copied() else { return true };
         let column = &table.columns[independent];
@@ -82,17 +82,17 @@ impl Inspector {
         self.left.is_empty()
     }
 
-    /// The columns that are compared with each other.
+    /// Columns that are compared with each other.
     fn columns_of(&self, table: &Table, independent: usize) -> Vec<usize> {
-        // A table of more columns is no film.
+        // Upper bound of the compared columns: a table with more is not from a film.
         const COLUMNS: usize = 12;
         let of_it = |column: &usize| table.columns[*column].independent == independent;
         self.observed.iter().copied().filter(of_it).take(COLUMNS).collect()
     }
 
-    /// Looks for columns that were computed from others.
+    /// Finds columns that were computed from others.
     fn compare(&mut self, table: &Table, independent: usize, mut times: Vec<f64>, mut sampling: sampling::Sampling) {
-        // So many rows tell how a column was computed.
+        // Number of rows that suffices to recognise a formula.
         const ROWS: usize = 5000;
         let columns = self.columns_of(table, independent);
         let inspection = &mut self.inspection;
@@ -107,7 +107,7 @@ impl Inspector {
                 .iter()
                 .filter(|of| **of != candidate)
                 .filter_map(|of| Some((*of, recognise(*of)?)))
-                // The first of equals: the position comes before the velocity.
+                // Of equals the first: the position comes before the velocity.
                 .rev()
                 .max_by(|one, other| one.1.share.total_cmp(&other.1.share));
             let Some((of, recognised)) = best else { continue };
@@ -123,13 +123,13 @@ impl Inspector {
         }
     }
 
-    /// What was found.
+    /// Result of the inspection.
     pub fn finish(self) -> Inspection {
         self.inspection
     }
 }
 
-/// What is doubtful about the times themselves: those of no use, and those for which no unit is stated, each name once.
+/// Findings on the times themselves: times that are missing or all equal, and times without a unit, each name once.
 pub fn doubtful_times(table: &Table) -> Vec<Finding> {
     let mut names: Vec<&str> = Vec::new();
     let mut findings = Vec::new();
@@ -153,7 +153,7 @@ pub fn doubtful_times(table: &Table) -> Vec<Finding> {
     findings
 }
 
-/// What stands behind a reading of the independent variable in SI. Without a unit it is in seconds, unless it counts.
+/// Text of the SI unit of an independent variable. Without a unit, whole numbers are counts and other numbers are seconds.
 fn unit_of(unit: Option<&Unit>, times: &[f64]) -> &'static str {
     let counts = || times.iter().all(|time| time.is_nan() || time.fract() == 0.0);
     match unit {
@@ -164,12 +164,12 @@ fn unit_of(unit: Option<&Unit>, times: &[f64]) -> &'static str {
 }
 
 impl Sampling {
-    /// What a person should know about it; `unit` stands behind a time, `s`.
+    /// Notes for the user on the sampling; `unit` is written after a time, `s`.
     pub fn findings(&self, times: &[f64], unit: &'static str) -> Vec<Finding> {
         let mut findings = Vec::new();
         let time = |rows: &[usize]| rows.first().and_then(|row| times.get(*row)).copied().unwrap_or(f64::NAN);
         if !self.backwards.is_empty() {
-            // Distances of rows that are not in the order of time say nothing of gaps or of the clock.
+            // In unsorted rows, distances show neither gaps nor the step of the clock.
             return vec![Finding::Backwards { time: time(&self.backwards), unit, count: self.backwards.len() }];
         }
         if !self.missing.is_empty() {

@@ -1,5 +1,5 @@
-//! Measured data meet a model: tables and their import, data quality, derivatives, cycles, least squares
-//! with honest uncertainties, and the ranking of models.
+//! Analysis of measured data with models: tables and their import, data quality, derivatives, cycles, least squares with
+//! uncertainties, and the ranking of models.
 
 pub mod conversion;
 pub mod csv;

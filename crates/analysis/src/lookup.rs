@@ -1,15 +1,15 @@
-//! Columns by what a person calls them.
+//! Lookup of columns by the text that a user types.
 
 use crate::run_name;
 use crate::table::Table;
 use std::fmt;
 
-/// The reason why a column is not found.
+/// Reason why a column is not found.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LookupError {
-    /// No column is called so.
+    /// No column has this name.
     Unknown,
-    /// Several columns are; these.
+    /// Several columns match; their indices.
     Several(Vec<usize>),
 }
 
@@ -25,13 +25,13 @@ impl fmt::Display for LookupError {
 impl std::error::Error for LookupError {}
 
 impl Table {
-    /// The column called `which`: by its name (`y`), body and name (`mass_A.y`), whole heading (`time_ms`) or number in the file,
-    /// from 1 (`2` or `#2`). Capitals and a unit behind the name may be left out where only one name is meant. Of several bodies
-    /// with a column of this name it is that of the first.
+    /// Index of the column that `which` means: by name (`y`), body and name (`mass_A.y`), whole heading (`time_ms`) or
+    /// number in the file, from 1 (`2` or `#2`). Case and a unit after the name may differ if only one name matches. If
+    /// several bodies have a column of this name, that of the first is returned.
     ///
     /// # Errors
-    /// No such column, and several: of one name in one body, of names that differ in capitals alone, and a name that is also
-    /// the number of another column.
+    /// No column matches, or several do: columns of one name in one body, names that differ only in case, or a name that is
+    /// also the number of another column.
     pub fn column(&self, which: &str) -> Result<usize, LookupError> {
         let which = which.trim();
         if which.is_empty() {
@@ -44,7 +44,7 @@ impl Table {
         if let Some(number) = which.strip_prefix('#').or(Some(which)).and_then(|digits| digits.parse::<usize>().ok()) {
             let numbered = (0..self.columns.len()).find(|index| self.number(*index) == number);
             named.extend(numbered.filter(|index| !named.contains(index)));
-            // A name and a number of two columns are two readings, whatever their bodies.
+            // A name and a number that match two columns are ambiguous, whatever their bodies.
             return if named.len() > 1 && numbered.is_some() {
                 Err(LookupError::Several(named))
             } else {
@@ -65,14 +65,14 @@ impl Table {
         Err(LookupError::Unknown)
     }
 
-    /// What a person types for a column so that no other is meant: its label, or its number with `#`.
+    /// Text that selects only this column: its label, or `#` with its number.
     pub fn typed(&self, index: usize) -> String {
         let label = self.label(index);
         let plain = label.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.'));
         if plain && self.column(&label) == Ok(index) { label } else { format!("#{}", self.number(index)) }
     }
 
-    /// The columns whose name, or body and name, is `which`.
+    /// Columns whose name, or body and name, is `which`.
     fn named(&self, which: &str, same: &dyn Fn(&str, &str) -> bool) -> Vec<usize> {
         let is_named = |index: &usize| {
             self.columns.get(*index).is_some_and(|column| {
@@ -85,7 +85,7 @@ impl Table {
         (0..self.columns.len()).filter(is_named).collect()
     }
 
-    /// The first of these columns, if all others are those of other bodies.
+    /// First of these columns, if all others have the same name in other bodies.
     fn one(&self, found: Vec<usize>) -> Result<usize, LookupError> {
         let first = *found.first().ok_or(LookupError::Unknown)?;
         let of = |index: &usize| self.columns.get(*index).map(|column| (&column.name, &column.body));
@@ -95,7 +95,7 @@ impl Table {
     }
 }
 
-/// A name without what stands in brackets behind it: `T` of `T (°C)`.
+/// Name without the text in brackets after it: `T` for `T (°C)`.
 fn bare(name: &str) -> Option<&str> {
     let (bare, _) = name.split_once(['(', '[', '<', '{'])?;
     Some(bare.trim()).filter(|bare| !bare.is_empty())
@@ -103,7 +103,7 @@ fn bare(name: &str) -> Option<&str> {
 
 /// True if `which` is `body.name`.
 fn is_in_body(which: &str, body: &str, name: &str, same: &dyn Fn(&str, &str) -> bool) -> bool {
-    // `Run #2.Angle` as well as `Run 2.Angle`.
+    // Accepts `Run #2.Angle` as well as `Run 2.Angle`.
     let is_body = |first: &str| same(first, body) || run_name::name(first).is_some_and(|run| same(&run, body));
     which.match_indices('.').any(|(dot, _)| is_body(&which[..dot]) && same(name, &which[dot + 1..]))
 }

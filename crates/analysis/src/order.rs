@@ -1,13 +1,12 @@
-//! The value of a given rank among many, in time that grows with their number alone.
+//! Selection of the value of a given rank in linear time.
 
-/// So few are sorted.
+/// Number of values up to which they are sorted.
 const FEW: usize = 32;
 
-/// The value that would stand at place `rank`, from 0, if the values were in the order of [`f64::total_cmp`]; NaN where there
-/// is no such place.
+/// Value at index `rank`, from 0, in the order of [`f64::total_cmp`]; NaN if there are not as many values.
 ///
-/// Ranks are found byte by byte from the top, as a radix sort does. The standard library's selection is quadratic for equal
-/// values where it is compiled for size, as in the page, and the steps of an evenly sampled record are all equal.
+/// Digits are selected byte by byte from the top, as in a radix sort. The standard library's selection is quadratic for
+/// equal values if compiled for size, as in the page, and the steps of an evenly sampled record are all equal.
 pub fn nth(values: &[f64], rank: usize) -> f64 {
     let mut keys: Vec<u64> = values.iter().map(|value| key(*value)).collect();
     let mut rank = rank;
@@ -28,21 +27,21 @@ pub fn nth(values: &[f64], rank: usize) -> f64 {
         }
         keys.retain(|key| digit(*key) == wanted);
     }
-    // Those that are left are few, or all equal.
+    // The remaining keys are few, or all equal.
     if keys.len() <= FEW {
         keys.sort_unstable();
     }
     keys.get(rank).map_or(f64::NAN, |key| value(*key))
 }
 
-/// The middle value; NaN of nothing.
+/// Median, for an even number the upper one of the two middle values; NaN without values.
 pub(crate) fn median(values: Vec<f64>) -> f64 {
     nth(&values, values.len() / 2)
 }
 
 const SIGN: u64 = 1 << 63;
 
-/// The number whose order is that of the values.
+/// Integer key with the same order as the values.
 fn key(value: f64) -> u64 {
     let bits = value.to_bits();
     if bits & SIGN == 0 { bits | SIGN } else { !bits }

@@ -1,60 +1,60 @@
-//! Where what is known of a column comes from.
+//! Origin of a column: its place in the file, its unit and its role.
 
 use crate::conversion::Conversion;
 use units::Language::{self, Spanish};
 
-/// How a column stood in its file.
+/// Origin of a column in its file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Origin {
-    /// The cell of the header as it is written, `Time (ms) Run #1`; empty without one.
+    /// Text of the header cell, `Time (ms) Run #1`; empty without one.
     pub heading: String,
-    /// Where its unit comes from.
+    /// Source of its unit.
     pub unit: UnitOrigin,
-    /// What the numbers of the cells were converted by, if they are not the values.
+    /// Conversion of the numbers of the cells; `None` if they are the values.
     pub conversion: Option<Conversion>,
-    /// How many cells hold a word instead of a number; each became a gap.
+    /// Number of cells that hold a word instead of a number; each became a gap.
     pub words: usize,
-    /// The first of these words, and its line.
+    /// Line and text of the first of these words.
     pub first_word: Option<(usize, String)>,
-    /// Which column of the file it is, from 1, counting also those of words; 0 for what is in no file.
+    /// Number of the column in the file, from 1, counting columns of words too; 0 for a column that is not from a file.
     pub number: usize,
-    /// Its role, and what has decided it.
+    /// Role, with its reason.
     pub role: Role,
 }
 
-/// The role of a column in its table.
+/// Role of a column in its table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Role {
-    /// A measured quantity, or something about one.
+    /// Measured quantity, or a property of one.
     #[default]
     Measured,
-    /// The independent variable of other columns.
+    /// Independent variable of other columns.
     Independent(Reason),
-    /// It numbers rows or frames, and nothing is measured against it.
+    /// Number of a row or frame; no column is measured against it.
     Counter,
 }
 
-/// The reason why a column is an independent variable.
+/// Reason why a column is an independent variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// It is called a time.
+    /// Its name is that of a time.
     Name,
-    /// It is in a unit of time.
+    /// It has a unit of time.
     Unit,
-    /// It comes first.
+    /// It is the first column.
     First,
-    /// It increases or decreases throughout, and the column before it numbers the rows.
+    /// It increases or decreases strictly, and the column before it numbers the rows.
     Increases,
-    /// Nothing else can be it.
+    /// No other column can be the independent variable.
     Alone,
     /// The document has an independent variable of this name or unit.
     Document,
-    /// A person has chosen it.
+    /// The user has chosen it.
     Person,
 }
 
 impl Role {
-    /// It in a few words, in English or Spanish; empty for a measured quantity.
+    /// Role in a few words, in English or Spanish; empty for a measured quantity.
     pub fn text(self, language: Language) -> &'static str {
         let reason = match self {
             Self::Measured => return "",
@@ -74,36 +74,36 @@ impl Role {
     }
 }
 
-/// Where the unit of a column comes from.
+/// Source of the unit of a column.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum UnitOrigin {
     /// The file states none.
     #[default]
     NotStated,
-    /// The header states this, and it is not a known unit.
+    /// The header states this text, which is not a known unit.
     Unknown(String),
-    /// In the place of a unit stands this, in parentheses; it is not a known unit and may be a remark: `y (left)`.
+    /// In the place of a unit is this text in parentheses, which is not a known unit and may be a remark: `y (left)`.
     Remark(String),
-    /// Beside the name: `t [ms]`, `t (ms)`, `t / ms`, `t in ms`, `Time: ms`.
+    /// Header cell: `t [ms]`, `t (ms)`, `t / ms`, `t in ms`, `Time: ms`.
     Heading,
-    /// A line of units under the names.
+    /// Line of units below the names.
     UnitLine,
-    /// The end of the name: `time_ms`.
+    /// End of the name: `time_ms`.
     Suffix,
-    /// The name itself: `millis`.
+    /// Whole name: `millis`.
     Name,
-    /// The cells: `12.3 cm`.
+    /// Cells: `12.3 cm`.
     Cells,
-    /// The cells hold times of day or dates, which are read as seconds.
+    /// Cells with times of day or dates, read as seconds.
     Clock,
-    /// It follows from another column, which shows the same time in a known unit.
+    /// Another column that shows the same times in a known unit.
     Compared,
-    /// A person has stated it.
+    /// The user.
     Person,
 }
 
 impl UnitOrigin {
-    /// It in a few words, in English or Spanish.
+    /// Source in a few words, in English or Spanish.
     pub fn text(&self, language: Language) -> String {
         let (english, other) = match self {
             Self::NotStated => ("no unit stated", "sin unidad indicada"),
@@ -123,12 +123,12 @@ impl UnitOrigin {
         (if language == Spanish { other } else { english }).to_owned()
     }
 
-    /// Whether the file, or a person, says what the unit is.
+    /// True if the file or the user states the unit.
     pub fn is_stated(&self) -> bool {
         !matches!(self, Self::NotStated | Self::Unknown(_) | Self::Remark(_))
     }
 
-    /// What stands in the place of the unit and is not a known one.
+    /// Text in the place of the unit that is not a known unit.
     pub fn unknown(&self) -> Option<&str> {
         match self {
             Self::Unknown(text) | Self::Remark(text) => Some(text),
@@ -136,7 +136,7 @@ impl UnitOrigin {
         }
     }
 
-    /// A name for programs.
+    /// Short name for programs.
     pub fn code(&self) -> &'static str {
         match self {
             Self::NotStated => "not stated",

@@ -1,5 +1,5 @@
-//! A file of measured data, text, workbook, archive of texts or project of Tracker, read in slices: the page never stands still, and the
-//! program reads by the same rules.
+//! Reading of a file of measured data in slices: text, workbook, archive of texts or Tracker project. Page and command line
+//! use the same rules.
 
 use crate::data_sets::DataSets;
 use crate::finding::Finding;
@@ -10,23 +10,23 @@ use crate::workbook::{Progress, SheetText, Workbook, WorkbookError};
 use std::borrow::Cow;
 use units::Language::{self, Spanish};
 
-/// A file that is being read.
+/// Reading of a file.
 #[derive(Debug)]
 pub struct Reading {
     stage: Stage,
-    /// No sheet and no project may become a longer text, in bytes.
+    /// Upper bound of the text of a sheet or project, in bytes.
     most: usize,
-    /// The first sheet that was no table, and why.
+    /// Name of the first sheet that was not a table, with its error.
     passed: Option<(String, ImportError)>,
-    /// The sheets that have been read, where each is a data set.
+    /// Sheets read so far, if each is a data set.
     sets: DataSets,
 }
 
 #[derive(Debug)]
 enum Stage {
-    /// Bytes of a text, and what it was made of.
+    /// Bytes of a text, with its source.
     Bytes(Vec<u8>, Source),
-    /// A text of which nothing is known yet, and what it was made of.
+    /// Decoded text, with its source.
     Text(String, Source),
     Rows(Box<Importer<'static>>, Source),
     Sheets(Box<Workbook>),
@@ -35,64 +35,64 @@ enum Stage {
     Failed,
 }
 
-/// What a text was made of.
+/// Source of a text.
 #[derive(Debug)]
 enum Source {
-    /// It is the file.
+    /// The file itself.
     File,
     Sheet(Sheet),
-    /// A project, with what was noticed about it.
+    /// A project, with the findings about it.
     Project(Box<Project>, Vec<Finding>),
 }
 
-/// The sheet that a text was made of, and the rest of its workbook.
+/// Sheet that is the source of a text, and the rest of its workbook.
 #[derive(Debug)]
 struct Sheet {
     name: String,
-    /// Whether it was not the first.
+    /// True if a sheet before it was not a table.
     others: bool,
     workbook: Box<Workbook>,
 }
 
-/// What a file holds.
+/// Contents of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contents {
-    /// The table and what was noticed.
+    /// Table with its findings.
     pub import: Import,
-    /// The text it was read from; that of a workbook's sheet or of a project can be read again by [`import::text`]. Empty where
-    /// the table has several data sets.
+    /// Text from which the table was read; that of a sheet or project can be read again by [`import::text`]. Empty if the
+    /// table has several data sets.
     pub text: String,
-    /// The project of Tracker that it was made of, if its film is in the archive with it.
+    /// Tracker project that is the source of the table, if its film is in the same archive.
     pub project: Option<Box<Project>>,
 }
 
-/// Why a file was not read.
+/// Reason why a file was not read.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ReadingError {
-    /// The text is no table.
+    /// The text is not a table.
     Text(ImportError),
-    /// No file of an archive is a table; this is what was wrong with the first.
+    /// No file of an archive is a table; the error of the first.
     File {
-        /// Its name.
+        /// Name of the file.
         name: String,
-        /// Why it is none.
+        /// Error of the file.
         error: ImportError,
     },
-    /// No sheet is a table; this is what was wrong with the first.
+    /// No sheet is a table; the error of the first.
     Sheet {
-        /// Its name.
+        /// Name of the sheet.
         name: String,
-        /// Why it is none.
+        /// Error of the sheet.
         error: ImportError,
     },
     /// The workbook cannot be read.
     Workbook(WorkbookError),
-    /// The project of Tracker cannot be read.
+    /// The Tracker project cannot be read.
     Project(TrackerError),
 }
 
 impl ReadingError {
-    /// What is wrong, where and why.
+    /// Message for users: place and reason.
     pub fn message(&self, language: Language) -> String {
         match self {
             Self::Text(error) => error.message(language),
@@ -107,7 +107,7 @@ impl ReadingError {
         }
     }
 
-    /// What to do.
+    /// Advice for users.
     pub fn hint(&self, language: Language) -> &'static str {
         match self {
             Self::Text(error) | Self::File { error, .. } | Self::Sheet { error, .. } => error.hint(language),
@@ -118,10 +118,10 @@ impl ReadingError {
 }
 
 impl Reading {
-    /// Begins to read a file, of which a sheet or a project may become `most` bytes of text.
+    /// Begins to read a file. A sheet or a project may become at most `most` bytes of text.
     ///
     /// # Errors
-    /// What is a workbook that cannot be read.
+    /// The workbook cannot be read.
     pub fn new(bytes: Vec<u8>, most: usize) -> Result<Self, ReadingError> {
         let stage = if packed::is_archive(&bytes) {
             let archive = Archive::open(bytes).map_err(|defect| ReadingError::Workbook(defect.into()))?;
@@ -139,25 +139,25 @@ impl Reading {
         Ok(Self { stage, most, passed: None, sets: DataSets::default() })
     }
 
-    /// Begins to read the sheets of an old workbook (XLS), as [`Reading::new`].
+    /// Begins to read the sheets of an old workbook (XLS); `most` as in [`Reading::new`].
     ///
     /// # Errors
-    /// What cannot be read.
+    /// The workbook cannot be read.
     pub fn of_old_workbook(bytes: Vec<u8>, most: usize) -> Result<Self, ReadingError> {
         let workbook = Workbook::open_old(bytes, most).map_err(ReadingError::Workbook)?;
         Ok(Self { stage: Stage::Sheets(Box::new(workbook)), most, passed: None, sets: DataSets::default() })
     }
 
-    /// Begins to read the project in an archive of which only some bytes were read, as [`Reading::new`]; `None` where there is none.
+    /// Begins to read the project in a partly read archive; `most` as in [`Reading::new`]. `None` without a project.
     pub fn of_gathered(gathering: Gathering, most: usize) -> Option<Self> {
         let project = Opening::of_archive(gathering.finish()?).ok()?;
         Some(Self { stage: Stage::Project(Box::new(project)), most, passed: None, sets: DataSets::default() })
     }
 
-    /// Reads on for about `budget` bytes. Whether it has come to the end.
+    /// Reads about `budget` more bytes. Returns true at the end.
     ///
     /// # Errors
-    /// What is no table. There is nothing more to read then.
+    /// The file is not a table. Nothing more can be read then.
     pub fn advance(&mut self, budget: usize) -> Result<bool, ReadingError> {
         self.stage = match std::mem::replace(&mut self.stage, Stage::Failed) {
             Stage::Bytes(bytes, source) => match import::decode(bytes) {
@@ -225,13 +225,13 @@ impl Reading {
     /// Reads to the end.
     ///
     /// # Errors
-    /// What is no table.
+    /// The file is not a table.
     pub fn complete(mut self) -> Result<Contents, ReadingError> {
         while !self.advance(usize::MAX)? {}
         self.finish().ok_or(ReadingError::Workbook(WorkbookError::Damaged))
     }
 
-    /// Which part has been read, from 0 to 1. A workbook or project takes most of its time before its text.
+    /// Progress, from 0 to 1. A workbook or project takes most of its time before its text is available.
     pub fn progress(&self) -> f64 {
         const BEFORE: f64 = 0.8;
         match &self.stage {
@@ -245,12 +245,12 @@ impl Reading {
         }
     }
 
-    /// What the file holds, once it has been read.
+    /// Contents of the file; `None` before the end.
     pub fn finish(self) -> Option<Contents> {
         if let Stage::Finished(contents) = self.stage { Some(*contents) } else { None }
     }
 
-    /// The table of a project that has been read.
+    /// Table of a project that has been read.
     fn take_project(&self, project: Opening) -> Result<Stage, ReadingError> {
         let opened = project.finish().ok_or(ReadingError::Project(TrackerError::Damaged))?;
         let text = opened.project.table(self.most).map_err(ReadingError::Project)?;
@@ -258,7 +258,7 @@ impl Reading {
         Ok(Stage::Text(text, Source::Project(Box::new(opened.project), findings)))
     }
 
-    /// The rest of the workbook, after a sheet that is no table.
+    /// Continues with the rest of the workbook after a sheet that is not a table.
     fn next_sheet(&mut self, error: ImportError, source: Source) -> Result<Stage, ReadingError> {
         let Source::Sheet(Sheet { name, workbook, .. }) = source else { return Err(ReadingError::Text(error)) };
         if workbook.holds_data_sets() {
@@ -294,10 +294,10 @@ impl Reading {
     }
 }
 
-/// Reads a file at once.
+/// Reads a file at once; `most` as in [`Reading::new`].
 ///
 /// # Errors
-/// What is no table.
+/// The file is not a table.
 pub fn read(bytes: Vec<u8>, most: usize) -> Result<Contents, ReadingError> {
     Reading::new(bytes, most)?.complete()
 }

@@ -1,8 +1,8 @@
-//! How the rows of a measurement follow each other in time.
+//! Sampling of a measurement: the time steps between its rows.
 
 use crate::order::median;
 
-/// Frames a second of cameras whose step is no short decimal.
+/// Frame rates of cameras whose step is not a short decimal, 1/s.
 const RATES: [f64; 17] = [
     30.0,
     60.0,
@@ -23,75 +23,76 @@ const RATES: [f64; 17] = [
     600.0,
 ];
 
-/// The steps in which a record was taken.
+/// Sampling of a record. Times are in the unit passed to [`examine`]: s for a clock.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sampling {
-    /// The usual distance of two rows: the slope of the times over the frames, or the mean distance of uneven rows. 0 for
-    /// fewer than three rows.
+    /// Typical time between two rows: the slope of the times over the frames, or the mean step of uneven rows. 0 for fewer
+    /// than three rows.
     pub interval: f64,
-    /// The frame of each row, counted from time 0 if the frames agree with that, else from the first row; `None` without
-    /// a time. Empty where the rows keep no step.
+    /// Frame of each row, counted from time 0 if the frames agree with that, else from the first row; `None` without a
+    /// time. Empty if the rows are not evenly spaced.
     pub frames: Vec<Option<i64>>,
-    /// Frames that are missing.
+    /// Missing frames.
     pub missing: Vec<Gap>,
-    /// Rows, from 0, with the time of the row before.
+    /// Rows, from 0, with the same time as the row before.
     pub doubled: Vec<usize>,
-    /// Rows, from 0, that are earlier than the row before.
+    /// Rows, from 0, with an earlier time than the row before.
     pub backwards: Vec<usize>,
-    /// The standard deviation of the distances from the step, in steps.
+    /// Standard deviation of the steps from whole multiples of the interval, or from their mean for uneven rows, in
+    /// intervals.
     pub jitter: f64,
-    /// What every time is rounded to, if that explains the jitter.
+    /// Rounding unit of all times, if it explains the jitter.
     pub rounded_to: Option<f64>,
-    /// The frames a second that the step comes from, if it was rounded itself.
+    /// Frame rate, 1/s, of which the step is the rounded inverse; `None` if it is not.
     pub rate: Option<f64>,
 }
 
-/// Frames that are missing between two rows.
+/// Missing frames between two rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// The first missing frame, counted as [`Sampling::frames`].
+    /// First missing frame, counted as in [`Sampling::frames`].
     pub first: u64,
-    /// The last one.
+    /// Last missing frame.
     pub last: u64,
-    /// The time of the row before the gap.
+    /// Time of the row before the gap.
     pub after: f64,
-    /// The time of the row behind it.
+    /// Time of the row after the gap.
     pub before: f64,
 }
 
-/// Beyond this part of a step the distances are uneven, and missing frames cannot be found.
+/// Jitter, in intervals, beyond which rows are uneven and missing frames cannot be found.
 const UNEVEN: f64 = 0.2;
 
-/// Beyond so many frames doubles do not count them one by one, and no clock has run so long.
+/// Largest frame number that a double counts exactly.
 const MOST_FRAMES: f64 = 9_007_199_254_740_992.0;
 
-/// Finds the step of `times` (in seconds, NaN where there is none) and where it is not kept.
+/// Determines the sampling of `times`, s, with NaN for gaps.
 pub fn examine(times: &[f64]) -> Sampling {
     let mut examination = Examination::default();
     while !examination.advance(times) {}
     examination.sampling
 }
 
-/// The same in a few slices, each once or twice through all times: a million rows are no pause then.
+/// Examination in a few slices, each with one or two passes over all times, so that a million rows do not block the page.
 #[derive(Clone, Debug, Default)]
 pub struct Examination {
     stage: Stage,
-    /// The rows that have a time, with their numbers.
+    /// Rows with a time: (index, time).
     rows: Vec<(usize, f64)>,
     steps: Vec<f64>,
     typical: f64,
-    /// The steps in whole frames.
+    /// Steps in whole frames.
     whole: Vec<f64>,
-    /// The frame of each of the rows, counted from the first.
+    /// Frame of each of the rows, counted from the first.
     frames: Vec<f64>,
-    /// The time of that frame, by the straight line through all.
+    /// Time of the first frame, from the straight line through all rows.
     start: f64,
     interval: f64,
-    /// What has been found.
+    /// Result.
     pub sampling: Sampling,
 }
 
-/// What an examination does next.
+/// Next step of an examination.
 #[derive(Clone, Copy, Debug, Default)]
 enum Stage {
     #[default]
@@ -105,7 +106,7 @@ enum Stage {
 }
 
 impl Examination {
-    /// Goes on with the times that it began with. Whether it has come to the end.
+    /// Continues with the times given at the start. Returns true at the end.
     pub fn advance(&mut self, times: &[f64]) -> bool {
         let next = match self.stage {
             Stage::Steps => {
@@ -134,7 +135,7 @@ impl Examination {
                 self.start = start;
                 let usual = interval > 0.5 * self.typical && interval < 2.0 * self.typical;
                 self.interval = if usual { interval } else { self.typical };
-                // By how much each step is off whole frames.
+                // Deviation of each step from whole frames.
                 let interval = self.interval;
                 let off = |(step, count): (&f64, &f64)| step / interval - count;
                 let sum: f64 = self.steps.iter().zip(&self.whole).map(off).map(|off| off * off).sum();
@@ -168,7 +169,7 @@ impl Examination {
         next.is_none()
     }
 
-    /// Rows at the time of the row before, or earlier.
+    /// Finds rows with the time of the row before, or an earlier one.
     fn order(&mut self) {
         for (pair, step) in self.rows.windows(2).zip(&self.steps) {
             if step.abs() < 1e-6 * self.typical {
@@ -179,7 +180,7 @@ impl Examination {
         }
     }
 
-    /// What is known of rows that keep no step.
+    /// Interval and jitter of rows that are not evenly spaced.
     fn uneven(&mut self) {
         let forward: Vec<f64> = self.steps.iter().copied().filter(|step| *step > 0.0).collect();
         let mean = forward.iter().sum::<f64>() / forward.len() as f64;
@@ -188,11 +189,11 @@ impl Examination {
         self.sampling.jitter = variance.sqrt() / mean;
     }
 
-    /// The frame of each row, and the frames that are missing.
+    /// Numbers the frames of all rows, and finds the missing frames.
     fn count_frames(&mut self, length: usize) {
         let (sampling, interval) = (&mut self.sampling, self.interval);
         sampling.interval = interval;
-        // Frames count from time 0 if the first row lies on one.
+        // Frames count from time 0 if that is a whole number of frames before the first row.
         let first = self.start / interval;
         let base = if (first - first.round()).abs() < 0.05 && first.abs() < 1e9 { first.round() } else { 0.0 };
         sampling.frames = vec![None; length];
@@ -213,7 +214,7 @@ impl Examination {
     }
 }
 
-/// The straight line through times over frames.
+/// Intercept and slope of the straight line through times over frames.
 fn line(frames: &[f64], rows: &[(usize, f64)]) -> (f64, f64) {
     let count = rows.len() as f64;
     let mean_frame = frames.iter().sum::<f64>() / count;
@@ -227,7 +228,7 @@ fn line(frames: &[f64], rows: &[(usize, f64)]) -> (f64, f64) {
     (mean_time - slope * mean_frame, slope)
 }
 
-/// The coarsest decimal unit, down to a nanosecond, of which all times are multiples.
+/// Coarsest decimal unit, down to a nanosecond, of which all times are multiples.
 fn last_decimal(rows: &[(usize, f64)]) -> Option<f64> {
     const UNITS: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
     let stride = rows.len().div_ceil(500);
@@ -239,7 +240,7 @@ fn last_decimal(rows: &[(usize, f64)]) -> Option<f64> {
     UNITS.iter().find(fits).map(|inverse| 1.0 / inverse)
 }
 
-/// The camera's rate, if the step is its inverse rounded (or cut off) to at least three decimals.
+/// Frame rate of a camera, 1/s, if the step is its inverse rounded or truncated to at least three decimals.
 fn rounded_rate(interval: f64) -> Option<f64> {
     RATES.into_iter().find(|rate| {
         let exact = 1.0 / rate;

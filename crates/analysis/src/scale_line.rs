@@ -1,15 +1,16 @@
-//! The line above a table that states the error of its scale: that of the ruler in a film, which all lengths share.
+//! Line above a table with the relative standard error of its scale, such as that of the ruler in a film, which is common
+//! to all lengths.
 
-/// What it begins with, behind the sign of a comment.
+/// Beginning of the line, after the comment sign.
 const LABEL: &str = "relative standard error of the scale:";
 
-/// The line, without its end, for a table whose lengths have this relative standard error.
+/// Line, without its line end, for a table whose lengths have this relative standard error.
 pub fn scale_line(error: f64) -> String {
     format!("# {LABEL} {error}")
 }
 
-/// The error that one of these lines states, also where a spreadsheet has saved it with quotation marks, separators or a decimal
-/// comma. `None` where none does, or it is no error.
+/// Error stated by one of these lines, also if a spreadsheet saved it with quotation marks, separators or a decimal comma.
+/// `None` without such a line, or if the number is not between 0 and 1.
 pub(crate) fn read<'a>(lines: impl IntoIterator<Item = &'a str>) -> Option<f64> {
     let stated = |line: &str| {
         let cell = line.trim_start_matches(['"', '#', ' ', '\t']).trim_end_matches(['"', ',', ';', ' ', '\t']);

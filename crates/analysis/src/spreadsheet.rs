@@ -1,4 +1,4 @@
-//! An XLSX workbook, written by hand: a few XML files (Office Open XML, ECMA-376) in a ZIP archive without compression.
+//! Writer of XLSX workbooks: a few XML files (Office Open XML, ECMA-376) in a ZIP archive without compression.
 
 mod zip;
 
@@ -8,33 +8,33 @@ use units::markup::escaped;
 pub(crate) use zip::Checksum;
 pub use zip::{Archive, checksum};
 
-/// A workbook.
+/// Workbook.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Workbook {
-    /// Its sheets, in the order of their tabs.
+    /// Sheets, in the order of their tabs.
     pub sheets: Vec<Sheet>,
 }
 
-/// A sheet.
+/// Sheet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sheet {
-    /// The name on its tab. What a spreadsheet does not allow in one is replaced.
+    /// Name of the tab; characters that a spreadsheet does not allow are replaced.
     pub name: String,
-    /// Rows of cells. The first is bold and stays in view, if `header` is set.
+    /// Rows of cells. The first is bold and frozen if `header` is set.
     pub rows: Vec<Vec<Cell>>,
-    /// Whether the first row is a header.
+    /// True if the first row is a header.
     pub header: bool,
 }
 
-/// What stands in a cell.
+/// Content of a cell.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Cell {
-    /// Nothing.
+    /// Empty cell.
     #[default]
     Empty,
-    /// A number; what is not finite is an empty cell.
+    /// Number; written as an empty cell if not finite.
     Number(f64),
-    /// A text, shown as it is: never a formula.
+    /// Text, never interpreted as a formula.
     Text(String),
 }
 
@@ -57,7 +57,7 @@ impl From<String> for Cell {
 }
 
 impl Sheet {
-    /// A sheet of columns of numbers, each under its header; they may be of different lengths.
+    /// Sheet with columns of numbers, each below its header; columns may differ in length.
     pub fn of_columns(name: &str, headers: &[&str], columns: &[&[f64]]) -> Self {
         let length = columns.iter().map(|column| column.len()).max().unwrap_or(0);
         let mut rows = Vec::with_capacity(length + 1);
@@ -73,7 +73,8 @@ impl Sheet {
         Self { name: name.to_owned(), rows, header: true }
     }
 
-    /// The same of a film: above the headers stands the line with the relative standard error of its scale, where it has one.
+    /// Sheet of a film as in [`Self::of_columns`], below a row with the relative standard error of its scale, if there is
+    /// one.
     pub fn of_film(name: &str, headers: &[&str], columns: &[&[f64]], scale_error: Option<f64>) -> Self {
         let mut sheet = Self::of_columns(name, headers, columns);
         if let Some(error) = scale_error {
@@ -83,7 +84,7 @@ impl Sheet {
     }
 }
 
-/// What a sheet may hold.
+/// Limits of a sheet in spreadsheet programs.
 const MOST_ROWS: usize = 1_048_576;
 const MOST_COLUMNS: usize = 16_384;
 const LONGEST_TEXT: usize = 32_767;
@@ -94,7 +95,7 @@ const RELATIONS: &str = "http://schemas.openxmlformats.org/officeDocument/2006/r
 const PACKAGE: &str = "http://schemas.openxmlformats.org/package/2006";
 
 impl Workbook {
-    /// The file. Rows, columns and texts beyond what a spreadsheet can hold are left out.
+    /// Bytes of the file. Rows, columns and texts beyond the limits of spreadsheet programs are left out.
     pub fn xlsx(&self) -> Vec<u8> {
         let sheets: &[Sheet] = if self.sheets.is_empty() {
             &[Sheet { name: String::new(), rows: Vec::new(), header: false }]
@@ -136,7 +137,7 @@ fn content_types(sheets: usize) -> String {
     xml + "</Types>"
 }
 
-/// The list of sheets, and where they are.
+/// XML of the list of sheets, and of their relations.
 fn workbook(sheets: &[Sheet]) -> (String, String) {
     let mut list = format!("{DECLARATION}<workbook xmlns=\"{MAIN}\" xmlns:r=\"{RELATIONS}\"><sheets>");
     let mut relations = format!("{DECLARATION}<Relationships xmlns=\"{PACKAGE}/relationships\">");
@@ -161,8 +162,8 @@ fn workbook(sheets: &[Sheet]) -> (String, String) {
     (list + "</sheets></workbook>", relations)
 }
 
-/// A name that a spreadsheet takes: at most 31 characters, none of `[]:*?/\`, no apostrophe at the ends, not empty, and
-/// not that of another sheet.
+/// Valid name of a tab: at most 31 characters, none of `[]:*?/\`, no apostrophe at the ends, not empty, and different from
+/// those of the other sheets.
 fn tab(name: &str, number: usize, others: &[String]) -> String {
     let plain: String = name
         .chars()
@@ -176,7 +177,7 @@ fn tab(name: &str, number: usize, others: &[String]) -> String {
     plain.to_owned()
 }
 
-/// Two styles: the usual one, and bold for headers.
+/// Two styles: normal, and bold for headers.
 fn styles() -> String {
     format!(
         "{DECLARATION}<styleSheet xmlns=\"{MAIN}\"><fonts count=\"2\"><font><sz val=\"11\"/><name val=\"Calibri\"/></font>\
@@ -233,7 +234,7 @@ fn worksheet(sheet: &Sheet) -> String {
     xml + "</sheetData></worksheet>"
 }
 
-/// Widths in characters, wide enough for the texts within reason, and for a number of usual length.
+/// Column widths in characters, from the texts within limits and from the usual length of a number.
 fn widths(sheet: &Sheet) -> Vec<usize> {
     let mut widths: Vec<usize> = Vec::new();
     for row in sheet.rows.iter().take(200) {
@@ -252,7 +253,7 @@ fn widths(sheet: &Sheet) -> Vec<usize> {
     widths.into_iter().map(|width| width.clamp(6, 60) + 2).collect()
 }
 
-/// `B3` for the second column of the third row.
+/// Appends a cell reference: `B3` for the second column of the third row.
 fn push_place(out: &mut String, column: usize, row: usize) {
     let mut letters = [b'A'; 4];
     let mut length = 0;

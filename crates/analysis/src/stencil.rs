@@ -1,9 +1,9 @@
-//! Derivatives by finite differences: making them, and finding out that a column was made so.
+//! Derivatives by finite differences, and recognition of columns that were computed so.
 
 use crate::order::median;
 use crate::sampling::{self, Sampling};
 
-/// A formula of finite differences on even steps.
+/// Formula of finite differences on even steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stencil {
     /// First derivative, `(x[i+1] - x[i-1])/(2 dt)`: Tracker's velocity.
@@ -19,11 +19,10 @@ pub enum Stencil {
 }
 
 impl Stencil {
-    /// All of them.
+    /// All stencils.
     pub const ALL: [Self; 5] = [Self::Central, Self::Forward, Self::Backward, Self::FivePoint, Self::Second];
 
-    /// The weights of the neighbours, each with its distance in frames; their sum is divided by the step to the power of
-    /// the order.
+    /// Neighbours as (distance in frames, weight). The weighted sum is divided by the step to the power of the order.
     pub fn weights(self) -> &'static [(i64, f64)] {
         match self {
             Self::Central => &[(-1, -0.5), (1, 0.5)],
@@ -34,7 +33,7 @@ impl Stencil {
         }
     }
 
-    /// Which derivative it gives: 1 or 2.
+    /// Order of the derivative: 1 or 2.
     pub fn order(self) -> u8 {
         match self {
             Self::Central | Self::Forward | Self::Backward => 1,
@@ -42,8 +41,8 @@ impl Stencil {
         }
     }
 
-    /// The factor by which it is off for a sinusoid with `theta = omega dt`; below 1 it makes the derivative too small.
-    /// The one-sided stencils also shift it by half a step.
+    /// Ratio of the result to the exact derivative of a sinusoid with `theta = omega dt`, rad; below 1 the result is too
+    /// small. The one-sided stencils also shift it by half a step.
     pub fn attenuation(self, theta: f64) -> f64 {
         if theta == 0.0 {
             return 1.0;
@@ -59,7 +58,7 @@ impl Stencil {
         }
     }
 
-    /// The formula for a quantity of this name.
+    /// Text of the formula for a quantity of this name.
     pub fn formula(self, x: &str) -> String {
         match self {
             Self::Central => format!("({x}[i+1] − {x}[i−1])/(2 Δt)"),
@@ -73,23 +72,24 @@ impl Stencil {
     }
 }
 
-/// A column that was computed from another one.
+/// Recognition of a column computed from another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recognised {
-    /// How.
+    /// Stencil.
     pub stencil: Stencil,
-    /// Which derivative: 1 or 2.
+    /// Order of the derivative: 1 or 2.
     pub order: u8,
-    /// The part of the rows that agree, of those with all neighbours: 0 to 1.
+    /// Part of the rows with all neighbours that agree: 0 to 1.
     pub share: f64,
-    /// How many rows have all neighbours.
+    /// Number of rows with all neighbours.
     pub rows: usize,
-    /// The unit of the difference quotient in units of the column, a power of ten: 1 where both are coherent.
+    /// Unit of the difference quotient in units of the column, a power of ten: 1 if both are coherent.
     pub scale: f64,
 }
 
-/// The derivative of `position` by a stencil; NaN where a neighbour is missing, and everywhere if the times keep no step.
-/// Gaps are gaps of the frames, not of the rows: the rows on both sides of a missing frame are no neighbours.
+/// Derivative of `position` by a stencil, in the units of values and times; NaN where a neighbour is missing, and
+/// everywhere if the times are not evenly spaced. Neighbours are found by frame: rows on both sides of a missing frame are
+/// not neighbours.
 pub fn differentiate(times: &[f64], position: &[f64], stencil: Stencil) -> Vec<f64> {
     difference(&sampling::examine(times), position, stencil)
 }
@@ -105,20 +105,20 @@ fn difference(sampling: &Sampling, position: &[f64], stencil: Stencil) -> Vec<f6
     derivative
 }
 
-/// Calls with each row that has all neighbours, and these with their weights.
+/// Calls `each` for each row that has all neighbours, with these as (weight, value).
 fn neighbours(sampling: &Sampling, position: &[f64], stencil: Stencil, mut each: impl FnMut(usize, &[(f64, f64)])) {
     let mut places: Vec<(i64, usize)> =
         sampling.frames.iter().enumerate().filter_map(|(row, frame)| Some(((*frame)?, row))).collect();
     if !places.is_sorted_by(|one, other| one.0 <= other.0) {
         places.sort_unstable();
     }
-    // Of doubled frames the first counts.
+    // The first row of doubled frames is used.
     places.dedup_by_key(|place| place.0);
     let mut weighted = Vec::with_capacity(5);
     for (index, (frame, row)) in places.iter().enumerate() {
         weighted.clear();
         for (distance, weight) in stencil.weights() {
-            // Frames ascend without repeats: a neighbour is at most as many places away as frames.
+            // Frames ascend without repeats, so a neighbour is at most as many entries away as frames.
             let range =
                 if *distance < 0 { index.saturating_sub(2)..index + 1 } else { index..(index + 3).min(places.len()) };
             let found = places[range].iter().find(|place| place.0 == frame + distance);
@@ -132,14 +132,14 @@ fn neighbours(sampling: &Sampling, position: &[f64], stencil: Stencil, mut each:
     }
 }
 
-/// Tells whether `candidate` was computed from `position` by one of the stencils: whether it agrees with one within what
-/// the digits of the file leave open. A velocity as `position` finds an acceleration that was made from it.
+/// Recognises whether `candidate` was computed from `position` by one of the stencils, within the rounding of the file.
+/// With a velocity as `position` it recognises an acceleration. `None` if less than 80 % of the rows agree.
 pub fn recognise(times: &[f64], position: &[f64], candidate: &[f64]) -> Option<Recognised> {
     let sampling = sampling::examine(times);
     recognise_on(&sampling, position, candidate)
 }
 
-/// [`recognise`], for a sampling that is known.
+/// [`recognise`] with a known sampling.
 pub fn recognise_on(sampling: &Sampling, position: &[f64], candidate: &[f64]) -> Option<Recognised> {
     let (of, its) = (Rounding::of(position), Rounding::of(candidate));
     let found =
@@ -156,7 +156,7 @@ fn agreement(
     its: Rounding,
 ) -> Option<Recognised> {
     let steps = if stencil.order() == 1 { sampling.interval } else { sampling.interval * sampling.interval };
-    // Difference quotient, value of the column, how far the digits let them be apart.
+    // (difference quotient, value of the column, tolerance from rounding).
     let mut rows: Vec<(f64, f64, f64)> = Vec::new();
     neighbours(sampling, position, stencil, |row, weighted| {
         let Some(value) = candidate.get(row).copied().filter(|value| value.is_finite()) else { return };
@@ -176,18 +176,18 @@ fn agreement(
     let size = root_mean_square(&|row| row.0);
     let ratio = median(rows.iter().filter(|row| row.0.abs() > 0.5 * size).map(|row| row.1 / row.0).collect());
     let scale = power_of_ten(ratio)?;
-    // The step of the file may be rounded, and what was computed used the exact one.
+    // The step in the file may be rounded, while the column was computed with the exact one.
     let exact = |rate: f64| {
         let step = sampling.interval * rate;
         if stencil.order() == 1 { step } else { step * step }
     };
-    // Times are known to their digits, the slope of so many of them better still.
+    // Tolerance of the ratio: jitter of the times, reduced by the number of rows.
     let slack = 3e-5 + 4.0 * sampling.jitter / libm::pow(rows.len() as f64, 1.5);
     let allowed = [1.0, sampling.rate.map_or(1.0, exact)];
     if allowed.iter().all(|factor| (ratio / scale / factor - 1.0).abs() > slack) {
         return None;
     }
-    // Where the digits leave everything open, nothing can be recognised.
+    // If the rounding is as large as the values, nothing can be recognised.
     if root_mean_square(&|row| row.2) > 0.1 * size {
         return None;
     }
@@ -204,18 +204,18 @@ fn agreement(
     })
 }
 
-/// The power of ten that a number is, but for a small error: units that differ by a prefix.
+/// Power of ten within 2 % of a number, for units that differ by a prefix.
 fn power_of_ten(ratio: f64) -> Option<f64> {
     const POWERS: [f64; 13] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
     POWERS.into_iter().find(|power| (ratio / power - 1.0).abs() < 0.02)
 }
 
-/// To how many digits a column was written.
+/// Rounding of the numbers of a column.
 #[derive(Clone, Copy, Debug)]
 struct Rounding {
-    /// The last decimal of the finest number.
+    /// Last decimal of the finest number.
     decimal: f64,
-    /// The last digit of a number in units of its first one.
+    /// Last digit of a number in units of its first one.
     significant: f64,
 }
 
@@ -224,7 +224,7 @@ impl Rounding {
         let stride = values.len().div_ceil(200).max(1);
         let (mut decimals, mut significant) = (i32::MIN, 1);
         for value in values.iter().step_by(stride).filter(|value| value.is_finite() && **value != 0.0) {
-            // 15 digits: what a conversion of units does to the last bit is no digit of the file.
+            // 15 digits, so that rounding errors of a unit conversion do not count as digits of the file.
             let text = format!("{value:.14e}");
             let Some((mantissa, exponent)) = text.split_once('e') else { continue };
             let digits = mantissa.trim_end_matches('0').bytes().filter(u8::is_ascii_digit).count();
@@ -238,7 +238,7 @@ impl Rounding {
         }
     }
 
-    /// By how much rounding may have changed a value.
+    /// Greatest rounding error of a value.
     fn error(self, value: f64) -> f64 {
         let leading = if value == 0.0 { 0.0 } else { libm::pow(10.0, libm::floor(libm::log10(value.abs()))) };
         0.5 * self.decimal.max(self.significant * leading)

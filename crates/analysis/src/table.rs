@@ -1,49 +1,49 @@
-//! Measured data as columns.
+//! Tables of measured data.
 
 use crate::error_name::{self, Belongs};
 use crate::origin::Origin;
 use crate::run_name;
 use units::Unit;
 
-/// Measured data: columns of equal length.
+/// Measured data as columns of equal length.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
-    /// The columns, in the order of the file.
+    /// Columns, in the order of the file.
     pub columns: Vec<Column>,
-    /// The relative standard error that all lengths share, where the file states it: that of the ruler in a film.
+    /// Relative standard error common to all lengths, such as that of the ruler in a film; `None` if the file does not
+    /// state it.
     pub scale_error: Option<f64>,
-    /// True if each body is a data set that was exported with the others: a record of its own.
+    /// True if each body is a data set exported with the others: a record of its own.
     pub sets: bool,
-    /// The columns that can be the independent variables, for each way in which the table can be read; empty where there is only one.
-    /// Until one is chosen, [`Column::independent`] is that of the first.
+    /// Independent variables in each possible reading of the table; empty if there is only one. Until one is chosen,
+    /// [`Column::independent`] follows the first.
     pub readings: Vec<Vec<usize>>,
 }
 
-/// One column of measured data.
+/// Column of measured data.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Column {
-    /// The name from the header, ASCII or not, without the unit; empty without a header.
+    /// Name from the header without the unit; empty without a header.
     pub name: String,
-    /// The unit from the header, if it gives one.
+    /// Unit; `None` if the file does not state a known one.
     pub unit: Option<Unit>,
-    /// The body (the tracked object) it belongs to, where the file names bodies or has several, each with its own time.
+    /// Body (tracked object) or run of the column; `None` if the table has no bodies.
     pub body: Option<String>,
-    /// The column of the independent variable it belongs to; its own number for such a column itself.
+    /// Index of its independent variable; its own index for an independent variable.
     pub independent: usize,
-    /// The values in the column's unit; NaN where the cell is empty.
+    /// Values in the unit of the column; NaN for an empty cell.
     pub values: Vec<f64>,
-    /// How it stood in the file.
+    /// Origin of the column in the file.
     pub origin: Origin,
 }
 
 impl Column {
-    /// How many cells hold a number.
+    /// Number of cells that hold a number.
     pub fn filled(&self) -> usize {
         self.values.iter().filter(|value| value.is_finite()).count()
     }
 
-    /// The values in SI. A column without a unit of its own is in `fallback`; without either its values stand as they
-    /// are.
+    /// Values in SI. A column without a unit is in `fallback`; without both, its values are returned unchanged.
     pub fn si(&self, fallback: Option<&Unit>) -> Vec<f64> {
         match self.unit.as_ref().or(fallback) {
             Some(unit) => self.values.iter().map(|value| unit.to_si(*value)).collect(),
@@ -53,7 +53,7 @@ impl Column {
 }
 
 impl Column {
-    /// Whether the numbers can be standard errors of the other's: all positive and small beside its range.
+    /// True if the numbers can be standard errors of the other column: all positive and small compared with its range.
     fn can_be_errors_of(&self, of: &Self) -> bool {
         let finite =
             |values: &[f64]| -> Vec<f64> { values.iter().copied().filter(|value| value.is_finite()).collect() };
@@ -66,17 +66,17 @@ impl Column {
 }
 
 impl Table {
-    /// How many rows there are.
+    /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
-    /// The columns of independent variables.
+    /// Indices of the independent variables.
     pub fn independent(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.columns.len()).filter(|index| self.is_independent(*index))
     }
 
-    /// The columns that hold something measured: no independent variable, and not empty.
+    /// Indices of the columns with measured values: not independent variables, and not empty.
     pub fn observed_columns(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.columns.len()).filter(|index| !self.is_independent(*index) && self.columns[*index].filled() > 0)
     }
@@ -85,14 +85,14 @@ impl Table {
         self.columns.get(index).is_some_and(|column| column.independent == index)
     }
 
-    /// The independent variable of a column, in the unit of its own column; empty if there is no such column. Rows in
-    /// which it is NaN belong to other bodies.
+    /// Values of the independent variable of a column, in the unit of that variable; empty if there is no such column. NaN
+    /// in rows of other bodies.
     pub fn times_of(&self, column: usize) -> &[f64] {
         let times = self.columns.get(column).and_then(|column| self.columns.get(column.independent));
         times.map_or(&[], |times| &times.values)
     }
 
-    /// Whether the times of a column are of any use: at least two of the rows in which it has a value are at different times.
+    /// True if at least two rows with a value of this column have different times.
     pub fn has_times(&self, column: usize) -> bool {
         let Some(own) = self.columns.get(column) else { return false };
         let rows = self.times_of(column).iter().zip(&own.values);
@@ -100,8 +100,8 @@ impl Table {
         times.next().is_some_and(|first| times.any(|time| time != first))
     }
 
-    /// The runs of a logger, by name, with their columns, if the table has several and each has a clock of its own, or its data
-    /// sets. Other bodies, as those of a film, belong together.
+    /// Runs of a logger, or data sets, by name with the indices of their columns. Empty unless the table has data sets, or
+    /// several runs each with its own clock. Other bodies, such as those of a film, belong together.
     pub fn runs(&self) -> Vec<(String, Vec<usize>)> {
         let mut runs: Vec<(String, Vec<usize>)> = Vec::new();
         for (index, column) in self.columns.iter().enumerate() {
@@ -117,8 +117,8 @@ impl Table {
         if self.sets || runs.len() > 1 && runs.iter().all(own_clock) { runs } else { Vec::new() }
     }
 
-    /// The column with the standard errors of another one: `sigma_y`, `y_err`, `u(y)`, `±` for `y`, of the same body and clock. `dy` and
-    /// `Δy` count where their numbers can be errors.
+    /// Column with the standard errors of another one, of the same body and clock: `sigma_y`, `y_err`, `u(y)`, `±` for `y`.
+    /// `dy` and `Δy` count if their numbers can be errors.
     pub fn errors_of(&self, column: usize) -> Option<usize> {
         let own = self.columns.get(column).filter(|own| !own.name.is_empty())?;
         let measured = own.independent != column;
@@ -139,12 +139,12 @@ impl Table {
         self.columns.iter().enumerate().position(belongs)
     }
 
-    /// The number of a column, from 1: that in its file, which counts columns of words too.
+    /// Number of a column, from 1: that in its file, which counts columns of words too.
     pub fn number(&self, index: usize) -> usize {
         self.columns.get(index).map(|column| column.origin.number).filter(|number| *number > 0).unwrap_or(index + 1)
     }
 
-    /// The name of a column for a person: its name, or its number without one; with its body where that is not enough.
+    /// Name of a column for users: its name, or its number without one; with its body if that is ambiguous.
     pub fn label(&self, index: usize) -> String {
         let Some(column) = self.columns.get(index) else { return String::new() };
         let number = self.number(index);

@@ -1,45 +1,45 @@
-//! A measurement that never was: what a camera would have read off a run, with its random and systematic errors.
+//! Virtual measurements: readings of a simulated run by a camera, with random and systematic errors.
 //!
-//! The truth behind such a record is known, so whoever fits it can see how far from it the answer lies.
+//! The true values behind such a record are known, so that the result of a fit can be compared with them.
 
 use units::split_mix::SplitMix64;
 
-/// The camera that films, and whoever reads the film.
+/// Camera, with the errors of its readings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Frames in a unit of the independent variable (SI: hertz).
+    /// Frame rate, per SI unit of the independent variable (Hz for a time).
     pub rate: f64,
-    /// How long it films, SI.
+    /// Duration of the film, SI.
     pub duration: f64,
-    /// Readings are rounded to whole multiples of this, SI; 0 for none.
+    /// Readings are rounded to multiples of this, SI; 0 for no rounding.
     pub pixel: f64,
-    /// The standard deviation of a reading, SI.
+    /// Standard deviation of a reading, SI.
     pub noise: f64,
-    /// The standard deviation of the instant of a frame, SI. What is written down is the instant it should have had.
+    /// Standard deviation of the instant of a frame, SI. The recorded instant is the nominal one.
     pub jitter: f64,
-    /// The scale in the picture is wrong by this part: 0.02 makes every reading 2 % too large.
+    /// Relative error of the scale: 0.02 makes every reading 2 % too large.
     pub scale: f64,
-    /// Other errors of the same kind for each seed.
+    /// Seed of the random errors.
     pub seed: u64,
 }
 
-/// More frames than this are not taken.
+/// Upper bound of the number of frames.
 pub const MOST_FRAMES: usize = 20_000;
 
 impl Camera {
-    /// The instants written down: from 0, evenly.
+    /// Recorded instants, SI: evenly spaced from 0.
     pub fn times(&self) -> Vec<f64> {
         let frames = (self.duration * self.rate + 1e-9).clamp(0.0, MOST_FRAMES as f64 - 1.0) as usize + 1;
         (0..frames).map(|frame| frame as f64 / self.rate).collect()
     }
 
-    /// One reading for each of [`Self::times`]; `truth` is the value at any instant between 0 and the duration.
+    /// One reading, SI, for each of [`Self::times`]; `truth` is the value at any instant from 0 to the last frame.
     pub fn read(&self, mut truth: impl FnMut(f64) -> f64) -> Vec<f64> {
         let mut chance = Chance::new(self.seed);
         let times = self.times();
         let last = times.last().copied().unwrap_or_default();
         let mut reading = |time: &f64| {
-            // Both deviates are drawn whatever they are used for: changing one error does not shuffle the other.
+            // Both deviates are always drawn, so that changing one error does not change the other.
             let (early, off) = chance.normals();
             let value = truth((time + self.jitter * early).clamp(0.0, last)) * (1.0 + self.scale) + self.noise * off;
             if self.pixel > 0.0 { (value / self.pixel).round() * self.pixel } else { value }
@@ -48,17 +48,17 @@ impl Camera {
     }
 }
 
-/// A source of chance that gives the same numbers for the same seed on every machine.
+/// Random numbers that are the same for the same seed on every machine.
 #[derive(Clone, Debug)]
 pub struct Chance(SplitMix64);
 
 impl Chance {
-    /// The one of this seed.
+    /// Generator with this seed.
     pub fn new(seed: u64) -> Self {
         Self(SplitMix64::new(seed))
     }
 
-    /// Evenly distributed, above 0 and at most 1.
+    /// Uniformly distributed number, above 0 and at most 1.
     pub fn uniform(&mut self) -> f64 {
         ((self.0.bits() >> 11) + 1) as f64 / (1_u64 << 53) as f64
     }
@@ -71,7 +71,7 @@ impl Chance {
     }
 }
 
-/// Velocities as tracking programs make them of positions: half the difference of the neighbours, where both exist.
+/// Velocities as computed by tracking programs: central difference of the neighbours, NaN at the ends.
 pub fn tracked_velocities(times: &[f64], values: &[f64]) -> Vec<f64> {
     let inner = times.windows(3).zip(values.windows(3));
     let inner = inner.map(|(time, value)| (value[2] - value[0]) / (time[2] - time[0]));
@@ -115,13 +115,13 @@ mod tests {
         let noisy = Camera { noise: 0.003, ..STILL };
         let (mean, variance) = moments(&noisy.read(|_| 0.25));
         assert!((mean - 0.25).abs() < 1e-4 && (variance / 9e-6 - 1.0).abs() < 0.05);
-        // On a ramp, a wrong instant is a wrong place.
+        // On a ramp, an error of the instant is an error of the position.
         let shaky = Camera { jitter: 0.002, ..STILL };
         let off: Vec<f64> = shaky.read(|time| 5.0 * time).iter().zip(shaky.times()).map(|(y, t)| y - 5.0 * t).collect();
         assert!((moments(&off).1 / 1e-4 - 1.0).abs() < 0.05);
         let stretched = Camera { scale: 0.02, ..STILL };
         assert!(stretched.read(|time| time).iter().zip(stretched.times()).all(|(y, t)| (y - 1.02 * t).abs() < 1e-12));
-        // Rounding to pixels is an even error of variance p^2/12.
+        // Rounding to pixels is a uniform error of variance p^2/12.
         let coarse = Camera { pixel: 0.01, ..STILL };
         let rounded: Vec<f64> =
             coarse.read(libm::sin).iter().zip(coarse.times()).map(|(y, t)| y - libm::sin(t)).collect();
@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(camera.times().len(), 241);
         assert_eq!(bits(camera), bits(camera));
         assert_ne!(bits(camera), bits(Camera { seed: 43, ..camera }));
-        // Another error leaves the noise as it was.
+        // Changing another error leaves the noise unchanged.
         let alone = Camera { pixel: 0.0, jitter: 0.0, scale: 0.0, ..camera };
         let shaken = Camera { jitter: 1e-3, ..alone };
         assert!(alone.read(|_| 0.0).iter().zip(shaken.read(|_| 0.0)).all(|(one, other)| *one == other));

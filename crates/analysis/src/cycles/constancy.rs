@@ -1,49 +1,49 @@
-//! Whether a quantity is the same in all cycles, as the linear theory has it.
+//! Constancy of a quantity over the cycles of a record, as the linear theory predicts it.
 
 use super::cycle::{Cycle, Measured};
 use super::quantity::Quantity;
 use units::Language::{self, English, Spanish};
 
-/// What the cycles of a record say about one quantity, by chi-square over rows that share no data.
+/// Result of a chi-square test of one quantity over cycles that share no data. Values in the units of the record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Constancy {
-    /// There is one independent cycle only.
+    /// There is only one independent cycle.
     Alone(Measured),
-    /// It is the same within its errors.
+    /// The quantity is constant within its errors.
     Same {
-        /// The weighted mean.
+        /// Weighted mean.
         mean: Measured,
-        /// The sum of the squares of the deviations over their errors.
+        /// Sum of the squares of the deviations over their errors.
         chi_square: f64,
-        /// Independent cycles less one.
+        /// Degrees of freedom: independent cycles minus one.
         freedom: usize,
     },
-    /// It scatters by more than the errors explain, but is the same in the beginning and in the end.
+    /// The quantity scatters by more than the errors explain, but the first and last third of the cycles agree.
     Scatters {
-        /// The mean, its error by the scatter.
+        /// Weighted mean, with its error from the scatter.
         mean: Measured,
-        /// The sum of the squares of the deviations over their errors.
+        /// Sum of the squares of the deviations over their errors.
         chi_square: f64,
-        /// Independent cycles less one.
+        /// Degrees of freedom: independent cycles minus one.
         freedom: usize,
     },
-    /// It is another one in the end than in the beginning.
+    /// The quantity changes from the first to the last third of the cycles.
     Changes {
-        /// The weighted mean of the first third of the independent cycles.
+        /// Weighted mean of the first third of the independent cycles.
         early: Measured,
-        /// That of the last third.
+        /// Weighted mean of the last third.
         late: Measured,
-        /// The sum of the squares of the deviations over their errors.
+        /// Sum of the squares of the deviations over their errors.
         chi_square: f64,
-        /// Independent cycles less one.
+        /// Degrees of freedom: independent cycles minus one.
         freedom: usize,
     },
 }
 
 impl Constancy {
-    /// What the cycles say about a quantity; `None` where no error is known.
+    /// Tests a quantity over the cycles; `None` if no error is known.
     pub fn of(cycles: &[Cycle], quantity: Quantity) -> Option<Self> {
-        // Each third row shares no data with the one before.
+        // Every third cycle shares no data with the one before.
         let independent: Vec<Measured> =
             cycles.iter().step_by(3).map(|cycle| quantity.of(cycle)).filter(|one| one.error > 0.0).collect();
         let mean = mean(&independent)?;
@@ -59,15 +59,15 @@ impl Constancy {
         let (early, late) = (independent.get(..third)?, independent.get(independent.len() - third..)?);
         let (early, late) = (self::mean(early)?, self::mean(late)?);
         if (early.value - late.value).abs() < 2.0 * libm::hypot(early.error, late.error) {
-            // As the scatter has it (R. T. Birge, Phys. Rev. 40 (1932) 207).
+            // Error from the scatter (R. T. Birge, Phys. Rev. 40 (1932) 207).
             let mean = Measured { error: mean.error * (chi_square / freedom as f64).sqrt(), ..mean };
             return Some(Self::Scatters { mean, chi_square, freedom });
         }
         Some(Self::Changes { early, late, chi_square, freedom })
     }
 
-    /// It in a sentence, in English or Spanish. `written` writes a value with its error and unit, `fixed` a number with one
-    /// decimal.
+    /// Result as a sentence in English or Spanish. `written` formats a value with its error and unit, `fixed` a number with
+    /// one decimal.
     pub fn text(
         &self,
         quantity: Quantity,
@@ -140,15 +140,15 @@ impl Constancy {
     }
 }
 
-/// True if chi-square is exceeded by chance in less than one record of a hundred (E. B. Wilson & M. M. Hilferty, Proc. Natl. Acad.
-/// Sci. 17 (1931) 684).
+/// True if independent values exceed this chi-square with a probability below 0.01 (E. B. Wilson & M. M. Hilferty, Proc.
+/// Natl. Acad. Sci. 17 (1931) 684).
 fn is_beyond_chance(chi_square: f64, freedom: f64) -> bool {
     const QUANTILE: f64 = 2.326;
     let variance = 2.0 / (9.0 * freedom);
     libm::cbrt(chi_square / freedom) > 1.0 - variance + QUANTILE * variance.sqrt()
 }
 
-/// The mean, each value weighted by its error; `None` without any, and where an error is not known.
+/// Mean weighted by the inverse squares of the errors; `None` without values or if an error is not known.
 pub fn mean(of: &[Measured]) -> Option<Measured> {
     let weight = |one: &Measured| 1.0 / (one.error * one.error);
     let sum: f64 = of.iter().map(weight).sum();

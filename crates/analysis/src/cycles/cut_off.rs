@@ -1,26 +1,26 @@
-//! Values cut off at an end of the range of an instrument.
+//! Values cut off at an end of the range of an instrument (clipping).
 
-/// Values that stand at an end of the range of the instrument. The true ones lie beyond it.
+/// Values at an end of the range of the instrument; the true values lie beyond it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CutOff {
-    /// How many rows were left out.
+    /// Number of rows left out.
     pub rows: usize,
-    /// The lower end of the range, in the unit of the values.
+    /// Lower end of the range, in the unit of the values; `None` if nothing was cut off there.
     pub low: Option<f64>,
-    /// The upper end of the range.
+    /// Upper end of the range, in the unit of the values; `None` if nothing was cut off there.
     pub high: Option<f64>,
 }
 
-/// So many rows in a row have the same extreme value at least, and so many altogether.
+/// Least number of consecutive rows, and of all rows, with the extreme value.
 const LONGEST: usize = 3;
 const FEWEST: usize = 5;
-/// The rows at the end of the range over those of the next values inwards. At the extreme of a rounded sinusoid, the greatest
-/// value has at most 1/(sqrt 2 - 1) = 2.4 times as many rows as the next one.
+/// Least ratio of the rows at the end of the range to those of the next values inwards. At the extreme of a rounded
+/// sinusoid, the greatest value has at most 1/(sqrt 2 - 1) = 2.4 times as many rows as the next one.
 const CROWDED: usize = 4;
-/// A signal that is at its ends for a greater part of its rows switches between two levels.
+/// A signal with more than this part of its rows at its ends switches between two levels and is not cut off.
 const SWITCHING: f64 = 0.6;
 
-/// The rows that are not cut off, and those that are; all rows where nothing is cut off.
+/// Rows that are not cut off, and the description of the others; `None` if nothing is cut off.
 pub(super) fn without_limits(rows: Vec<(f64, f64)>) -> (Vec<(f64, f64)>, Option<CutOff>) {
     let values: Vec<f64> = rows.iter().map(|row| row.1).collect();
     let high = limit(&values);
@@ -34,7 +34,7 @@ pub(super) fn without_limits(rows: Vec<(f64, f64)>) -> (Vec<(f64, f64)>, Option<
     (left, Some(CutOff { rows: count, low, high }))
 }
 
-/// The greatest value, if values beyond it were cut off.
+/// Greatest value, if values beyond it were cut off.
 fn limit(values: &[f64]) -> Option<f64> {
     let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let (mut count, mut run, mut longest) = (0, 0, 0);
@@ -46,7 +46,7 @@ fn limit(values: &[f64]) -> Option<f64> {
     if longest < LONGEST || count < FEWEST {
         return None;
     }
-    // The least step between values near the top: that of the rounding, if they are rounded.
+    // The distance from the top to the next value is the step of rounding, if the values are rounded.
     let next = values.iter().copied().filter(|value| *value < top).fold(f64::NEG_INFINITY, f64::max);
     let beside = values.iter().filter(|value| **value < top && **value >= next - 0.5 * (top - next)).count();
     (count >= CROWDED * beside.max(1)).then_some(top)

@@ -1,31 +1,31 @@
-//! One cycle of an oscillation.
+//! One cycle of an oscillation. Values and times are in the units of the record.
 
-/// A value and its standard error.
+/// Value with its standard error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measured {
-    /// The value.
+    /// Value.
     pub value: f64,
-    /// Its standard error.
+    /// Standard error.
     pub error: f64,
 }
 
-/// The cycle around one turning point.
+/// Cycle around one turning point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cycle {
-    /// When the turning point is.
+    /// Time of the turning point.
     pub time: Measured,
-    /// Whether it is a maximum.
+    /// True for a maximum, false for a minimum.
     pub maximum: bool,
-    /// The envelope there, from the offset.
+    /// Envelope at the turning point, measured from the offset.
     pub amplitude: Measured,
-    /// From one maximum to the next.
+    /// Time from one maximum to the next.
     pub period: Measured,
-    /// The natural logarithm of the ratio of two amplitudes one period apart; negative where they grow.
+    /// Natural logarithm of the ratio of two amplitudes one period apart; negative if they grow.
     pub decrement: Measured,
-    /// Local angular frequency, 2 pi over the period.
+    /// Local angular frequency, 2 pi over the period, rad per unit of time.
     pub angular_frequency: Measured,
-    /// Local damping, the decrement over the period.
+    /// Local damping, the decrement over the period, 1 per unit of time.
     pub damping: Measured,
-    /// What it swings about.
+    /// Level about which it oscillates.
     pub offset: Measured,
 }

@@ -1,35 +1,35 @@
 //! Least squares of one damped sinusoid, `c + exp(-g t) (a cos(w t) + b sin(w t))`.
 //!
 //! For given `w` and `g` the best `a`, `b` and `c` follow from linear equations (variable projection: Golub and Pereyra,
-//! SIAM J. Numer. Anal. 10, 413 (1973)), so that only `w` and `g` are searched for, by Gauss and Newton's steps.
+//! SIAM J. Numer. Anal. 10, 413 (1973)), so that only `w` and `g` are searched, by Gauss-Newton steps.
 
 use crate::fit::autoregression::{Block, correlated, orthonormal, subtract_projection};
 use crate::fit::linear::dot;
 
-/// Values over time, both without gaps, the times ascending.
+/// Values over time, without gaps, in the order of time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Points<'a> {
     pub times: &'a [f64],
     pub values: &'a [f64],
 }
 
-/// A damped sinusoid and how well it fits. Times count from `origin`.
+/// Damped sinusoid with the quality of its fit. Times count from `origin`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Damped {
     pub origin: f64,
-    /// Angular frequency.
+    /// Angular frequency, rad per unit of time.
     pub w: f64,
-    /// Damping.
+    /// Damping, 1 per unit of time.
     pub g: f64,
-    /// Cosine, sine, offset.
+    /// Coefficients of cosine, sine and offset.
     pub linear: [f64; 3],
-    /// The sum of the squared residuals.
+    /// Sum of the squared residuals.
     pub squares: f64,
 }
 
-/// The curve itself without amplitude, `exp(-g t) cos(w t)` and `exp(-g t) sin(w t)`, at every time.
+/// Curve without amplitude, `exp(-g t) cos(w t)` and `exp(-g t) sin(w t)`, at every time.
 ///
-/// A step as long as the one before turns and shrinks by the same factor; only another one asks for new functions.
+/// Over equal steps it is continued by a complex factor; the functions are evaluated only if the step changes.
 pub(super) fn basis(points: Points, origin: f64, w: f64, g: f64, out: &mut Vec<(f64, f64)>) {
     out.clear();
     let turned = |step: f64| {
@@ -56,7 +56,7 @@ pub(super) fn basis(points: Points, origin: f64, w: f64, g: f64, out: &mut Vec<(
     }
 }
 
-/// The best amplitude and offset for this frequency and damping.
+/// Best coefficients for this frequency and damping, and the sum of squared residuals.
 fn project(points: Points, basis: &[(f64, f64)]) -> Option<([f64; 3], f64)> {
     let mut matrix = [[0.0; 3]; 3];
     let mut right = [0.0; 3];
@@ -76,14 +76,15 @@ fn project(points: Points, basis: &[(f64, f64)]) -> Option<([f64; 3], f64)> {
 }
 
 impl Damped {
-    /// The best curve of this frequency and damping.
+    /// Best curve of this frequency and damping.
     pub fn of(points: Points, origin: f64, w: f64, g: f64, scratch: &mut Vec<(f64, f64)>) -> Option<Self> {
         basis(points, origin, w, g, scratch);
         let (linear, squares) = project(points, scratch)?;
         Some(Self { origin, w, g, linear, squares })
     }
 
-    /// Steps downhill from here, at most so many; `scratch` holds the basis of `self`, and of the result afterwards.
+    /// Improves the fit by at most `steps` Gauss-Newton steps; `scratch` holds the basis of `self`, and of the result
+    /// afterwards.
     pub fn improved(self, points: Points, steps: usize, scratch: &mut Vec<(f64, f64)>) -> Self {
         let mut best = self;
         for _ in 0..steps {
@@ -112,7 +113,8 @@ impl Damped {
         best
     }
 
-    /// The normal equations of all five parameters: cosine, sine, offset, frequency, damping.
+    /// Normal equations of all five parameters: cosine, sine, offset, frequency, damping. Only the lower triangle is
+    /// filled.
     fn equations(&self, points: Points, basis: &[(f64, f64)]) -> Option<([[f64; 5]; 5], [f64; 5])> {
         let mut matrix = [[0.0; 5]; 5];
         let mut right = [0.0; 5];
@@ -131,7 +133,8 @@ impl Damped {
         matrix.iter().flatten().all(|entry| entry.is_finite()).then_some((matrix, right))
     }
 
-    /// The derivatives of the curve by cosine, sine, offset, frequency and damping, column by column; `basis` is its own.
+    /// Derivatives of the curve with respect to cosine, sine, offset, frequency and damping, column by column; `basis` is
+    /// that of the curve.
     fn derivatives(&self, points: Points, basis: &[(f64, f64)]) -> Vec<Vec<f64>> {
         let [a, b, _] = self.linear;
         let column = |of: &dyn Fn(f64, f64, f64) -> f64| -> Vec<f64> {
@@ -146,8 +149,8 @@ impl Damped {
         ]
     }
 
-    /// The residuals beside a basis of what the curve can follow; `basis` is the curve's own. A level that `drifts` in the window
-    /// as a parabola does is no part of the residuals.
+    /// Residuals with an orthonormal basis of the curve's derivatives; `basis` is that of the curve. If the level `drifts`,
+    /// a parabola is also subtracted from the residuals.
     pub fn residuals(&self, points: Points, basis: &[(f64, f64)], drifts: bool) -> Block {
         let [a, b, offset] = self.linear;
         let mut residuals: Vec<f64> =
@@ -165,13 +168,13 @@ impl Damped {
         Block::new(basis, residuals)
     }
 
-    /// The covariance of cosine, sine, offset, frequency and damping for noise of this variance, of which neighbouring rows are
-    /// correlated by `rho`. `basis` is the curve's own. `None` where the data cannot determine all of them.
+    /// Covariance of cosine, sine, offset, frequency and damping for noise of this variance with the correlation `rho` of
+    /// neighbouring rows. `basis` is that of the curve. `None` if the data do not determine all of them.
     pub fn covariance(&self, points: Points, basis: &[(f64, f64)], variance: f64, rho: f64) -> Option<[[f64; 5]; 5]> {
         let (matrix, _) = self.equations(points, basis)?;
         let columns = self.derivatives(points, basis);
         let sums: Vec<Vec<f64>> = columns.iter().map(|column| correlated(column, rho)).collect();
-        // The inverse of the normal matrix on both sides of the products of correlated columns.
+        // The inverse of the normal matrix is applied on both sides of the products of correlated columns.
         let mut half = [[0.0; 5]; 5];
         for (half, sums) in half.iter_mut().zip(&sums) {
             *half = solve(matrix, core::array::from_fn(|row| dot(&columns[row], sums)))?;
@@ -183,14 +186,14 @@ impl Damped {
         Some(covariance)
     }
 
-    /// The size of the oscillation at the origin.
+    /// Amplitude at the origin.
     pub fn amplitude(&self) -> f64 {
         libm::hypot(self.linear[0], self.linear[1])
     }
 }
 
-/// Solves symmetric positive definite equations of which the lower triangle is given, by Cholesky's factors of the matrix
-/// scaled to a unit diagonal.
+/// Solves symmetric positive definite equations, given by the lower triangle, by Cholesky decomposition of the matrix
+/// scaled to a unit diagonal. `None` if the matrix is singular.
 pub(super) fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
     let mut scale = [0.0; N];
     for i in 0..N {

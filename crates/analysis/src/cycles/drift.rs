@@ -1,30 +1,30 @@
-//! The slow change of the level about which a record oscillates.
+//! Drift: a slow change of the level about which a record oscillates.
 
 use super::constancy::mean;
 use super::cycle::{Cycle, Measured};
 use super::damped::solve;
 
-/// A slow change of the level.
+/// Slow change of the level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drift {
-    /// The level at the first row, in the unit of the record.
+    /// Level at the first row, in the unit of the record.
     pub from: f64,
-    /// The level at the last row.
+    /// Level at the last row, in the unit of the record.
     pub to: f64,
 }
 
-/// From so many turning points on a drift is told from the oscillation itself.
+/// Least number of turning points for distinguishing a drift from the oscillation.
 const FEWEST: usize = 8;
-/// Chi-square of a constant level lies so many standard deviations above its mean where the level drifts.
+/// Least excess of chi-square of a constant level over its mean, in its standard deviations, for a significant drift.
 const BEYOND: f64 = 3.0;
-/// Half the width of the window in which the level is taken for a parabola, in turning points.
+/// Half the width of the window in which the level is approximated by a parabola, in turning points.
 const REACH: usize = 6;
-/// The scatter of offsets about their mean over that about a smooth curve, in squares, where the level drifts.
+/// Least ratio of the squared scatter of offsets about their mean to that about a smooth curve, for a drift.
 const SMOOTH: f64 = 3.0;
-/// A level that is constant to this part of the amplitude does not drift.
+/// A level constant to this part of the amplitude does not drift.
 const CONSTANT: f64 = 1e-6;
 
-/// True if the level changes by more than its errors explain. Each third turning point shares no data with the one before.
+/// True if the level changes by more than its errors explain. Every third turning point shares no data with the one before.
 pub(super) fn is_significant(cycles: &[Cycle]) -> bool {
     let independent: Vec<Measured> = cycles.iter().step_by(3).map(|cycle| cycle.offset).collect();
     let Some(constant) = mean(&independent) else { return false };
@@ -34,8 +34,8 @@ pub(super) fn is_significant(cycles: &[Cycle]) -> bool {
     chi_square > freedom + BEYOND * (2.0 * freedom).sqrt()
 }
 
-/// The level of these cycles at the times of the rows, from a smooth curve through their offsets; `None` where it is constant or
-/// the cycles are too few.
+/// Level of these cycles at the times of the rows, from a smooth curve through their offsets; `None` if it is constant or
+/// there are too few cycles.
 pub(super) fn level(cycles: &[Cycle], times: &[f64]) -> Option<Vec<f64>> {
     let size = cycles.iter().fold(0.0_f64, |size, cycle| size.max(cycle.amplitude.value));
     let (low, high) = cycles.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), cycle| {
@@ -66,7 +66,7 @@ pub(super) fn level(cycles: &[Cycle], times: &[f64]) -> Option<Vec<f64>> {
     Some(times.iter().map(|time| at(&knots, &levels, *time)).collect())
 }
 
-/// The value at a time on straight lines between values at ascending times; beyond them, on the first or last line.
+/// Linear interpolation between values at ascending times; extrapolates the first or last line.
 pub(super) fn at(times: &[f64], values: &[f64], time: f64) -> f64 {
     let place = times.partition_point(|knot| *knot <= time).min(times.len().saturating_sub(1)).max(1);
     match (times.get(place - 1..=place), values.get(place - 1..=place)) {
@@ -77,8 +77,8 @@ pub(super) fn at(times: &[f64], values: &[f64], time: f64) -> f64 {
     }
 }
 
-/// The level at a time by a parabola through the offsets about it, the nearer ones with the greater weight (W. S. Cleveland,
-/// J. Am. Stat. Assoc. 74 (1979) 829). From half a period beyond the outer turning points on, the level stays.
+/// Level at a time from a parabola through the nearby offsets, nearer ones with greater weight (W. S. Cleveland, J. Am.
+/// Stat. Assoc. 74 (1979) 829). Constant from half a period beyond the outer turning points.
 fn smooth(cycles: &[Cycle], time: f64) -> Option<f64> {
     let half = |cycle: &Cycle| 0.5 * cycle.period.value;
     let (first, last) = (cycles.first()?, cycles.last()?);

@@ -1,29 +1,30 @@
-//! A damped sinusoid that is close to a record: where a fit starts.
+//! Estimate of a damped sinusoid close to a record: the start of a fit.
 
 use super::damped::{Damped, Points};
 use super::lobes::{Swings, scatter, swings};
 use super::rows::without_gaps;
 use crate::order::median;
 
-/// `offset + amplitude exp(-damping (t - origin)) cos(angular_frequency (t - origin) + phase)`, near a record.
+/// Damped sinusoid `offset + amplitude exp(-damping (t - origin)) cos(angular_frequency (t - origin) + phase)` close to a
+/// record. Values and times are in the units of the record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The time of the first row; what the other numbers count from.
+    /// Time of the first row, from which the other numbers count.
     pub origin: f64,
-    /// What the record oscillates about.
+    /// Level about which the record oscillates.
     pub offset: f64,
-    /// The envelope at the origin, greater than 0.
+    /// Envelope at the origin, greater than 0.
     pub amplitude: f64,
-    /// Radians per unit of time, greater than 0.
+    /// Angular frequency, rad per unit of time, greater than 0.
     pub angular_frequency: f64,
-    /// The rate at which the envelope decays; negative where it grows.
+    /// Decay rate of the envelope, 1 per unit of time; negative if it grows.
     pub damping: f64,
-    /// In radians, between -pi and pi.
+    /// Phase, rad, from -pi to pi.
     pub phase: f64,
 }
 
 impl Estimate {
-    /// The value of the damped sinusoid.
+    /// Value of the damped sinusoid at a time.
     pub fn value(&self, time: f64) -> f64 {
         let time = time - self.origin;
         let swing = libm::cos(self.angular_frequency * time + self.phase);
@@ -31,12 +32,12 @@ impl Estimate {
     }
 }
 
-/// The damped sinusoid that is close to a record, whatever its scale, with gaps (NaN) or without. `None` for fewer than
-/// six points, and where nothing moves.
+/// Damped sinusoid close to a record of any scale, with gaps (NaN) or without. `None` for fewer than six points, or if all
+/// times or all values are equal.
 ///
-/// The crossings of the middle give the frequency, the heights in between damping and offset; three steps of Gauss and
-/// Newton bring them to the data. Where there are too few crossings, or that curve explains less than half of the
-/// scatter, all frequencies up to the sampling limit are tried.
+/// The crossings of the middle level give the frequency, the extremes between them damping and offset; three Gauss-Newton
+/// steps improve them. If there are too few crossings, or that curve explains less than half of the scatter, all
+/// frequencies up to the sampling limit are tried.
 pub fn estimate(times: &[f64], values: &[f64]) -> Option<Estimate> {
     let rows = without_gaps(times, values);
     let (first, last) = (rows.first()?.0, rows.last()?.0);
@@ -46,7 +47,7 @@ pub fn estimate(times: &[f64], values: &[f64]) -> Option<Estimate> {
     if rows.len() < 6 || !(span > 0.0 && span.is_finite()) || !(scale > 0.0 && scale.is_finite()) {
         return None;
     }
-    // Times from 0 to 1, values from -1 to 1: no scale is too small or too large.
+    // Times from 0 to 1, values from -1 to 1: numerically safe at any scale.
     let centre = high / 2.0 + low / 2.0;
     let times: Vec<f64> = rows.iter().map(|row| (row.0 - first) / span).collect();
     let values: Vec<f64> = rows.iter().map(|row| (row.1 - centre) / scale).collect();
@@ -62,7 +63,7 @@ pub fn estimate(times: &[f64], values: &[f64]) -> Option<Estimate> {
     })
 }
 
-/// For times from 0 to 1 and values from -1 to 1.
+/// Estimate for times from 0 to 1 and values from -1 to 1.
 fn near(points: Points) -> Option<Damped> {
     let mut scratch = Vec::with_capacity(points.times.len());
     let mean = points.values.iter().sum::<f64>() / points.values.len() as f64;
@@ -79,9 +80,9 @@ fn near(points: Points) -> Option<Damped> {
     }
 }
 
-/// Frequency and damping from crossings and heights.
+/// Frequency and damping from crossings and extremes.
 fn from_crossings(points: Points, mean: f64) -> Option<(f64, f64)> {
-    // Three standard deviations of noise make no crossing; neither does a hundredth of the range.
+    // Hysteresis of a crossing: three standard deviations of noise, at least a hundredth of the range.
     let threshold = (3.0 * scatter(points.values)).clamp(0.02, 0.3);
     let mut found = swings(points, mean, threshold);
     let mut middle = mean;
@@ -94,22 +95,22 @@ fn from_crossings(points: Points, mean: f64) -> Option<(f64, f64)> {
     Some((core::f64::consts::PI / half, damping(&found)))
 }
 
-/// How far the middle lies from what the heights were counted from: a quarter of the sum of an extreme, twice the
-/// next, and the one after that, on average over the first few.
+/// Correction of the middle level: a quarter of the sum of an extreme, twice the next, and the one after that, averaged
+/// over the first few.
 pub(super) fn centre(found: &Swings) -> Option<f64> {
     let whole: Vec<f64> = found.lobes.iter().filter(|lobe| !lobe.cut).map(|lobe| lobe.height).take(8).collect();
     let middles: Vec<f64> = whole.windows(3).map(|h| (h[0] + 2.0 * h[1] + h[2]) / 4.0).collect();
     (!middles.is_empty()).then(|| middles.iter().sum::<f64>() / middles.len() as f64)
 }
 
-/// The slope of the crossings over their number. A gap, or noise, may have swallowed a pair of them.
+/// Half period: slope of the crossing times over their number. A gap or noise may hide a pair of crossings.
 fn half_period(crossings: &[f64]) -> Option<f64> {
     let distances: Vec<f64> = crossings.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let typical = Some(median(distances)).filter(|typical| *typical > 0.0)?;
     let mut number = 0.0;
     let mut numbers = vec![0.0];
     for pair in crossings.windows(2) {
-        // The next crossing goes the other way: an odd number of half periods later.
+        // Neighbouring crossings have opposite directions: an odd number of half periods lies between them.
         let pairs = (((pair[1] - pair[0]) / typical - 1.0) / 2.0).round().max(0.0);
         number += 1.0 + 2.0 * pairs;
         numbers.push(number);
@@ -117,14 +118,14 @@ fn half_period(crossings: &[f64]) -> Option<f64> {
     slope(numbers.iter().zip(crossings).map(|(number, time)| (*number, *time, 1.0))).filter(|half| *half > 0.0)
 }
 
-/// The rate at which the heights decay, each weighted as its logarithm is known; 0 with fewer than two.
+/// Decay rate of the extremes, each weighted by the accuracy of its logarithm; 0 for fewer than two.
 fn damping(found: &Swings) -> f64 {
     let whole = found.lobes.iter().filter(|lobe| !lobe.cut);
     let rate = slope(whole.map(|lobe| (lobe.time, libm::log(lobe.height.abs()), lobe.height * lobe.height)));
     rate.map_or(0.0, |rate| (-rate).clamp(-20.0, 100.0))
 }
 
-/// The slope of the straight line through weighted points.
+/// Slope of the straight line through weighted points, given as (x, y, weight).
 fn slope(points: impl Iterator<Item = (f64, f64, f64)> + Clone) -> Option<f64> {
     let (weights, x, y) =
         points.clone().fold((0.0, 0.0, 0.0), |sum, (x, y, w)| (sum.0 + w, sum.1 + w * x, sum.2 + w * y));
@@ -135,9 +136,9 @@ fn slope(points: impl Iterator<Item = (f64, f64, f64)> + Clone) -> Option<f64> {
     slope.is_finite().then_some(slope)
 }
 
-/// The best of all frequencies, from a quarter of a period in the record to two rows a period.
+/// Best of all frequencies, from a quarter of a period in the record to two rows a period.
 fn search(points: Points, scratch: &mut Vec<(f64, f64)>) -> Option<Damped> {
-    // The time for this is bounded; frequencies beyond 200 periods have been counted.
+    // Thinned, to bound the time; frequencies beyond 200 periods are found from the crossings.
     let stride = points.times.len().div_ceil(400);
     let times: Vec<f64> = points.times.iter().copied().step_by(stride).collect();
     let values: Vec<f64> = points.values.iter().copied().step_by(stride).collect();

@@ -1,48 +1,49 @@
-//! Where an oscillation crosses its middle, and how far it goes in between.
+//! Crossings of the middle level of an oscillation, and the extremes between them.
 
 use super::damped::Points;
 use crate::fit::autoregression::correlated;
 use crate::fit::linear::dot;
 use crate::order::median;
 
-/// The part of a record between two crossings.
+/// Part of a record between two crossings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lobe {
-    /// When it is furthest from the middle.
+    /// Time of the extreme.
     pub time: f64,
-    /// How far, with its sign.
+    /// Distance of the extreme from the middle level, with its sign.
     pub height: f64,
-    /// Whether the record begins or ends with this extreme, which then need not be one.
+    /// True if the extreme is the first or last row, so that it may not be a turning point.
     pub cut: bool,
 }
 
-/// What a record does about its middle.
+/// Crossings and lobes of a record about its middle level.
 #[derive(Debug, Default)]
 pub(super) struct Swings {
-    /// When it crosses the middle, alternately down and up.
+    /// Times of the crossings, alternately downwards and upwards.
     pub crossings: Vec<f64>,
-    /// One more than the crossings.
+    /// Lobes, one more than the crossings.
     pub lobes: Vec<Lobe>,
 }
 
-/// The standard deviation of uncorrelated noise about what is smooth; see [`correlated_scatter`].
+/// Standard deviation of uncorrelated noise about a smooth signal; see [`correlated_scatter`].
 pub(super) fn scatter(values: &[f64]) -> f64 {
     correlated_scatter(values, 0.0)
 }
 
-/// The standard deviation of noise, of which neighbouring values are correlated by `rho`, about what is smooth: from the median
-/// of fourth differences, which a slow oscillation does not have, or of second ones, if that is less.
+/// Standard deviation of noise about a smooth signal, where neighbouring noise values have the correlation `rho`. It is
+/// estimated from the median of fourth differences, in which a slow oscillation vanishes, or of second differences, if that
+/// is less.
 pub(super) fn correlated_scatter(values: &[f64], rho: f64) -> f64 {
     const FOURTH: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
     const SECOND: [f64; 3] = [1.0, -2.0, 1.0];
-    // No more differences than give a median.
+    // Only about 500 differences, enough for a median.
     let stride = (values.len() / 500).max(1);
     let fourth = |v: &[f64]| (v[0] - 4.0 * v[1] + 6.0 * v[2] - 4.0 * v[3] + v[4]).abs();
     let second = |v: &[f64]| (v[0] - 2.0 * v[1] + v[2]).abs();
     let differences =
         |width: usize, of: &dyn Fn(&[f64]) -> f64| values.windows(width).step_by(stride).map(of).collect();
     let variance = |of: &[f64]| dot(of, &correlated(of, rho));
-    // 1.4826 makes a standard deviation of a median.
+    // 1.4826 converts a median to a standard deviation.
     let scatter = [(differences(5, &fourth), variance(&FOURTH)), (differences(3, &second), variance(&SECOND))]
         .into_iter()
         .map(|(differences, variance)| 1.4826 * median(differences) / variance.sqrt())
@@ -50,12 +51,12 @@ pub(super) fn correlated_scatter(values: &[f64], rho: f64) -> f64 {
     if scatter.is_finite() { scatter } else { 0.0 }
 }
 
-/// The crossings of `middle`. What stays within `threshold` of it has not crossed yet: noise makes no crossings.
+/// Crossings of `middle`. A value within `threshold` of it has not crossed yet, so that noise makes no crossings.
 pub(super) fn swings(points: Points, middle: f64, threshold: f64) -> Swings {
     let mut swings = Swings::default();
     let last = points.values.len().saturating_sub(1);
     let mut side = 0.0_f64;
-    // The last point that was clearly on the present side.
+    // Last point clearly on the present side.
     let mut clear = 0;
     for (index, (&time, &value)) in points.times.iter().zip(points.values).enumerate() {
         let height = value - middle;
@@ -80,7 +81,7 @@ pub(super) fn swings(points: Points, middle: f64, threshold: f64) -> Swings {
     swings
 }
 
-/// Where the straight line through these points crosses `middle`.
+/// Time at which the straight line through these points crosses `middle`.
 fn crossing_time(points: Points, middle: f64) -> f64 {
     let count = points.times.len() as f64;
     let mean_time = points.times.iter().sum::<f64>() / count;

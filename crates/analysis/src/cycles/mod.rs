@@ -1,4 +1,4 @@
-//! An oscillation, cycle by cycle, before any theory.
+//! Analysis of an oscillation cycle by cycle, without a theory.
 
 mod constancy;
 mod cut_off;

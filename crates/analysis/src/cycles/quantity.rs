@@ -1,28 +1,28 @@
-//! What is known of each cycle, one quantity at a time: for tables and figures.
+//! Quantities of a cycle, for tables and figures.
 
 use super::cycle::{Cycle, Measured};
 use units::Language::{self, English, Spanish};
 
-/// What is known of each cycle.
+/// Quantity measured in each cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// The envelope at the turning point.
+    /// Envelope at the turning point.
     Amplitude,
-    /// From one maximum to the next.
+    /// Time from one maximum to the next.
     Period,
-    /// The logarithmic decrement.
+    /// Logarithmic decrement.
     Decrement,
-    /// The local angular frequency.
+    /// Local angular frequency.
     AngularFrequency,
-    /// The local damping.
+    /// Local damping.
     Damping,
 }
 
 impl Quantity {
-    /// All of them.
+    /// All quantities.
     pub const ALL: [Self; 5] = [Self::Amplitude, Self::Period, Self::Decrement, Self::AngularFrequency, Self::Damping];
 
-    /// Its value in a cycle.
+    /// Value of the quantity in a cycle.
     pub fn of(self, cycle: &Cycle) -> Measured {
         match self {
             Self::Amplitude => cycle.amplitude,
@@ -33,7 +33,7 @@ impl Quantity {
         }
     }
 
-    /// Its symbol; the decrement has none that everybody uses.
+    /// Symbol; a word for the decrement, which has no common symbol.
     pub fn symbol(self, language: Language) -> &'static str {
         match self {
             Self::Amplitude => "A",
@@ -45,7 +45,7 @@ impl Quantity {
         }
     }
 
-    /// What it is called, with a small letter.
+    /// Name in lower case.
     pub fn name(self, language: Language) -> &'static str {
         match (self, language) {
             (Self::Amplitude, English) => "amplitude",
@@ -61,7 +61,7 @@ impl Quantity {
         }
     }
 
-    /// Its unit, where the values have the unit `own` (perhaps none) and the times `time`.
+    /// Unit, for values in the unit `own` (may be empty) and times in the unit `time`.
     pub fn unit(self, own: &str, time: &str) -> String {
         match self {
             Self::Amplitude => own.to_owned(),
@@ -73,7 +73,7 @@ impl Quantity {
     }
 }
 
-/// The columns of a table of cycles: heads with units, and numbers, each quantity followed by its standard error.
+/// Columns of a table of cycles, as (heading with unit, numbers); each quantity is followed by its standard error.
 pub fn columns(cycles: &[Cycle], own: &str, time: &str) -> Vec<(String, Vec<f64>)> {
     type Of = fn(&Cycle) -> Measured;
     let quantities: [(&str, &str, Of); 7] = [
@@ -94,9 +94,9 @@ pub fn columns(cycles: &[Cycle], own: &str, time: &str) -> Vec<(String, Vec<f64>
     columns
 }
 
-/// The least interval about all values, with their errors, that are known to within four times the usual error: what a
-/// figure is to show. The last cycles, of which little is known, must not make the others a line. `None` where they are
-/// all the same and exact.
+/// Range for a figure: the smallest interval that contains all values with their errors, without values whose error exceeds
+/// four times the median error. Otherwise the uncertain last cycles would set the scale. `None` if all values are equal and
+/// exact.
 pub fn well_known(values: &[Measured]) -> Option<(f64, f64)> {
     let mut errors: Vec<f64> = values.iter().map(|one| one.error).collect();
     errors.sort_by(f64::total_cmp);

@@ -1,4 +1,4 @@
-//! A record cycle by cycle: drift, cut-off values and correlated noise are found first, then each cycle is measured.
+//! Analysis of a record: drift, cut-off values and correlated noise are determined first, then each cycle is measured.
 
 use super::cut_off::{CutOff, without_limits};
 use super::cycle::{Cycle, Measured};
@@ -10,61 +10,63 @@ use super::sinusoids::{Windows, windows};
 use crate::order::median;
 use core::f64::consts::TAU;
 
-/// A record, cycle by cycle.
+/// Cycles of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycles {
-    /// The damped sinusoid closest to the whole record, roughly.
+    /// Damped sinusoid close to the whole record.
     pub estimate: Estimate,
-    /// One entry for each turning point that has both of its neighbours.
+    /// Cycles, one for each turning point with both neighbours.
     pub cycles: Vec<Cycle>,
-    /// From this time on the noise hides the oscillation, or it does not cross its middle clearly.
+    /// Time from which on the noise hides the oscillation, or it does not cross its middle level clearly; `None` if it is
+    /// measured to the end.
     pub lost: Option<f64>,
-    /// True if each cycle is measured by a damped sinusoid; else periods are those between crossings of the middle, and
-    /// amplitudes those of the turning points.
+    /// True if each cycle is measured by a damped sinusoid. Else periods are those between crossings of the middle level,
+    /// and amplitudes those of the turning points.
     pub sinusoidal: bool,
-    /// The correlation of the noise in neighbouring rows, from 0 to 1. Errors account for it.
+    /// Correlation of the noise in neighbouring rows, 0 to 1. Errors account for it.
     pub correlation: f64,
-    /// The drift of the level that was subtracted before the cycles were measured. Offsets include it.
+    /// Drift of the level that was subtracted before the cycles were measured; `None` if not significant. Offsets include
+    /// it.
     pub drift: Option<Drift>,
-    /// Values cut off at an end of the range of the instrument, which were left out.
+    /// Values that were left out because they are cut off at an end of the range of the instrument.
     pub cut_off: Option<CutOff>,
 }
 
-/// The reason why a record has no cycles.
+/// Reason why a record has no cycles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoCycles {
     /// Nothing oscillates clearly above the noise.
     Unclear,
-    /// There are too few rows in a period to measure one cycle by itself: this many.
+    /// There are too few rows per period to measure one cycle by itself: this many.
     Sparse(f64),
 }
 
-/// White noise has correlations of so many standard deviations at most.
+/// Greatest correlation of white noise, in its standard deviations.
 const BEYOND_NOISE: f64 = 3.0;
-/// Periods of sinusoids that are so many standard errors from those between crossings belong to another shape.
+/// Difference of the periods of sinusoids and of crossings, in standard errors, beyond which the shape is not sinusoidal.
 const OFF: f64 = 2.5;
-/// A polynomial through a crossing misses it by this part of a period where the damping is strong, whatever the noise is.
+/// Systematic error of a polynomial through a crossing at strong damping, as a part of the period.
 const SYSTEMATIC: f64 = 2e-4;
-/// So many times a drift is looked for in what is left without it.
+/// Upper bound of the rounds in which a drift is subtracted.
 const DRIFT_ROUNDS: usize = 3;
-/// A cycle by itself is measured from so many rows a period at least: eight rows for the five numbers of three half-cycles.
+/// Least number of rows per period for one cycle by itself: eight rows for the five parameters of three half-cycles.
 const FEWEST_ROWS: f64 = 16.0 / 3.0;
 
-/// Measures each cycle of values over times, both in units of the caller. A damped sinusoid with an offset of its own is fitted to
-/// the three half-cycles around each turning point; errors are those of least squares, from the scatter of the residuals and
-/// the correlation of the noise in neighbouring rows. Where the shape is no sinusoid, crossings of the middle and turning points
-/// are measured instead: where these have the smaller errors, or their periods contradict those of the sinusoids. Rows one
-/// turning point apart share two thirds of their data; those three apart share none.
+/// Measures each cycle of values over times, both in the units of the caller. A damped sinusoid with its own offset is
+/// fitted to the three half-cycles around each turning point. Errors are those of least squares, from the scatter of the
+/// residuals and the correlation of the noise in neighbouring rows. If crossings of the middle level and turning points
+/// give smaller errors, or their periods contradict those of the sinusoids, the shape is not sinusoidal and they are used
+/// instead. Cycles one turning point apart share two thirds of their data; cycles three apart share none.
 ///
 /// # Errors
-/// Where there is no oscillation of at least three turning points above the noise, and where rows are too sparse.
+/// There is no oscillation of at least three turning points above the noise, or rows are too sparse.
 pub fn cycles(times: &[f64], values: &[f64]) -> Result<Cycles, NoCycles> {
     let (mut rows, cut_off) = without_limits(without_gaps(times, values));
     let (times, own): (Vec<f64>, Vec<f64>) = rows.drain(..).unzip();
     if is_white_noise(&own) {
         return Err(NoCycles::Unclear);
     }
-    // The level is found first, in rounds: each shifts what is measured of the next.
+    // The level is subtracted in rounds, because the measured offsets depend on it.
     let mut values = own;
     let mut level = vec![0.0; times.len()];
     let mut rounds = 0;
@@ -86,7 +88,7 @@ pub fn cycles(times: &[f64], values: &[f64]) -> Result<Cycles, NoCycles> {
     Ok(Cycles { cut_off, ..found })
 }
 
-/// The cycles of rows without gaps and drift.
+/// Cycles of rows without gaps and drift.
 fn measured(times: &[f64], values: &[f64], estimate: Estimate, windows: &Windows) -> Result<Cycles, NoCycles> {
     let (cycles, lost, correlation) = windows.cycles(false);
     let mut found = Cycles { estimate, cycles, lost, sinusoidal: true, correlation, drift: None, cut_off: None };
@@ -112,7 +114,7 @@ fn is_white_noise(values: &[f64]) -> bool {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
     let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
-    // A sinusoid of four rows a period has no correlation of neighbours.
+    // A sinusoid with four rows per period has uncorrelated neighbours, so lag 2 is tested too.
     [1, 2].into_iter().all(|lag| {
         let pairs = values.iter().zip(values.iter().skip(lag));
         let products: f64 = pairs.map(|(one, other)| (one - mean) * (other - mean)).sum();
@@ -120,15 +122,15 @@ fn is_white_noise(values: &[f64]) -> bool {
     })
 }
 
-/// The end of cycles between crossings, if the record goes on for longer than two of them.
+/// End of the cycles between crossings, if the record continues for more than one period after it.
 fn lost(times: &[f64], crossings: &[Cycle]) -> Option<f64> {
     let (cycle, last) = (crossings.last()?, times.last()?);
     let end = cycle.time.value + cycle.period.value;
     (end + cycle.period.value < *last).then_some(end)
 }
 
-/// True if the cycles between crossings describe the record better than those of sinusoids, which reach further down into the
-/// noise: both are compared where there are crossings.
+/// True if the cycles between crossings describe the record better than those of sinusoids. Compared where there are
+/// crossings, because sinusoids can be followed further into the noise.
 fn is_another_shape(sinusoids: &[Cycle], crossings: &[Cycle]) -> bool {
     let end = crossings.last().map_or(f64::NEG_INFINITY, |last| last.time.value + 0.25 * last.period.value);
     let common = &sinusoids[..sinusoids.partition_point(|cycle| cycle.time.value <= end)];
@@ -139,7 +141,7 @@ fn is_another_shape(sinusoids: &[Cycle], crossings: &[Cycle]) -> bool {
     if usual(crossings) < usual(common) {
         return true;
     }
-    // Each third row shares no data with the one before.
+    // Every third cycle shares no data with the one before.
     let mean = |cycles: &[Cycle]| {
         let independent: Vec<Measured> = cycles.iter().step_by(3).map(|cycle| cycle.period).collect();
         let count = independent.len() as f64;
@@ -147,8 +149,8 @@ fn is_another_shape(sinusoids: &[Cycle], crossings: &[Cycle]) -> bool {
         Measured { value: independent.iter().map(|one| one.value).sum::<f64>() / count, error }
     };
     let (one, other) = (mean(common), mean(crossings));
-    // Of a sinusoid, the better estimate is correlated with the other one: the variance of their difference is the difference of
-    // the variances (J. A. Hausman, Econometrica 46 (1978) 1251).
+    // For a sinusoid, the more efficient estimate is correlated with the other one: the variance of their difference is the
+    // difference of their variances (J. A. Hausman, Econometrica 46 (1978) 1251).
     let variance = (other.error * other.error - one.error * one.error).max(0.25 * one.error * one.error);
     let systematic = SYSTEMATIC * one.value;
     (one.value - other.value).abs() > OFF * (variance + systematic * systematic).sqrt()

@@ -1,6 +1,6 @@
-//! The rows of a record that can be calculated with.
+//! Finite rows of a record.
 
-/// Times with their values, without gaps, in the order of time.
+/// Pairs of time and value, without gaps, in the order of time.
 pub(super) fn without_gaps(times: &[f64], values: &[f64]) -> Vec<(f64, f64)> {
     let mut rows: Vec<(f64, f64)> = times
         .iter()

@@ -1,6 +1,6 @@
-//! Cycles of an oscillation of any shape, from its crossings of the middle and its turning points: what follows from a sinusoid
-//! of the same size is wrong where the shape is none. A pendulum that swings far, or an oscillation that relaxes in jumps, has
-//! the period that lies between crossings in the same direction.
+//! Cycles of an oscillation of any shape, from its crossings of the middle level and its turning points. A sinusoid would
+//! give wrong values if the shape is not sinusoidal. For a pendulum at large amplitude or a relaxation oscillation, the
+//! period is the time between crossings in the same direction.
 
 use super::cycle::{Cycle, Measured};
 use super::damped::Points;
@@ -12,22 +12,23 @@ use crate::order::median;
 use crate::smoothing;
 use core::f64::consts::TAU;
 
-/// The parts of a period to either side of a crossing, and of a turning point, through which a polynomial is laid.
+/// Half-widths, in periods, of the ranges about a crossing and a turning point to which a polynomial is fitted.
 const CROSSING: f64 = 0.08;
 const TURNING: f64 = 0.08;
-/// Of more rows than these, not all are used.
+/// Greatest number of rows per polynomial; more are thinned.
 const ROWS: usize = 40;
-/// The greatest correlation that is taken from the residuals of sinusoids, which may be those of another shape.
+/// Greatest correlation taken from the residuals of sinusoids, which may be due to another shape.
 const MOST: f64 = 0.9;
-/// So many residuals beyond the fitted numbers tell their correlation.
+/// Least number of residuals beyond the fitted numbers from which their correlation is estimated.
 const FREE: usize = 100;
-/// Rows this part of a swing's height away from the middle are no longer near a crossing.
+/// Rows farther from the middle level than this part of the height of a lobe are not used for a crossing.
 const STEEP: f64 = 0.7;
 
-/// Each cycle around a turning point that has two crossings to either side. A period is the mean of the two between crossings
-/// in the same direction, one downwards and one upwards. The decrement follows from the heights before and after the turning
-/// point, half a period apart; the amplitude is half the height between the turning point and the mean of its neighbours, of
-/// which the later one counts more as it has decayed more. The noise of neighbouring rows is correlated by `rho`.
+/// Cycles around the turning points with two crossings on either side. The period is the mean of two times between
+/// crossings in the same direction, one downwards and one upwards. The decrement follows from the heights before and after
+/// the turning point, half a period apart. The amplitude is half the height between the turning point and the mean of its
+/// neighbours, of which the later one has more weight because it has decayed more. `rho` is the correlation of the noise of
+/// neighbouring rows.
 pub(super) fn cycles(times: &[f64], values: &[f64], rho: f64) -> Vec<Cycle> {
     let points = Points { times, values };
     let rho = rho.min(MOST);
@@ -47,7 +48,7 @@ pub(super) fn cycles(times: &[f64], values: &[f64], rho: f64) -> Vec<Cycle> {
     for place in 2..crossings.len().saturating_sub(1) {
         let cycle = cycle(&crossings[place - 2..place + 2], &turns[place - 1..place + 2]);
         let near = cycle.as_ref().is_some_and(|cycle| (0.7..1.4).contains(&(cycle.period.value / period)));
-        // Lobes a period apart have others between them, which noise has hidden.
+        // Lobes a period apart have others between them that noise has hidden.
         let whole =
             found.swings.lobes[place - 2..=place + 2].windows(2).all(|pair| pair[1].time - pair[0].time < period);
         cycles.extend(cycle.filter(|_| near && whole));
@@ -55,31 +56,32 @@ pub(super) fn cycles(times: &[f64], values: &[f64], rho: f64) -> Vec<Cycle> {
     cycles
 }
 
-/// The noise of the values.
+/// Noise of the values.
 #[derive(Clone, Copy, Debug)]
 struct Noise {
-    /// Standard deviation of what differs from row to row, where the residuals of a few rows do not tell it.
+    /// Standard deviation of the noise that differs from row to row, used if a few rows do not determine it by their
+    /// residuals.
     white: f64,
-    /// Correlation of neighbouring rows of the noise that lasts for longer.
+    /// Correlation of neighbouring rows of the longer-lasting noise.
     rho: f64,
-    /// Standard deviation of that noise.
+    /// Standard deviation of the longer-lasting noise.
     correlated: f64,
 }
 
 impl Noise {
-    /// The size of noise that no row of a record of so many rows exceeds: the expected greatest one of so many normal values
-    /// grows as the root of twice the logarithm of their number, and scatters by less than one standard deviation.
+    /// Upper bound of the noise in a record of `rows` rows. The expected maximum of n normal values grows like sqrt(2 ln
+    /// n), and scatters by less than one standard deviation.
     fn greatest(self, rows: usize) -> f64 {
         self.white.max(self.correlated) * (1.0 + (2.0 * libm::log(rows.max(1) as f64)).sqrt())
     }
 }
 
-/// The noise about polynomials of degree five through the crossings; `None` where these have too few rows.
+/// Noise about polynomials of degree five through the crossings; `None` if there are too few rows.
 fn noise_at_crossings(points: Points, found: &Found, period: f64, white: f64) -> Option<Noise> {
     let blocks: Vec<Block> = (0..found.crossings.len())
         .map(|place| {
             let rows = steep(points, found, place, period);
-            // Neighbours, not every second row.
+            // Consecutive rows, not thinned.
             let from = rows.times.len().saturating_sub(ROWS) / 2;
             let (times, values) = (rows.times.iter().skip(from).take(ROWS), rows.values.iter().skip(from).take(ROWS));
             let times: Vec<f64> = times.map(|time| (time - found.crossings[place]) / period).collect();
@@ -99,14 +101,14 @@ fn noise_at_crossings(points: Points, found: &Found, period: f64, white: f64) ->
     Some(Noise { white, rho, correlated: variance.sqrt() })
 }
 
-/// The rows of the steep part about a crossing.
+/// Rows of the steep part about a crossing.
 fn steep<'a>(points: Points<'a>, found: &Found, place: usize, period: f64) -> Points<'a> {
     let height = found.swings.lobes[place].height.abs().min(found.swings.lobes[place + 1].height.abs());
     let is_steep = |value: f64| (value - found.middle).abs() <= STEEP * height;
     near(points, found.crossings[place], CROSSING * period, 4, is_steep)
 }
 
-/// The swings of a record about its middle.
+/// Crossings and lobes of a record about its middle level.
 struct Found {
     middle: f64,
     crossings: Vec<f64>,
@@ -120,7 +122,7 @@ fn about_middle(points: Points, noise: Noise) -> Option<Found> {
     if !(size > 0.0 && size.is_finite()) {
         return None;
     }
-    // Neither noise makes a crossing nor a hundredth of the range.
+    // Hysteresis of a crossing: above the noise and a hundredth of the range.
     let threshold = noise.greatest(points.values.len()).max(0.02 * size);
     let mut middle = points.values.iter().sum::<f64>() / points.values.len() as f64;
     let mut found = swings(points, middle, threshold);
@@ -132,7 +134,7 @@ fn about_middle(points: Points, noise: Noise) -> Option<Found> {
     Some(Found { middle, crossings: found.crossings.clone(), swings: found })
 }
 
-/// The rows within `reach` of a time that `wanted` lets pass, at least so many.
+/// Rows within `reach` of a time for which `wanted` is true, at least about `least`.
 fn near<'a>(points: Points<'a>, time: f64, reach: f64, least: usize, wanted: impl Fn(f64) -> bool) -> Points<'a> {
     let count = points.times.len();
     let place = points.times.partition_point(|row| *row < time);
@@ -147,12 +149,12 @@ fn near<'a>(points: Points<'a>, time: f64, reach: f64, least: usize, wanted: imp
     Points { times: &points.times[from..until], values: &points.values[from..until] }
 }
 
-/// A polynomial through some rows.
+/// Polynomial fitted to some rows.
 struct Local {
     times: Vec<f64>,
     values: Vec<f64>,
     degree: usize,
-    /// The values about it, of which these are not every one: the correlation is that of the rows taken.
+    /// Noise about the polynomial; its correlation is that of the thinned rows.
     noise: Noise,
 }
 
@@ -174,8 +176,8 @@ impl Local {
         Some(local)
     }
 
-    /// The polynomial, or a derivative, at a time, with its error: that of its residuals, or that of the correlated noise, if
-    /// this is more.
+    /// Value of the polynomial, or of a derivative, at a time. Its error is the greater one of those from its residuals and
+    /// from the correlated noise.
     fn at(&self, time: f64, derivative: usize) -> Option<Measured> {
         let weights = smoothing::weights(&self.times, time, self.degree, derivative)?;
         let white = self.noise.white * norm(&weights);
@@ -183,7 +185,7 @@ impl Local {
         Some(Measured { value: dot(&weights, &self.values), error: white.max(correlated) })
     }
 
-    /// Where the polynomial, or its derivative, has the value `level` near `time`, by Newton's method.
+    /// Time near `time` at which the polynomial, or its derivative, has the value `level`, by Newton's method.
     fn root(&self, time: f64, derivative: usize, level: f64) -> Option<Measured> {
         let (first, last) = (*self.times.first()?, *self.times.last()?);
         let mut at = time;
@@ -204,7 +206,7 @@ impl Local {
     }
 }
 
-/// A crossing of the middle: a cubic through the rows about it, those of the steep part alone.
+/// Crossing of the middle level: from a cubic through the rows of the steep part.
 fn crossing(points: Points, found: &Found, place: usize, period: f64, noise: Noise) -> Measured {
     let (rough, middle) = (found.crossings[place], found.middle);
     let rows = steep(points, found, place, period);
@@ -213,7 +215,7 @@ fn crossing(points: Points, found: &Found, place: usize, period: f64, noise: Noi
         let step = rows.times.last().zip(rows.times.first()).map_or(0.0, |(last, first)| last - first);
         return Measured { value: rough, error: step / 4.0 };
     };
-    // So few rows do not say how well a cubic meets them; how much it differs from a straight line does.
+    // Too few rows for residuals: the difference from a straight line measures the error of the cubic.
     let coarse = if rows.times.len() < 7 {
         root(1, near(points, rough, 0.0, 2, |_| false)).map_or(0.0, |line| (line.value - cubic.value) / 4.0)
     } else {
@@ -222,7 +224,7 @@ fn crossing(points: Points, found: &Found, place: usize, period: f64, noise: Noi
     Measured { value: cubic.value, error: libm::hypot(cubic.error, coarse) }
 }
 
-/// When a lobe turns, and its value there: a polynomial of degree four through the rows about it.
+/// Time and value of the turning point of a lobe, from a polynomial of degree four through the nearby rows.
 fn turning_point(points: Points, lobe: &Lobe, middle: f64, period: f64, noise: Noise) -> (Measured, Measured) {
     let rows = near(points, lobe.time, TURNING * period, 6, |_| true);
     let found = Local::new(rows, 4, noise).and_then(|local| {
@@ -236,16 +238,16 @@ fn turning_point(points: Points, lobe: &Lobe, middle: f64, period: f64, noise: N
     ))
 }
 
-/// The cycle around the middle one of three turning points, with the two crossings to either side of it.
+/// Cycle around the middle one of three turning points, with the two crossings on either side of it.
 fn cycle(crossings: &[Measured], turns: &[(Measured, Measured)]) -> Option<Cycle> {
     let (&[a, b, c, d], &[(_, before), (time, own), (_, after)]) = (crossings, turns) else { return None };
     let squares = |of: &[Measured]| of.iter().map(|one| one.error * one.error).sum::<f64>();
     let period =
         Measured { value: ((c.value - a.value) + (d.value - b.value)) / 2.0, error: squares(crossings).sqrt() / 2.0 };
-    // Heights half a period apart, in which the level cancels.
+    // Heights half a period apart; the level cancels in them.
     let (early, late) = ((before.value - own.value).abs(), (own.value - after.value).abs());
     let ratio = early / late;
-    // In a geometric decay these are as far from the level as the turning point itself.
+    // Weighted mean of the neighbours: in a geometric decay it is as far from the level as the turning point itself.
     let others = (before.value + ratio * after.value) / (1.0 + ratio);
     let beside = libm::hypot(before.error, ratio * after.error) / (1.0 + ratio);
     let amplitude = Measured { value: (own.value - others).abs() / 2.0, error: libm::hypot(own.error, beside) / 2.0 };

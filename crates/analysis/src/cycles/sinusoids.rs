@@ -1,4 +1,4 @@
-//! The cycles of a damped sinusoid, each from a fit to the three half-cycles around one turning point.
+//! Cycles of a damped sinusoid, each from a fit to the three half-cycles around one turning point.
 
 use super::cycle::{Cycle, Measured};
 use super::damped::{Damped, Points, basis};
@@ -6,32 +6,32 @@ use super::estimate::Estimate;
 use crate::fit::autoregression::{Block, common_correlation};
 use core::f64::consts::{PI, TAU};
 
-/// Half the width of a window in periods: a turning point with its two neighbours, each with its quarter of a period.
+/// Half the width of a window in periods: a turning point and its two neighbours, with a quarter of a period beyond them.
 const REACH: f64 = 0.75;
-/// An amplitude below so many standard errors is noise.
+/// Least amplitude in standard errors; below it is noise.
 const CLEAR: f64 = 4.0;
 
-/// A damped sinusoid fitted to the half-cycles around one turning point, and the rows that it was fitted to.
+/// Damped sinusoid fitted to the half-cycles around one turning point, with its rows.
 struct Window<'a> {
     fit: Damped,
     points: Points<'a>,
-    /// Angular frequency that its neighbours let expect.
+    /// Angular frequency expected from the neighbours.
     expected: f64,
 }
 
-/// So many turning points in a row that are not seen clearly end the table.
+/// Number of consecutive unclear turning points that ends the table.
 const FAILURES: usize = 3;
 
-/// Damped sinusoids about all turning points that stand clear of white noise.
+/// Damped sinusoids about all turning points that are clear of white noise.
 pub(super) struct Windows<'a> {
     windows: Vec<Window<'a>>,
-    /// The time from which on nothing is seen.
+    /// Time from which on no turning point is clear.
     lost: Option<f64>,
 }
 
 impl Windows<'_> {
-    /// The cycles, the time of their end where noise hides the rest, and the correlation of the noise in neighbouring rows. A
-    /// level that `drifts` counts as no noise.
+    /// Cycles, the time of their end if noise hides the rest, and the correlation of the noise in neighbouring rows. With
+    /// `drifts`, a drift of the level does not count as noise.
     pub(super) fn cycles(&self, drifts: bool) -> (Vec<Cycle>, Option<f64>, f64) {
         let mut scratch = Vec::new();
         let blocks: Vec<Block> = self.windows.iter().map(|window| window.residuals(drifts, &mut scratch)).collect();
@@ -56,23 +56,23 @@ impl Windows<'_> {
     }
 }
 
-/// The variance of the noise in each window. One window has few rows, so that its own variance is uncertain; it is drawn towards
-/// that of all windows, the more so the less the variances differ beyond that uncertainty (G. K. Smyth, Stat. Appl. Genet. Mol.
-/// Biol. 3 (2004) 3).
+/// Variance of the noise in each window. One window has few rows, so that its own variance is uncertain. It is shrunk
+/// towards the common variance of all windows; the less the variances differ beyond their uncertainty, the more (G. K.
+/// Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3).
 fn variances(blocks: &[Block], rho: f64) -> Vec<f64> {
     let own: Vec<f64> = blocks.iter().map(|block| block.variance(rho)).collect();
-    // The degrees of freedom of a variance of correlated residuals.
+    // Degrees of freedom of a variance of correlated residuals.
     let independent = (1.0 - rho * rho) / (1.0 + rho * rho);
     let freedoms: Vec<f64> = blocks.iter().map(|block| (block.freedom() as f64 * independent).max(1.0)).collect();
     let count = own.len() as f64;
-    // Logarithms of chi-square over its degrees of freedom f have about the mean -1/f and the variance 2/f.
+    // The logarithm of chi-square over its degrees of freedom f has a mean of about -1/f and a variance of about 2/f.
     let logarithms: Vec<f64> =
         own.iter().zip(&freedoms).map(|(variance, freedom)| libm::log(*variance) + 1.0 / freedom).collect();
     let mean = logarithms.iter().sum::<f64>() / count;
     let scatter = logarithms.iter().map(|one| (one - mean) * (one - mean)).sum::<f64>() / (count - 1.0);
     let expected = freedoms.iter().map(|freedom| 2.0 / freedom).sum::<f64>() / count;
     let common = libm::exp(mean);
-    // As many degrees of freedom as the common variance is worth; all windows together where nothing speaks against it.
+    // Degrees of freedom of the common variance; those of all windows together if their variances do not differ.
     let worth = if scatter > expected { 2.0 / (scatter - expected) } else { f64::INFINITY };
     let worth = worth.min(freedoms.iter().sum::<f64>() / 3.0);
     if !(common.is_finite() && worth.is_finite()) {
@@ -81,7 +81,7 @@ fn variances(blocks: &[Block], rho: f64) -> Vec<f64> {
     own.iter().zip(&freedoms).map(|(own, freedom)| (freedom * own + worth * common) / (freedom + worth)).collect()
 }
 
-/// The windows about the turning points of a record, from a damped sinusoid close to it.
+/// Windows about the turning points of a record, from a damped sinusoid close to it.
 pub(super) fn windows<'a>(times: &'a [f64], values: &'a [f64], estimate: &Estimate) -> Option<Windows<'a>> {
     let (first, last) = (*times.first()?, *times.last()?);
     let mut windows: Vec<Window> = Vec::new();
@@ -90,10 +90,10 @@ pub(super) fn windows<'a>(times: &'a [f64], values: &'a [f64], estimate: &Estima
     let mut local = (estimate.angular_frequency, estimate.damping);
     let mut time = turning_point(estimate, first + PI / local.0);
     let mut scratch = Vec::new();
-    // The time before which nothing was seen any more, and for how many turning points.
+    // Number of consecutive unclear turning points, and the time of the first of them in `lost`.
     let mut failures = 0;
     while time + 0.98 * PI / local.0 <= last && failures < FAILURES {
-        // A turning point that lies no later than the last one is that one again: so every round goes forwards.
+        // A turning point not later than the last one is the same one; skipping it makes every round advance.
         let earliest = before.map_or(f64::NEG_INFINITY, |before| before.time.value + 0.5 * PI / local.0);
         let found = at(times, values, time, local, &mut scratch);
         let clear = found.and_then(|window| {
@@ -116,11 +116,11 @@ pub(super) fn windows<'a>(times: &'a [f64], values: &'a [f64], estimate: &Estima
         }
         time += PI / local.0;
     }
-    // A gap, or an end, is not noise.
+    // A gap or the end of the record is not noise.
     Some(Windows { windows, lost: lost.filter(|_| failures >= FAILURES) })
 }
 
-/// The first turning point of an estimate from `time` on.
+/// First turning point of an estimate from `time` on.
 fn turning_point(estimate: &Estimate, time: f64) -> f64 {
     let phase = estimate.angular_frequency * (time - estimate.origin)
         + estimate.phase
@@ -128,12 +128,12 @@ fn turning_point(estimate: &Estimate, time: f64) -> f64 {
     time + ((phase / PI).ceil() - phase / PI) * PI / estimate.angular_frequency
 }
 
-/// By how much a damped oscillation turns before its cosine does, in radians.
+/// Phase by which a damped oscillation has its turning point before that of its cosine, rad.
 fn lead(damping: f64, angular_frequency: f64) -> f64 {
     libm::atan2(damping, angular_frequency)
 }
 
-/// The window about the turning point near `time`.
+/// Window about the turning point near `time`.
 fn at<'a>(
     times: &'a [f64],
     values: &'a [f64],
@@ -143,10 +143,10 @@ fn at<'a>(
 ) -> Option<Window<'a>> {
     let mut centre = time;
     let mut found = None;
-    // Once from where the turning point is expected, once more from where it is.
+    // First about the expected turning point, then about the fitted one.
     for _ in 0..2 {
         let (fit, points) = fit(times, values, centre, (w, g), scratch)?;
-        // Turned about so that the turning point is the next one to the centre.
+        // Time from the centre to the nearest turning point.
         let phase = libm::atan2(-fit.linear[1], fit.linear[0]) + lead(fit.g, fit.w);
         let shift = -(phase - PI * (phase / PI).round()) / fit.w;
         if shift.abs() > 0.5 * PI / w {
@@ -162,20 +162,20 @@ fn at<'a>(
 }
 
 impl Window<'_> {
-    /// The residuals; a level that `drifts` is no part of them.
+    /// Residuals; with `drifts`, a parabolic drift of the level is subtracted.
     fn residuals(&self, drifts: bool, scratch: &mut Vec<(f64, f64)>) -> Block {
         basis(self.points, self.fit.origin, self.fit.w, self.fit.g, scratch);
         self.fit.residuals(self.points, scratch, drifts)
     }
 
-    /// The cycle, unless too little is known of it, for noise of this variance that is correlated by `rho` in neighbouring rows.
+    /// Cycle for noise of this variance with the correlation `rho` of neighbouring rows; `None` if it is too uncertain.
     fn cycle(&self, variance: f64, rho: f64, scratch: &mut Vec<(f64, f64)>) -> Option<Cycle> {
         basis(self.points, self.fit.origin, self.fit.w, self.fit.g, scratch);
         cycle(&self.fit, &self.fit.covariance(self.points, scratch, variance, rho)?, self.expected)
     }
 }
 
-/// The damped sinusoid in the window about `centre`.
+/// Damped sinusoid fitted in the window about `centre`.
 fn fit<'a>(
     times: &'a [f64],
     values: &'a [f64],
@@ -187,14 +187,14 @@ fn fit<'a>(
     let from = times.partition_point(|time| *time < centre - reach);
     let until = times.partition_point(|time| *time <= centre + reach);
     let points = Points { times: times.get(from..until)?, values: values.get(from..until)? };
-    // Fewer points than these say nothing about their own scatter.
+    // Fewer rows do not determine their own scatter.
     if points.times.len() < 8 {
         return None;
     }
     Some((Damped::of(points, centre, w, g, scratch)?.improved(points, 30, scratch), points))
 }
 
-/// What a fit says about the cycle, unless it is too unsure of it; `expected` is the frequency of its neighbours.
+/// Cycle from a fit, `None` if it is too uncertain; `expected` is the angular frequency of its neighbours.
 fn cycle(fit: &Damped, covariance: &[[f64; 5]; 5], expected: f64) -> Option<Cycle> {
     let variance = |gradient: [f64; 5]| -> f64 {
         let products = (0..5).flat_map(|i| (0..5).map(move |j| (i, j)));
@@ -206,7 +206,7 @@ fn cycle(fit: &Damped, covariance: &[[f64; 5]; 5], expected: f64) -> Option<Cycl
     let size = fit.amplitude();
     let phase = libm::atan2(-b, a) + lead(g, w);
     let shift = -(phase - PI * (phase / PI).round()) / w;
-    // The turning point is at the origin of the fit, but for the little that the last step left.
+    // The turning point is at the origin of the fit, except for the rest of the last step.
     let decay = libm::exp(-g * shift);
     let amplitude = measured(size * decay, [a / size * decay, b / size * decay, 0.0, 0.0, 0.0]);
     let square = size * size;

@@ -1,4 +1,4 @@
-//! Sentences about the cycles of a record, in every language.
+//! Sentences about the cycles of a record, in English and Spanish.
 
 use super::constancy::Constancy;
 use super::cycle::Measured;
@@ -6,19 +6,19 @@ use super::quantity::Quantity;
 use super::record::{Cycles, NoCycles};
 use units::Language;
 
-/// Writes numbers for people.
+/// Number formats for the sentences.
 pub struct Writing<'a> {
-    /// A value of a quantity, with its error and unit.
+    /// Formats a value of a quantity with its error and unit.
     pub measured: &'a dyn Fn(Quantity, Measured) -> String,
-    /// A value of the record, with its unit.
+    /// Formats a value of the record with its unit.
     pub value: &'a dyn Fn(f64) -> String,
-    /// A time, with its unit.
+    /// Formats a time with its unit.
     pub time: &'a dyn Fn(f64) -> String,
-    /// A number with this many decimals.
+    /// Formats a number with this many decimals.
     pub fixed: &'a dyn Fn(f64, usize) -> String,
 }
 
-/// Noise of which neighbouring rows are correlated by less is not worth a sentence.
+/// Least correlation of the noise of neighbouring rows that is reported.
 const CORRELATED: f64 = 0.3;
 
 impl Cycles {
@@ -68,7 +68,7 @@ impl Cycles {
         sentences
     }
 
-    /// The reason why the cycles end at a time, which is written with its unit.
+    /// Reason why the cycles end at `time`, a text with its unit.
     fn lost_text(&self, time: &str, language: Language) -> String {
         let why = match self.sinusoidal {
             true => language.pick("the noise hides the oscillation", "el ruido oculta la oscilación"),
@@ -81,7 +81,7 @@ impl Cycles {
     }
 }
 
-/// The meaning of period and amplitude where the shape is no sinusoid.
+/// Meaning of period and amplitude if the shape is not a sinusoid.
 fn another_shape(language: Language) -> &'static str {
     language.pick(
         "The shape is not a damped sinusoid: the period is the time between crossings of the middle level in the same \
@@ -92,7 +92,7 @@ fn another_shape(language: Language) -> &'static str {
 }
 
 impl NoCycles {
-    /// The reason as a sentence; `fixed` writes a number with one decimal.
+    /// Reason as a sentence; `fixed` formats a number with one decimal.
     pub fn text(self, language: Language, fixed: &dyn Fn(f64) -> String) -> String {
         match self {
             Self::Unclear => language.pick(

@@ -1,4 +1,4 @@
-//! The phone and its sensors, as phyphox describes them.
+//! Phone and sensors, as described by phyphox.
 
 use super::remark::Remark;
 use crate::import::cells_of;
@@ -6,7 +6,7 @@ use crate::table::Table;
 use std::collections::BTreeMap;
 use units::Unit;
 
-/// Sensors of Android by the unit of what they measure.
+/// Sensors of Android with the unit of their quantity.
 const SENSORS: [(&str, &str); 5] = [
     ("accelerometer", "m/s^2"),
     ("gyroscope", "rad/s"),
@@ -14,12 +14,12 @@ const SENSORS: [(&str, &str); 5] = [
     ("pressure", "hPa"),
     ("light", "lx"),
 ];
-/// No description of a phone has more lines.
+/// Upper bound of the lines of a description.
 const MOST_LINES: usize = 1000;
-/// Characters of a property that are kept.
+/// Upper bound of the length of a property in characters.
 const LONGEST: usize = 60;
 
-/// Properties by name.
+/// Properties of the device by name.
 #[derive(Debug, Default)]
 pub(super) struct Device(BTreeMap<String, String>);
 
@@ -39,7 +39,7 @@ impl Device {
         self.0.get(name).map(String::as_str)
     }
 
-    /// The app and the phone.
+    /// Remark on the app and the phone; `None` without properties.
     pub fn remark(&self) -> Option<Remark> {
         let maker = self.get("deviceManufacturer").or_else(|| self.get("deviceBrand"));
         let phone: Vec<&str> = maker.into_iter().chain(self.get("deviceModel")).collect();
@@ -47,7 +47,7 @@ impl Device {
         (!self.0.is_empty()).then(|| Remark::Device { version, phone: phone.join(" ") })
     }
 
-    /// The sensor with which a set was measured.
+    /// Remark on the sensor of a data set.
     pub fn sensor(&self, set: &str, table: &Table) -> Option<Remark> {
         let unit = table.observed_columns().find_map(|column| table.columns.get(column)?.unit.clone())?;
         let same = |text: &str| {

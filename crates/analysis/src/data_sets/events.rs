@@ -1,13 +1,13 @@
-//! Starts and pauses of an experiment. The clock of phyphox stands still in a pause.
+//! Starts and pauses of an experiment. The experiment time of phyphox stops in a pause.
 
 use super::remark::Remark;
 use crate::import::cells_of;
 use crate::table::Table;
 use units::Dimension;
 
-/// No experiment is paused more often.
+/// Upper bound of the number of events.
 const MOST_EVENTS: usize = 10_000;
-/// Clocks of the phone differ by less, s: the system's clock has milliseconds.
+/// Tolerance of the clocks of the phone, s: the system time is in milliseconds.
 const TOLERANCE: f64 = 0.01;
 
 /// Pauses in the order of time.
@@ -16,19 +16,19 @@ pub(super) struct Events {
     pauses: Vec<Pause>,
 }
 
-/// A pause.
+/// Pause of an experiment.
 #[derive(Clone, Copy, Debug)]
 struct Pause {
-    /// Experiment time at which it begins, s.
+    /// Experiment time at its begin, s.
     from: f64,
-    /// Experiment time at which measuring goes on, s.
+    /// Experiment time at its end, s.
     until: f64,
-    /// Its length by the clock of the system, s; NaN where that is not known.
+    /// Duration by the system time, s; NaN if unknown.
     length: f64,
 }
 
 impl Pause {
-    /// Part of the pause that is missing in the experiment time, s.
+    /// Part of the pause that the experiment time omits, s; 0 within the tolerance.
     fn missing(self) -> f64 {
         let missing = self.length - (self.until - self.from);
         if missing > TOLERANCE { missing } else { 0.0 }
@@ -59,7 +59,7 @@ impl Events {
         Self { pauses }
     }
 
-    /// Moves the times after each pause on by what the clock has missed of it. True if some were moved.
+    /// Adds the missing part of each pause to the times after it. Returns true if any were changed.
     pub fn spread(&self, table: &mut Table) -> bool {
         let Some(last) = self.pauses.last().map(|pause| pause.until) else { return false };
         let clocks: Vec<usize> = table.independent().collect();
@@ -67,7 +67,7 @@ impl Events {
         for index in clocks {
             let Some(column) = table.columns.get_mut(index) else { continue };
             let Some(unit) = column.unit.as_ref().filter(|unit| unit.dimension == Dimension::TIME) else { continue };
-            // A delay or a period is no time of the experiment.
+            // A delay or a period is not an experiment time.
             let end =
                 column.values.iter().rev().find(|time| time.is_finite()).map_or(f64::NAN, |time| unit.to_si(*time));
             if end.is_nan() || end <= last {
@@ -86,7 +86,7 @@ impl Events {
         moved
     }
 
-    /// The pauses, if there are any; `moved` if times were moved on by them.
+    /// Remark on the pauses, if there are any; `moved` is true if times were shifted by them.
     pub fn remark(&self, moved: bool) -> Option<Remark> {
         let first = self.pauses.first()?;
         let length = first.length.is_finite().then_some(first.length.max(first.until - first.from));

@@ -1,4 +1,4 @@
-//! Data sets that were exported together, as phyphox does: each becomes a record of its own, all on the common clock.
+//! Data sets exported together, as by phyphox: each becomes a record of its own, all on the common clock.
 
 mod device;
 mod events;
@@ -12,15 +12,15 @@ use crate::table::{Column, Table};
 use device::Device;
 use events::Events;
 
-/// Sheets of phyphox's workbooks that describe the phone and the clock; its archives have files in their place.
+/// Sheets of phyphox workbooks that describe the phone and the clock; its archives have files instead.
 pub(crate) const DEVICE: &str = "Metadata Device";
 pub(crate) const EVENTS: &str = "Metadata Time";
-/// A joined table may have so many cells, and so many times those of the sets: sets of very different lengths would fill much
-/// memory with nothing.
+/// Upper bound of the cells of a joined table: a fixed number, plus a multiple of the cells of the sets. Sets of very
+/// different lengths would need much memory for gaps.
 const ALWAYS_ALLOWED: usize = 1 << 20;
 const MOST_EXPANSION: usize = 10;
 
-/// Data sets, as far as they have been read.
+/// Data sets read so far.
 #[derive(Debug, Default)]
 pub(crate) struct DataSets {
     sets: Vec<(String, Import, String)>,
@@ -30,7 +30,7 @@ pub(crate) struct DataSets {
 }
 
 impl DataSets {
-    /// Takes a sheet that describes the others. False if it is none of these.
+    /// Stores a sheet that describes the others. Returns false for any other sheet.
     pub fn describe(&mut self, name: &str, text: &str) -> bool {
         match name {
             DEVICE => self.device = Device::read(text),
@@ -40,12 +40,12 @@ impl DataSets {
         true
     }
 
-    /// Adds a set with the text it was read from.
+    /// Adds a set with the text from which it was read.
     pub fn add(&mut self, name: String, import: Import, text: String) {
         self.sets.push((name, import, text));
     }
 
-    /// Notes that a sheet was no table.
+    /// Records that a sheet was not a table.
     pub fn pass_over(&mut self, name: &str) {
         self.remarks.push(Remark::NoTable(name.to_owned()));
     }
@@ -55,7 +55,8 @@ impl DataSets {
         self.sets.is_empty()
     }
 
-    /// One table of all sets, in which each is a body, and the text of a set that is alone.
+    /// One table of all sets, each of which is a body, with the text if there is only one unchanged set. `None` without
+    /// sets.
     pub fn join(mut self) -> Option<(Import, String)> {
         let mut findings: Vec<Finding> = Vec::new();
         let columns = self.sets.iter().map(|(_, import, _)| import.table.columns.len()).sum::<usize>();
@@ -83,7 +84,7 @@ impl DataSets {
         let mut sets = self.sets.into_iter();
         let (first, mut joined, mut text) = sets.next()?;
         if several || moved {
-            // A single text no longer says what the table does.
+            // A single text no longer corresponds to the table.
             text.clear();
             let readings =
                 joined_readings(std::iter::once(&joined.table).chain(sets.as_slice().iter().map(|set| &set.1.table)));
@@ -104,7 +105,7 @@ impl DataSets {
     }
 }
 
-/// The readings of all sets together: of a set with fewer of them its last one goes with the rest.
+/// Readings of all sets together: a set with fewer readings contributes its last one to the rest.
 fn joined_readings<'a>(tables: impl Iterator<Item = &'a Table>) -> Vec<Vec<usize>> {
     let mut of_sets: Vec<Vec<Vec<usize>>> = Vec::new();
     let mut before = 0;
@@ -123,7 +124,7 @@ fn joined_readings<'a>(tables: impl Iterator<Item = &'a Table>) -> Vec<Vec<usize
     if most > 1 { (0..most).map(one).collect() } else { Vec::new() }
 }
 
-/// Makes the columns of a set those of a body, behind so many columns of other sets.
+/// Assigns the columns of a set to a body, after `before` columns of other sets, and extends them to `rows`.
 fn name_columns(table: &mut Table, set: &str, before: usize, rows: usize) {
     for Column { body, independent, values, .. } in &mut table.columns {
         *body = Some(match body.take() {

@@ -1,52 +1,52 @@
-//! What was noticed about data sets, in words.
+//! Remarks on data sets, as text.
 
 use units::Language::{self, Spanish};
 use units::number;
 
-/// A remark on data sets that were exported together.
+/// Remark on data sets that were exported together.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Remark {
-    /// There are several sets; their names.
+    /// There are several sets, with these names.
     Several(Vec<String>),
     /// A file or sheet is no table and was left out.
     NoTable(String),
-    /// A set was left out, as all together are too large.
+    /// A set was left out, because all together are too large.
     TooMany(String),
-    /// The app and the phone with which it was measured; empty where the file does not say.
+    /// App and phone of the measurement; empty where the file does not state them.
     Device {
         /// Version of phyphox.
         version: String,
         /// Manufacturer and model.
         phone: String,
     },
-    /// The sensor with which a set was measured; what the file does not say is empty.
+    /// Sensor of a set; texts that the file does not state are empty.
     Sensor {
-        /// The set.
+        /// Name of the set.
         set: String,
         /// Name of the sensor.
         name: String,
-        /// Its range, in the unit.
+        /// Range, in the unit.
         range: String,
-        /// Its resolution, in the unit.
+        /// Resolution, in the unit.
         resolution: String,
-        /// The unit of the set.
+        /// Unit of the set.
         unit: String,
     },
-    /// Measuring was paused.
+    /// The measurement was paused.
     Pauses {
-        /// How often.
+        /// Number of pauses.
         count: usize,
         /// Experiment time of the first pause, s.
         from: f64,
-        /// Length of the first pause, s, if it is known.
+        /// Length of the first pause, s; `None` if unknown.
         length: Option<f64>,
-        /// True if the times after a pause were moved on by it.
+        /// True if the times after a pause were shifted by it.
         moved: bool,
     },
 }
 
 impl Remark {
-    /// True if it belongs to the record of this set.
+    /// True if the remark concerns the record of this set.
     pub fn is_about(&self, name: &str) -> bool {
         match self {
             Self::Several(_) | Self::NoTable(_) | Self::TooMany(_) => false,
@@ -55,7 +55,7 @@ impl Remark {
         }
     }
 
-    /// It in a sentence, in English or Spanish.
+    /// Remark as a sentence in English or Spanish.
     pub fn text(&self, language: Language) -> String {
         let say = |english: String, other: String| if language == Spanish { other } else { english };
         let decimal = |value: f64| number::plain(value, 6, language.style());

@@ -1,99 +1,99 @@
-//! Decisions about the header of a file, each with its reason.
+//! Decisions about the header of a file, with their reasons.
 
 use super::words::{called, decimal};
 use crate::conversion::UnitReading;
 use units::Language::{self, Spanish};
 
-/// A decision about names, units or errors in the header.
+/// Decision about names, units or errors in the header.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Heading {
-    /// Which line of the header has the names and which the units, where others could have them.
+    /// Lines of names and units, if other lines could have them too.
     Lines {
-        /// The line of names, from 1.
+        /// Line of names, from 1.
         names: usize,
-        /// The line of units, if there is one.
+        /// Line of units, from 1, if there is one.
         units: Option<usize>,
-        /// Lines that were taken for comments.
+        /// Lines taken as comments, from 1.
         comments: Vec<usize>,
     },
     /// The header has one name less than the table has columns.
     FewNames {
-        /// How many names.
+        /// Number of names.
         names: usize,
-        /// Whether the column without a name is the first: it counts the rows, or holds their names.
+        /// True if the first column has no name, because it counts or names the rows; false if it is the last one.
         first: bool,
     },
     /// The line of units has no unit for these columns.
     NoUnit(Vec<String>),
-    /// The text of a unit was read in a way that depends on the name of the column.
+    /// The reading of a unit depends on the name of the column.
     Unit {
         /// The column.
         column: String,
-        /// The text of the unit.
+        /// Text of the unit.
         written: String,
-        /// How it was read.
+        /// Reading of the unit.
         reading: UnitReading,
     },
     /// The heading has a power of ten.
     Power {
         /// The column.
         column: String,
-        /// The heading.
+        /// Text of the heading.
         heading: String,
-        /// The values are the numbers times ten to this.
+        /// Exponent of ten by which the numbers are multiplied.
         tens: i32,
-        /// How sure that is.
+        /// Certainty of this reading.
         certainty: Certainty,
     },
-    /// The unit in the cells is another than that of the header.
+    /// The cells have another unit than the header.
     CellUnit {
         /// The column.
         column: String,
-        /// That of the header.
+        /// Unit of the header.
         header: String,
-        /// That of the cells, which counts.
+        /// Unit of the cells, which is used.
         cells: String,
     },
-    /// Some cells of a column have a unit, others have none; all were read in it.
+    /// Some cells of a column have a unit, others have none; all were read in this unit.
     BareNumbers {
         /// The column.
         column: String,
         /// The unit.
         unit: String,
-        /// How many have none.
+        /// Number of cells without a unit.
         count: usize,
     },
     /// A column holds the standard errors of another one.
     Errors {
         /// The column.
         column: String,
-        /// That to which they belong.
+        /// Column to which they belong.
         of: String,
-        /// Whether that is an independent variable, whose errors are not used.
+        /// True if that is an independent variable, whose errors are not used.
         unused: bool,
     },
-    /// A column is called like standard errors and is not used as such.
+    /// A column is named as standard errors and is not used as such.
     NotErrors {
         /// The column.
         column: String,
-        /// Whose errors they would be, if there is such a column.
+        /// Column to which the errors would belong, if there is one.
         of: Option<String>,
     },
 }
 
-/// How sure the sense of a power of ten is.
+/// Certainty of the meaning of a power of ten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certainty {
-    /// There is one reading.
+    /// There is only one meaning.
     Clear,
-    /// The usual reading of several.
+    /// The usual one of several meanings.
     Usual,
-    /// Both readings are usual; none was applied.
+    /// Both meanings are usual; none was applied.
     Open,
 }
 
 impl Heading {
-    /// It in a sentence or two, in English or Spanish.
+    /// Decision as one or two sentences in English or Spanish.
     pub(super) fn text(&self, language: Language) -> String {
         let say = |english: String, other: String| if language == Spanish { other } else { english };
         let list = |lines: &[usize]| lines.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");

@@ -1,10 +1,10 @@
-//! Sentences of findings that need more than one pattern.
+//! Texts of findings with several variants.
 
 use crate::sampling::Gap;
 use units::Language::{self, English, Spanish};
 use units::number;
 
-/// `1,295` with a decimal sign and with groups of digits: `1.295` and `1295`.
+/// Readings of `1,295` as a decimal number and with groups of digits: `1.295` and `1295`.
 pub(crate) fn readings(text: &str, language: Language) -> [String; 2] {
     let digits = |replacement: &str| text.replace([',', '.'], replacement);
     [digits(if language == Spanish { "," } else { "." }), digits("")]
@@ -105,7 +105,7 @@ pub(super) fn backwards(time: f64, unit: &str, count: usize, language: Language)
     }
 }
 
-/// A cell that became a gap: a number beyond the largest one, or no number.
+/// Text for a cell that became a gap: a number beyond the range of doubles, or not a number.
 pub(super) fn word(line: usize, column: &str, text: &str, language: Language) -> String {
     let has_digit = text.contains(|character: char| character.is_ascii_digit());
     let too_large = has_digit && text.replace(',', ".").parse::<f64>().is_ok_and(f64::is_infinite);
@@ -141,7 +141,7 @@ pub(super) fn rounded_step(interval: f64, rate: f64, language: Language) -> Stri
     }
 }
 
-/// A column by its label, which is a number where the file gives no name.
+/// Column by its label, which is a number if the file gives no name.
 pub(super) fn called(label: &str, language: Language) -> String {
     match (label.bytes().all(|byte| byte.is_ascii_digit()), language) {
         (true, English) => format!("column {label}"),
@@ -150,13 +150,13 @@ pub(super) fn called(label: &str, language: Language) -> String {
     }
 }
 
-/// A number with its unit.
+/// Number with its unit.
 pub(super) fn reading(value: f64, unit: &str, language: Language) -> String {
     let number = decimal(value, 6, language);
     if unit.is_empty() { number } else { format!("{number} {unit}") }
 }
 
-/// A number with so many significant digits, without superfluous zeros.
+/// Number with this many significant digits, without trailing zeros.
 pub(super) fn decimal(value: f64, digits: usize, language: Language) -> String {
     number::plain(value, digits, language.style())
 }

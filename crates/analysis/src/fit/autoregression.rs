@@ -1,33 +1,33 @@
-//! The uncertainties of least squares where errors are an autoregressive process of order one, e_t = rho e_(t-1) + u_t.
+//! Uncertainties of least squares where the errors are a first-order autoregressive process, e_t = rho e_(t-1) + u_t.
 //!
-//! The residuals of a fit are less correlated than the errors, the more so the shorter the record: the fit has followed a part
-//! of what is slow. So rho and the variance are those with which the moments of the residuals, M e with the residual maker M =
-//! 1 - Q Q^T, are expected to be the observed ones. What is left is the bias of a ratio of moments, 2 rho/n (M. G. Kendall,
-//! Biometrika 41 (1954) 403; F. H. C. Marriott & J. A. Pope, ibid. 390).
+//! The residuals of a fit are less correlated than the errors, because the fit absorbs a part of slow errors; the shorter
+//! the record, the greater the difference. So rho and the variance are chosen such that the expected moments of the
+//! residuals M e, with the residual maker M = 1 - Q Q^T, equal the observed ones. The remaining bias of a ratio of moments,
+//! 2 rho/n, is corrected (M. G. Kendall, Biometrika 41 (1954) 403; F. H. C. Marriott & J. A. Pope, ibid. 390).
 
 use super::judgement::statistics;
 use super::linear::dot;
 
-/// The correlation of neighbours in fewer values than this is not asked for.
+/// Least number of values for which the correlation of neighbours is estimated.
 const LONG: usize = 12;
-/// The greatest correlation that is distinguished from a random walk.
+/// Greatest correlation that can be distinguished from a random walk.
 pub(crate) const MOST: f64 = 0.99;
-/// The step of the numerical derivative by rho.
+/// Step in rho of the finite difference.
 const STEP: f64 = 0.005;
 
-/// The errors of one series.
+/// Estimated errors of one series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Errors {
-    /// How many values.
+    /// Number of values.
     pub count: usize,
-    /// The correlation of each error with the one before.
+    /// Correlation of each error with the one before.
     pub rho: f64,
-    /// Their variance, in units of the weighted residuals.
+    /// Variance, in units of the weighted residuals.
     pub variance: f64,
 }
 
 impl Errors {
-    /// How many independent values would tell as much about a mean (G. V. Bayley & J. M. Hammersley, J. R. Statist. Soc. Suppl. 8
+    /// Effective number of independent values for a mean (G. V. Bayley & J. M. Hammersley, J. R. Statist. Soc. Suppl. 8
     /// (1946) 184).
     pub fn independent(&self) -> f64 {
         let rho = self.rho.max(0.0);
@@ -35,21 +35,22 @@ impl Errors {
     }
 }
 
-/// What all series together say.
+/// Estimates from all series together.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Autoregression {
-    /// By series.
+    /// One per series.
     pub errors: Vec<Errors>,
-    /// The covariance of the coefficients of the basis, row by row.
+    /// Covariance of the coefficients of the basis, row by row.
     pub covariance: Vec<f64>,
-    /// By series: its standard deviation due to that of rho.
+    /// One per series: change of `covariance` for one standard deviation of its rho, row by row.
     pub doubt: Vec<Vec<f64>>,
 }
 
 impl Autoregression {
-    /// Of weighted residuals of a fit. `series` holds the places of each one's values, in the order of time; errors of different
-    /// series are taken for independent. `basis` is orthonormal and spans the columns of the Jacobian.
-    /// `priors` is what rows of other known errors add to the covariance of its coefficients.
+    /// Estimates from the weighted residuals of a fit. `series` holds the indices of the values of each series, in the
+    /// order of time; errors of different series are assumed independent. `basis` is orthonormal and spans the columns of
+    /// the Jacobian. `priors` is the contribution of rows with known errors to the covariance of the coefficients, row by
+    /// row.
     pub fn new(series: &[Vec<usize>], basis: &[Vec<f64>], residuals: &[f64], priors: &[f64]) -> Self {
         let blocks: Vec<Block> = series
             .iter()
@@ -58,7 +59,7 @@ impl Autoregression {
             .collect();
         let mut errors: Vec<Errors> = blocks.iter().map(|block| block.errors(0.0, block.count())).collect();
         let mut shares: Vec<Vec<f64>> = blocks.iter().map(|block| block.products(0.0).0).collect();
-        // What one series is expected to leave depends on the others, through the fit: a few rounds are enough.
+        // The expected residuals of one series depend on the others through the fit: three rounds are enough.
         let alone = blocks.len() == 1 && priors.iter().all(|value| *value == 0.0);
         for _ in 0..if alone { 1 } else { 3 } {
             for (place, block) in blocks.iter().enumerate() {
@@ -76,7 +77,7 @@ impl Autoregression {
         let mut doubt = Vec::with_capacity(blocks.len());
         for ((block, errors), share) in blocks.iter().zip(&errors).zip(&shares) {
             covariance.iter_mut().zip(share).for_each(|(sum, value)| *sum += errors.variance * value);
-            // What is new in each error is known by itself: its variance stays while rho changes.
+            // The variance of the innovations u_t is held fixed while rho changes.
             let new = errors.variance * (1.0 - errors.rho * errors.rho);
             let [low, high] = [-STEP, STEP].map(|step| (errors.rho + step).clamp(-0.995, 0.995));
             let [below, above] = [low, high].map(|rho| (block.products(rho).0, new / (1.0 - rho * rho)));
@@ -88,20 +89,21 @@ impl Autoregression {
     }
 }
 
-/// The residuals of one series beside an orthonormal basis of the curves that were fitted to it.
+/// Residuals of one series, with an orthonormal basis of the curves fitted to it.
 pub(crate) struct Block {
     residuals: Vec<f64>,
-    /// The rows of the basis, column by column.
+    /// Columns of the basis.
     basis: Vec<Vec<f64>>,
-    /// The same averaged over the row before and the row after.
+    /// Columns of the basis, each row replaced by half the sum of its two neighbours.
     shifted: Vec<Vec<f64>>,
-    /// The products of the columns, and of the columns with the shifted ones, row by row.
+    /// Inner products of the columns with each other (`own`) and with the shifted columns (`lagged`), row by row.
     own: Vec<f64>,
     lagged: Vec<f64>,
 }
 
-/// The correlation of neighbouring errors in series of the same noise, each fitted by itself: the one with which the moments of
-/// all residuals together are expected to be the observed ones. 0 for fewer than twelve residuals beyond the fitted numbers.
+/// Correlation of neighbouring errors in series of the same noise, each fitted by itself. It is the rho for which the
+/// expected moments of all residuals together equal the observed ones. 0 for fewer than twelve residuals beyond the fitted
+/// numbers.
 pub(crate) fn common_correlation<'a>(blocks: impl Iterator<Item = &'a Block>) -> f64 {
     let blocks: Vec<&Block> = blocks.collect();
     let free: usize = blocks.iter().map(|block| block.freedom()).sum();
@@ -111,7 +113,7 @@ pub(crate) fn common_correlation<'a>(blocks: impl Iterator<Item = &'a Block>) ->
     let series: Vec<&[f64]> = blocks.iter().map(|block| block.residuals.as_slice()).collect();
     let observed = statistics::autocorrelation(&series);
     let bias = 2.0 / blocks.iter().map(|block| block.count()).sum::<f64>();
-    // What is missing at a correlation, for the secant method.
+    // Observed minus expected correlation, zero at the solution; found by the secant method.
     let missing = |rho: f64| {
         let (neighbours, squares) = blocks.iter().fold((0.0, 0.0), |sum, block| {
             let (neighbours, squares) = block.expected(rho, &vec![0.0; block.own.len()]);
@@ -143,8 +145,8 @@ pub(crate) fn subtract_projection<'a>(basis: impl IntoIterator<Item = &'a Vec<f6
     }
 }
 
-/// An orthonormal basis of columns of equal length (Gram and Schmidt, twice for the last digits). Columns that depend on those
-/// before are left out.
+/// Orthonormal basis of columns of equal length, by Gram-Schmidt, repeated once for accuracy. Linearly dependent columns
+/// are left out.
 pub(crate) fn orthonormal(columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let mut basis: Vec<Vec<f64>> = Vec::with_capacity(columns.len());
     for mut column in columns {
@@ -160,13 +162,13 @@ pub(crate) fn orthonormal(columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
 }
 
 impl Block {
-    /// The values of `residuals` and `basis` at these places.
+    /// Block of the entries of `residuals` and of the columns of `basis` at these indices.
     fn at(places: &[usize], basis: &[Vec<f64>], residuals: &[f64]) -> Self {
         let of = |column: &Vec<f64>| -> Vec<f64> { places.iter().map(|&place| column[place]).collect() };
         Self::new(basis.iter().map(of).collect(), places.iter().map(|&place| residuals[place]).collect())
     }
 
-    /// Residuals of a fit by the columns of an orthonormal basis, all of the same length.
+    /// Block of the residuals of a fit by the columns of an orthonormal basis, all of the same length.
     pub(crate) fn new(basis: Vec<Vec<f64>>, residuals: Vec<f64>) -> Self {
         let shifted: Vec<Vec<f64>> = basis.iter().map(|column| beside(column)).collect();
         let own = products(&basis, &basis);
@@ -174,12 +176,12 @@ impl Block {
         Self { residuals, basis, shifted, own, lagged }
     }
 
-    /// The variance of errors of which neighbours are correlated by `rho`, by the sum of the squared residuals.
+    /// Variance of errors with the correlation `rho`, from the sum of squared residuals.
     pub(crate) fn variance(&self, rho: f64) -> f64 {
         self.errors(rho, self.expected(rho, &vec![0.0; self.own.len()]).1).variance
     }
 
-    /// The number of residuals less that of the fitted columns.
+    /// Number of residuals minus the number of fitted columns.
     pub(crate) fn freedom(&self) -> usize {
         self.residuals.len().saturating_sub(self.basis.len())
     }
@@ -188,22 +190,22 @@ impl Block {
         self.residuals.len() as f64
     }
 
-    /// The errors whose residuals have the observed sum of squares, where this many are expected for a variance of one.
+    /// Errors for the observed sum of squares, where `expected` is the sum expected for unit variance.
     fn errors(&self, rho: f64, expected: f64) -> Errors {
         let variance = dot(&self.residuals, &self.residuals) / expected.max(1e-6 * self.count());
         Errors { count: self.residuals.len(), rho, variance }
     }
 
-    /// The products of the basis with its columns correlated by `rho`, and the products of those with the shifted ones (their
-    /// trace alone).
+    /// Products of the basis with its columns after [`correlated`], row by row, and the trace of the products of these with
+    /// the shifted columns.
     fn products(&self, rho: f64) -> (Vec<f64>, f64) {
         let correlated: Vec<Vec<f64>> = self.basis.iter().map(|column| correlated(column, rho)).collect();
         let trace = correlated.iter().zip(&self.shifted).map(|(one, other)| dot(one, other)).sum();
         (products(&self.basis, &correlated), trace)
     }
 
-    /// The sums of products of neighbouring residuals and of squares that are expected of errors of variance one; `rest` is what
-    /// other series add to the covariance of the coefficients.
+    /// Expected sums of products of neighbouring residuals and of squares, for errors of unit variance. `rest` is the
+    /// contribution of other series to the covariance of the coefficients.
     fn expected(&self, rho: f64, rest: &[f64]) -> (f64, f64) {
         let (own, lagged) = self.products(rho);
         let size = self.basis.len();
@@ -213,13 +215,13 @@ impl Block {
         (neighbours, self.count() - 2.0 * trace + dot(&whole, &self.own))
     }
 
-    /// The errors that such residuals are expected of.
+    /// Errors whose expected residuals match the observed ones, by fixed-point iteration.
     fn solve(&self, rest: &[f64]) -> Errors {
         let count = self.count();
         let mut rho: f64 = 0.0;
         if self.residuals.len() >= LONG {
             let observed = statistics::autocorrelation(&[&self.residuals]);
-            // Expected and true correlation differ by little, and by nearly as much for neighbouring values.
+            // Expected and true correlation differ by little, and the difference varies slowly with rho.
             for _ in 0..60 {
                 let (neighbours, squares) = self.expected(rho, rest);
                 let expected = neighbours / squares.max(1e-6 * count) - 2.0 * rho / count;
@@ -235,7 +237,7 @@ impl Block {
     }
 }
 
-/// The products of columns, row by row.
+/// Inner products of all pairs of columns, row by row.
 fn products(one: &[Vec<f64>], other: &[Vec<f64>]) -> Vec<f64> {
     one.iter().flat_map(|one| other.iter().map(move |other| dot(one, other))).collect()
 }
@@ -246,7 +248,9 @@ fn beside(column: &[f64]) -> Vec<f64> {
     (0..column.len()).map(|row| 0.5 * (at(row.checked_sub(1)) + at(Some(row + 1)))).collect()
 }
 
-/// The sums over all rows with the weights rho^|distance|.
+/// Sums over all rows with the weights rho^
+/// distance
+/// , that is, the product with the correlation matrix.
 pub(crate) fn correlated(column: &[f64], rho: f64) -> Vec<f64> {
     let mut sums = vec![0.0; column.len()];
     let (mut before, mut after) = (0.0, 0.0);
@@ -265,7 +269,7 @@ pub(crate) fn correlated(column: &[f64], rho: f64) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    /// Of three values 1, 2, 4: the sums written out.
+    /// The sums for three values 1, 2, 4 written out.
     #[test]
     fn correlated_sums() {
         let found = correlated(&[1.0, 2.0, 4.0], 0.5);
@@ -273,7 +277,7 @@ mod tests {
         assert_eq!(beside(&[1.0, 2.0, 4.0]), [1.0, 2.5, 1.0]);
     }
 
-    /// The mean of n values: rho = 0 leaves the usual variance over n.
+    /// The mean of n values: rho = 0 gives the usual variance over n.
     #[test]
     fn alternating_values_about_a_mean() {
         let count = 40;

@@ -1,4 +1,4 @@
-//! A fit: a loop over what is asked, the [`Problem`], and the [`Search`] for the least sum of squares that goes on.
+//! Loop of a fit: successive searches for the least sum of squares of a [`Problem`], each a [`Search`].
 
 use super::outcome::{self, Course, Outcome};
 use super::search::elsewhere::{Beginning, Elsewhere};
@@ -17,50 +17,49 @@ use super::uncertainty::covariance::Covariance;
 use super::uncertainty::exchange::Exchange;
 use program::Model;
 
-/// A fit that goes on one trial at a time.
+/// Fit that advances one trial at a time.
 ///
-/// It searches from the given or the parameters' own values, then from the frequency and the damping that the data show,
-/// then along windows that grow from the beginning of the record, then from starts spread over the ranges. Further starts
-/// are only tried while the best one leaves much unexplained; own values that explain nothing come after the estimate. Of a
-/// model with events or branches the best answer is then tried from starts around it.
+/// It searches from the given starts or the parameters' own values, then from the frequency and damping estimated from the
+/// data, then in windows that grow from the beginning of the record, then from starts spread over the ranges. Further
+/// starts are tried only while the best one leaves much unexplained. Own values that explain nothing come after the
+/// estimate. For a model with events or branches, starts around the best answer are tried at the end.
 #[derive(Clone, Debug)]
 pub struct Fit {
-    /// What is asked, and how it is computed.
+    /// Task and model, prepared for the search.
     problem: Problem,
-    /// The search that goes on.
+    /// Current search.
     current: Option<Current>,
-    /// The best search so far.
+    /// Best search so far.
     best: Option<Search>,
-    /// From where is still to be searched.
+    /// Remaining stages, each with a start.
     stages: Stages,
-    /// Then around the best answer.
+    /// Searches around the best answer, after the stages.
     elsewhere: Elsewhere,
-    /// In the end from the best answer itself.
+    /// Refinement from the best answer itself, at the end.
     refinement: Refinement,
-    /// Which numbers can exchange their values, once the answer is known.
+    /// Test for pairs of numbers that can exchange their values; `None` until the answer is found.
     exchange: Option<Exchange>,
-    /// How the fit went so far.
+    /// Progress so far.
     course: Course,
     trials: usize,
 }
 
 impl Fit {
-    /// A later start wins only if it lowers the sum of squares by more than this part.
+    /// Least relative decrease of the sum of squares by which a later start replaces the best one.
     const BETTER: f64 = 1e-6;
-    /// What explains this part of the scatter is not searched further.
+    /// Coefficient of determination from which on no further start is tried.
     const EXPLAINED: f64 = 0.9;
 
-    /// Checks a task and begins.
+    /// Checks a task and starts its fit.
     ///
     /// # Errors
-    /// Nothing varied or measured, too little or too much of it, a model that cannot be treated.
+    /// Errors for nothing varied or measured, too few or too many values, or a model that cannot be fitted.
     pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
         Problem::new(model, task).map(Self::from_own_values)
     }
 
-    /// Makes a fit again of which the answer is known: `found` are the values of [`Outcome::parameters`], in their order.
-    /// The search goes on from there and from nowhere else. Where they are not as many as the task asks for, nothing is
-    /// known, and it begins as [`Fit::new`] does.
+    /// Resumes a fit from its known answer: `found` are the values of [`Outcome::parameters`], in their order, SI. No other
+    /// start is searched. If their number differs from that of the task, the fit starts as in [`Fit::new`].
     ///
     /// # Errors
     /// As for [`Fit::new`].
@@ -90,7 +89,7 @@ impl Fit {
         Self { problem, current: None, best: None, stages, elsewhere, refinement, exchange: None, course, trials: 0 }
     }
 
-    /// Makes one trial; whether the fit is finished.
+    /// Makes one trial. Returns true if the fit is finished.
     pub fn advance(&mut self) -> bool {
         if self.course.finished {
             return true;
@@ -118,35 +117,34 @@ impl Fit {
         self.course.finished
     }
 
-    /// Goes on to the end.
+    /// Runs the fit to its end.
     pub fn complete(&mut self) {
         while !self.advance() {}
     }
 
-    /// How many trials were made: each computes the model's curve once for all records.
+    /// Number of trials made; each computes the curve of the model once for all records.
     pub fn trials(&self) -> usize {
         self.trials
     }
 
-    /// The coefficient of determination of the best found so far, 1 where nothing is left unexplained.
+    /// Coefficient of determination of the best search so far, 1 where nothing is left unexplained; 0 before there is one.
     pub fn explained(&self) -> f64 {
         match (&self.best, self.refinement.reweighting().least_squares()) {
-            // The sum that a robust loss lowers is another one.
+            // The sum minimised by a robust loss is not comparable.
             (Some(_), Some((_, explained))) => *explained,
             (Some(best), None) => 1.0 - best.sum / self.problem.total,
             (None, _) => 0.0,
         }
     }
 
-    /// What is known when the fit is finished; before that, of the best found so far. `None` if nothing was found: the
-    /// model has no finite curve at any start.
+    /// Result of a finished fit, or that of the best search so far. `None` if there is none: the model has no finite curve
+    /// at any start.
     pub fn outcome(&mut self) -> Option<Outcome> {
         let best = self.best.as_ref()?;
         Some(outcome::outcome(&mut self.problem, best, self.refinement.reweighting(), &self.course))
     }
 
-    /// The curves of a finished fit, each of `count` points (at least 2): those of all observations, by record. Empty if
-    /// nothing was found.
+    /// Curves of all observations by record, each of `count` points, at least 2. Empty if nothing was found.
     pub fn traces(&mut self, count: usize) -> Vec<Trace> {
         let covariance = self.covariance();
         match (&self.best, covariance) {
@@ -155,23 +153,23 @@ impl Fit {
         }
     }
 
-    /// What is known of the uncertainties of the best found so far.
+    /// Covariance at the best search so far.
     pub(super) fn covariance(&mut self) -> Option<Covariance> {
         let best = self.best.as_ref()?;
         Some(self.refinement.reweighting().covariance(&mut self.problem, best))
     }
 
-    /// What is asked, and the best found so far.
+    /// Problem and best search so far.
     pub(super) fn answer(&mut self) -> Option<(&mut Problem, &Search)> {
         Some((&mut self.problem, self.best.as_ref()?))
     }
 
-    /// How often it was gone to another answer than the one found.
+    /// Number of restarts from a better answer; see [`Outcome::improved`].
     pub(super) fn improved(&self) -> usize {
         self.course.improved
     }
 
-    /// Goes to another answer than the one found, at which the sum of squares is lower, and on to the end of the search.
+    /// Restarts from `x`, an answer with a lower sum of squares, and runs to the end.
     pub(super) fn go_to(&mut self, x: &[f64]) {
         self.course.improved += 1;
         self.course.finished = false;
@@ -179,10 +177,11 @@ impl Fit {
         self.complete();
     }
 
-    /// Begins the next stage; after the last one, or where no other start is needed, the next search around the best answer.
+    /// Begins the next stage. After the last stage, or if no other start is needed, begins the next search around the best
+    /// answer.
     fn begin(&mut self) {
         if self.is_enough() {
-            // Where there are events, the beginning of a record has fewer kinks than the whole.
+            // Events make more kinks in the whole record than in its beginning.
             self.stages.skip(self.elsewhere.has_events());
         }
         if self.stages.is_empty() {
@@ -193,27 +192,27 @@ impl Fit {
         }
     }
 
-    /// Whether no other start is needed: much is explained by a search that came to its end in a definite place.
+    /// True if no other start is needed: the best search converged, explains enough and its answer is definite.
     fn is_enough(&self) -> bool {
         let definite = |best: &Search| self.stages.is_definite(best);
         self.course.converged && self.explained() >= Self::EXPLAINED && self.best.as_ref().is_some_and(definite)
     }
 
-    /// Begins the next search from elsewhere; after the last one the best answer is gone on with.
+    /// Begins the next search around the best answer; after the last one, refines the best answer.
     fn try_elsewhere(&mut self) {
         let best = self.best.as_ref();
         if let Some(Beginning { search, held }) = best.and_then(|best| self.elsewhere.next(&mut self.problem, best)) {
             self.course.starts += 1;
             self.current = Some(Current::whole(&self.problem, search, held));
         } else {
-            // A robust loss weighs sums of squares in another way.
+            // With a robust loss, sums of squares cannot be compared.
             let plain = best.filter(|_| self.problem.task.loss == Loss::Squares);
             self.course.rival = plain.and_then(|best| self.elsewhere.rival(&self.problem, best));
             self.conclude();
         }
     }
 
-    /// Tries whether the next pair of numbers can exchange their values, or ends.
+    /// Tests the next pair of numbers for an exchange of their values, or ends the fit.
     fn try_exchange(&mut self) {
         let Some(best) = &self.best else {
             self.course.finished = true;
@@ -221,7 +220,7 @@ impl Fit {
         };
         let problem = &mut self.problem;
         let exchange = self.exchange.get_or_insert_with(|| Exchange::new(problem, &stages::moving(problem)));
-        // A robust loss weighs sums of squares in another way.
+        // With a robust loss, sums of squares cannot be compared.
         let plain = problem.task.loss == Loss::Squares;
         if let Some(search) = plain.then(|| exchange.next(problem, best)).flatten() {
             self.current = Some(Current::whole(problem, search, false));
@@ -232,13 +231,13 @@ impl Fit {
         self.course.finished = true;
     }
 
-    /// Begins a search of the whole fitted part.
+    /// Begins a search over the whole fitted part.
     fn search_from(&mut self, start: &[f64]) {
         let search = window::search(&mut self.problem, start, TRIALS);
         self.current = Some(Current::whole(&self.problem, search, false));
     }
 
-    /// Takes in a search over the whole that has ended.
+    /// Takes the result of a search over the whole fitted part.
     fn settle(&mut self, search: Search) {
         if let (Some(exchange), Some(best)) = (&mut self.exchange, &self.best) {
             exchange.settle(&self.problem, best, &search);
@@ -249,7 +248,8 @@ impl Fit {
             self.elsewhere.remember_end(&search, self.best.as_ref());
         }
         let better = match &self.best {
-            // Refined or weighted again, sums of squares cannot be compared; what is searched then goes on from the best.
+            // After refinement or reweighting, sums of squares cannot be compared; the refined search replaces the best
+            // one.
             Some(_) if refining => search.sum.is_finite(),
             Some(best) => search.sum < best.sum * (1.0 - Self::BETTER),
             None => search.sum.is_finite(),
@@ -263,7 +263,7 @@ impl Fit {
         }
     }
 
-    /// Goes on from the best found so far, or ends.
+    /// Begins the next refinement of the best search, or ends.
     fn conclude(&mut self) {
         match self.best.as_ref().map(|best| self.refinement.next(&mut self.problem, best)) {
             Some(Continuation::From(start)) => self.search_from(&start),

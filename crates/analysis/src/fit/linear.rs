@@ -1,45 +1,45 @@
-//! The linear algebra of least squares: a tall matrix becomes a triangle, the triangle its singular values.
+//! Linear algebra of least squares: QR decomposition, then singular values of the triangle.
 
-/// Column by column, as many rows as there are residuals.
+/// Matrix of derivatives, column by column, one row per residual.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Jacobian {
-    /// How many rows there are.
+    /// Number of rows.
     pub rows: usize,
-    /// How many columns there are.
+    /// Number of columns.
     pub columns: usize,
-    /// Entry (row, column) stands at `column * rows + row`.
+    /// Entries; (row, column) is at `column * rows + row`.
     pub values: Vec<f64>,
 }
 
 impl Jacobian {
-    /// All zeros.
+    /// Matrix of zeros.
     pub fn new(rows: usize, columns: usize) -> Self {
         Self { rows, columns, values: vec![0.0; rows * columns] }
     }
 
-    /// A column.
+    /// Column of this index.
     pub fn column(&self, column: usize) -> &[f64] {
         &self.values[column * self.rows..(column + 1) * self.rows]
     }
 
-    /// A column, to be changed.
+    /// Mutable column of this index.
     pub fn column_mut(&mut self, column: usize) -> &mut [f64] {
         &mut self.values[column * self.rows..(column + 1) * self.rows]
     }
 }
 
-/// The root of the sum of squares.
+/// Euclidean norm.
 pub(crate) fn norm(vector: &[f64]) -> f64 {
     dot(vector, vector).sqrt()
 }
 
-/// x^T A x, for a matrix that is given row by row.
+/// x^T A x, with A given row by row.
 pub(crate) fn quadratic(matrix: &[f64], x: &[f64]) -> f64 {
     let size = x.len();
     (0..size).fold(0.0, |sum, row| sum + x[row] * dot(&matrix[row * size..(row + 1) * size], x))
 }
 
-/// The sum of products, in four sums at a time: one would wait for itself at every addition.
+/// Inner product, in four partial sums: additions to a single sum would have to wait for each other.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let length = a.len().min(b.len());
     let (a_fours, b_fours) = (a[..length].chunks_exact(4), b[..length].chunks_exact(4));
@@ -53,24 +53,24 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
-/// What a least-squares step needs of A and r: with A = Q R and the singular value decomposition R = U S V^T,
-/// the singular values, V, and w = U^T Q^T r.
+/// Decomposition for a least-squares step with A and r. With A = Q R and the singular value decomposition R = U S V^T, it
+/// holds the singular values, V, and w = U^T Q^T r.
 #[derive(Clone, Debug)]
 pub(crate) struct Decomposition {
-    /// The number of columns of A.
+    /// Number of columns of A.
     pub size: usize,
-    /// The singular values, in no order.
+    /// Singular values, unordered.
     pub singular: Vec<f64>,
     /// V column by column: column k belongs to singular value k.
     pub right: Vec<f64>,
-    /// The components of r along the left singular vectors.
+    /// Components of r along the left singular vectors.
     pub along: Vec<f64>,
     /// U column by column.
     left: Vec<f64>,
 }
 
 impl Decomposition {
-    /// Decomposes the columns `columns` of `jacobian`, each divided by its `scale`, with the residuals.
+    /// Decomposes the columns `columns` of `jacobian`, each divided by its entry of `scale`, with the residuals.
     pub fn new(jacobian: &Jacobian, columns: &[usize], scale: &[f64], residuals: &[f64]) -> Self {
         let size = columns.len();
         let rows = jacobian.rows.max(size);
@@ -93,14 +93,14 @@ impl Decomposition {
         Self::of_square(triangle, size, &right_side)
     }
 
-    /// Decomposes a small square matrix, column by column, with a right side.
+    /// Decomposes a small square matrix, given column by column, with a right side.
     fn of_square(matrix: Vec<f64>, size: usize, right_side: &[f64]) -> Self {
         let (left, singular, right) = singular_values(matrix, size);
         let along = (0..size).map(|k| dot(&left[k * size..(k + 1) * size], right_side)).collect();
         Self { size, singular, right, along, left }
     }
 
-    /// The vector V (d_k w_k): `weight` gives d_k from the singular value.
+    /// Returns V (d_k w_k), where `weight` gives d_k for a singular value.
     pub fn combine(&self, weight: impl Fn(f64) -> f64) -> Vec<f64> {
         let mut result = vec![0.0; self.size];
         for k in 0..self.size {
@@ -112,37 +112,37 @@ impl Decomposition {
         result
     }
 
-    /// How much of the sum of squares the best step promises to take away; directions flatter than this part of the steepest do
-    /// not count.
+    /// Predicted decrease of the sum of squares by the best step. Singular values below `flat` times the greatest are
+    /// ignored.
     pub fn promised(&self, flat: f64) -> f64 {
         let flat = flat * self.greatest();
         let parts = self.singular.iter().zip(&self.along).filter(|(singular, _)| **singular > flat);
         parts.fold(0.0, |sum, (_, along)| sum + along * along)
     }
 
-    /// The greatest singular value.
+    /// Greatest singular value.
     pub fn greatest(&self) -> f64 {
         self.singular.iter().fold(0.0, |greatest: f64, &value| greatest.max(value))
     }
 }
 
-/// A least-squares problem in two parts: the first columns follow the others as well as they can. What is left for the others
-/// is a problem of their own, in what is orthogonal to the first columns.
+/// Least-squares problem in two groups of columns. The first group is eliminated: for every step of the rest it takes its
+/// best values. The rest is solved in the space orthogonal to the first group.
 #[derive(Clone, Debug)]
 pub(crate) struct Split {
-    /// The first columns by themselves.
+    /// First columns by themselves.
     first: Decomposition,
-    /// The others in the space orthogonal to the first.
+    /// Remaining columns in the space orthogonal to the first.
     pub rest: Decomposition,
-    /// The components of the others along the first: column by column.
+    /// Components of the remaining columns along the first, column by column.
     mixed: Vec<f64>,
 }
 
 impl Split {
-    /// Below this part of the greatest singular value, a direction of the first columns changes nothing.
+    /// Singular values of the first columns below this part of the greatest are ignored.
     const FLAT: f64 = 1e-13;
 
-    /// Decomposes the columns `first` and `rest` of `jacobian`, each divided by its `scale`, with the residuals.
+    /// Decomposes the columns `first` and `rest` of `jacobian`, each divided by its entry of `scale`, with the residuals.
     pub fn new(jacobian: &Jacobian, first: &[usize], rest: &[usize], scale: &[f64], residuals: &[f64]) -> Self {
         let (ahead, behind) = (first.len(), rest.len());
         let size = ahead + behind;
@@ -167,7 +167,7 @@ impl Split {
         }
     }
 
-    /// The step of the first columns that is best after this step of the others.
+    /// Best step of the first columns after this step of the rest.
     pub fn following(&self, step: &[f64]) -> Vec<f64> {
         let size = self.first.size;
         let mut follow = self.first.clone();
@@ -182,15 +182,15 @@ impl Split {
         follow.combine(|value| if value > flat { 1.0 / value } else { 0.0 })
     }
 
-    /// How much of the sum of squares the best step of all promises to take away; directions of the others that are flatter
-    /// than `flat` do not count.
+    /// Predicted decrease of the sum of squares by the best step of all columns. Singular values of the rest below `flat`
+    /// times their greatest are ignored.
     pub fn promised(&self, flat: f64) -> f64 {
         self.first.promised(Self::FLAT) + self.rest.promised(flat)
     }
 }
 
-/// Householder's reflections turn `tall` into a triangle and are applied to `right_side` as well (Golub & Van Loan, Matrix
-/// Computations, section 5.2).
+/// Reduces `tall` to a triangle by Householder reflections and applies them to `right_side` as well (Golub & Van Loan,
+/// Matrix Computations, section 5.2).
 fn triangulate(tall: &mut [f64], rows: usize, size: usize, right_side: &mut [f64]) {
     for step in 0..size {
         let (done, rest) = tall.split_at_mut((step + 1) * rows);
@@ -217,14 +217,14 @@ fn triangulate(tall: &mut [f64], rows: usize, size: usize, right_side: &mut [f64
     }
 }
 
-/// Left vectors, singular values and right vectors of a small square matrix by one-sided Jacobi rotations, which finds small
-/// singular values as exactly as large ones (Demmel & Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204).
+/// Left vectors, singular values and right vectors of a small square matrix by one-sided Jacobi rotations, which compute
+/// small singular values to high relative accuracy (Demmel & Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204).
 fn singular_values(mut work: Vec<f64>, size: usize) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let mut right = vec![0.0; size * size];
     for k in 0..size {
         right[k * size + k] = 1.0;
     }
-    // Converges quadratically; so many sweeps are never needed.
+    // Convergence is quadratic; 60 sweeps are never needed.
     for _ in 0..60 {
         let mut rotated = false;
         for low in 0..size {
@@ -247,7 +247,7 @@ fn singular_values(mut work: Vec<f64>, size: usize) -> (Vec<f64>, Vec<f64>, Vec<
     (work, singular, right)
 }
 
-/// Makes two columns orthogonal; whether they were not.
+/// Makes two columns orthogonal. Returns false if they already were.
 fn rotate(work: &mut [f64], right: &mut [f64], size: usize, low: usize, high: usize) -> bool {
     let (a, b) = (&work[low * size..(low + 1) * size], &work[high * size..(high + 1) * size]);
     let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
@@ -276,7 +276,7 @@ fn rotate(work: &mut [f64], right: &mut [f64], size: usize, low: usize, high: us
 mod tests {
     use super::*;
 
-    /// Hilbert's matrix is famous for its small singular values; those of size 5 are known.
+    /// Singular values of the Hilbert matrix of order 5, some of which are very small.
     #[test]
     fn singular_values_of_a_hilbert_matrix() {
         let size = 5;
@@ -301,7 +301,7 @@ mod tests {
         for (found, known) in singular.iter().zip(known) {
             assert!((found - known).abs() < 1e-12 * known.max(1e-2), "{found} {known}");
         }
-        // Its inverse applied to ones is known exactly: 5, -120, 630, -1120, 630.
+        // The inverse applied to ones is known exactly: 5, -120, 630, -1120, 630.
         let solution = found.combine(|value| 1.0 / value);
         for (found, known) in solution.iter().zip([5.0, -120.0, 630.0, -1120.0, 630.0]) {
             assert!((found - known).abs() < 1e-7 * known.abs(), "{found} {known}");

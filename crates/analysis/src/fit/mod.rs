@@ -1,5 +1,5 @@
-//! Fits a model to measured data: a [`Task`] says what is measured and what may vary, [`Fit`] works on it in slices, and
-//! [`Outcome`] is what is known in the end. All numbers are SI; names and units are the model's.
+//! Fits a model to measured data. A [`Task`] names the measurements and the numbers to vary, [`Fit`] runs one trial at a
+//! time, and [`Outcome`] holds the result. All numbers are SI; names and units are the model's.
 
 pub(crate) mod autoregression;
 mod driver;
@@ -30,7 +30,7 @@ pub use uncertainty::estimate::Estimate;
 pub use uncertainty::identify::{Lack, Undetermined};
 pub use uncertainty::profile::{Interval, profile, profiles};
 
-/// The greatest number of varied numbers, over all records.
+/// Upper bound of the number of varied numbers, over all records.
 pub const MOST_VARIED: usize = 64;
-/// The greatest number of measured values.
+/// Upper bound of the number of measured values.
 pub const MOST_VALUES: usize = 200_000;

@@ -1,50 +1,50 @@
-//! How one measured column was fitted, and how the rest of it was predicted.
+//! Measured and fitted values of one column, inside and outside the fitted part.
 
 use units::Unit;
 
-/// How one observation was fitted. Columns are of equal length: all measured values that are no gap, in the order of time.
+/// Fit of one observation, SI. All columns have equal length: one entry per measured value that is no gap, in the order of
+/// time.
 #[derive(Clone, Debug)]
 pub struct ObservationFit {
-    /// Which record.
+    /// Index in [`super::Task::records`].
     pub record: usize,
-    /// Which of its observations.
+    /// Index of the observation in its record.
     pub observation: usize,
-    /// `y'`
+    /// Name of the observation, for example `y'`.
     pub name: String,
-    /// The unit to show it in.
+    /// Display unit.
     pub unit: Unit,
-    /// Whether it was computed from another one.
+    /// True if the column was computed from another one.
     pub derived: bool,
-    /// The clock's readings.
+    /// Readings of the clock.
     pub times: Vec<f64>,
-    /// What was measured.
+    /// Measured values.
     pub measured: Vec<f64>,
-    /// The model's values; NaN where it has none.
+    /// Values of the model; NaN where it has none.
     pub fitted: Vec<f64>,
-    /// Whether the value was in the fitted part.
+    /// True for values in the fitted part.
     pub inside: Vec<bool>,
-    /// How many of the first rows lie before the initial values of the equations of motion, so that nothing is predicted of
-    /// them.
+    /// Number of leading rows before the initial values of the equations of motion: the model predicts nothing there.
     pub early: usize,
-    /// The root of the mean square of measured minus fitted in the fitted part.
+    /// Root mean square of measured minus fitted in the fitted part, SI.
     pub rmse: f64,
-    /// The coefficient of determination in the fitted part.
+    /// Coefficient of determination in the fitted part; NaN if all measured values there are equal.
     pub r2: f64,
-    /// What was predicted outside.
+    /// Prediction error outside the fitted part; `None` if no value lies there.
     pub outside: Option<Outside>,
 }
 
-/// How well the rest of a record was predicted.
+/// Prediction error over a part of the rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outside {
-    /// How many values.
+    /// Number of values.
     pub n: usize,
-    /// The root of the mean square of measured minus predicted.
+    /// Root mean square of measured minus predicted, SI.
     pub rmse: f64,
 }
 
 impl Outside {
-    /// Several parts taken together.
+    /// Combines several parts: sum of the counts, root mean square over all values.
     pub fn together(parts: impl Iterator<Item = Self>) -> Self {
         let (n, squares) =
             parts.fold((0, 0.0), |(n, squares), part| (n + part.n, squares + part.n as f64 * part.rmse * part.rmse));
@@ -53,8 +53,8 @@ impl Outside {
 }
 
 impl ObservationFit {
-    /// How many values the model has in a part of the rows, and the root of the mean square of measured minus fitted there;
-    /// `wanted` gets the time of a row, and whether it was in the fitted part.
+    /// Number of values and root mean square of measured minus fitted in a part of the rows. `wanted` takes the time of a
+    /// row and true if the row is in the fitted part. Rows before the initial values are left out.
     pub fn error_where(&self, wanted: impl Fn(f64, bool) -> bool) -> Outside {
         let part = self.residuals_where(wanted);
         let squares = part.iter().fold(0.0, |sum, residual| sum + residual * residual);
@@ -74,7 +74,7 @@ impl ObservationFit {
             .collect()
     }
 
-    /// Adds the first rows, of which nothing is predicted: times and values.
+    /// Appends the rows before the initial values, as (time, value), without fitted values. Call it first.
     pub(super) fn add_early(&mut self, rows: &[(f64, f64)]) {
         self.early = rows.len();
         for &(time, value) in rows {
@@ -85,7 +85,7 @@ impl ObservationFit {
         }
     }
 
-    /// Computes the summary of the columns.
+    /// Computes `rmse`, `r2` and `outside` from the columns.
     pub(super) fn summarise(&mut self) {
         let residuals = self.inside_residuals();
         let squares = residuals.iter().fold(0.0, |sum, residual| sum + residual * residual);

@@ -1,4 +1,4 @@
-//! What is known when a fit is finished.
+//! Result of a fit.
 
 use super::judgement::criteria::{Criteria, criteria};
 use super::judgement::statistics::RunsTest;
@@ -22,110 +22,111 @@ use super::uncertainty::identify::{Lack, Undetermined};
 use std::sync::Arc;
 use units::Unit;
 
-/// The result of a fit. All numbers are SI; display units stand beside them.
+/// Result of a fit. All numbers are SI; units for display are given separately.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// Whether the search came to its end.
+    /// True if the search converged.
     pub converged: bool,
-    /// From how many starts was searched; 1 for a fit that was made again from its answer.
+    /// Number of starts that were searched; 1 for a fit resumed from a known answer ([`super::Fit::again`]).
     pub starts: usize,
-    /// Another minimum that fits as well within the noise, if a search has ended in one.
+    /// Another minimum that fits as well within the noise, if the search has found one.
     pub rival: Option<Rival>,
-    /// How often the profile of a number has met a lower sum of squares, so that the fit was made again from there.
+    /// Number of times a profile found a lower sum of squares, so that the fit was restarted there.
     pub improved: usize,
-    /// How many independent values were fitted: a column made from another one does not count.
+    /// Number of independent fitted values: a column computed from another one does not count.
     pub n: usize,
-    /// Degrees of freedom: `n` minus the numbers that the data determine. What is stopped by its range is not determined by
-    /// them.
+    /// Degrees of freedom: `n` minus the number of values that the data determine. A number at a bound of its range does
+    /// not count as determined.
     pub dof: usize,
-    /// The weighted sum of squares, that of the priors of scales included.
+    /// Weighted sum of squares, including the priors of film scales.
     pub chi2: f64,
-    /// The root of the mean square of the residuals of the first observation, over all records.
+    /// Root mean square of the residuals of the first observation over all records, SI.
     pub rmse: f64,
-    /// The unit to show it in.
+    /// Display unit of `rmse`.
     pub rmse_unit: Unit,
-    /// The sum of squares by degree of freedom, where errors were given and the loss is the square.
+    /// Sum of squares per degree of freedom; `None` unless errors were given and the loss is the square.
     pub chi2_reduced: Option<f64>,
-    /// The coefficient of determination; NaN with a robust loss, which does not maximise it.
+    /// Coefficient of determination; NaN with a robust loss, which does not maximise it.
     pub r2: f64,
-    /// Whether nothing is left over but rounding: residuals below a billionth of the scatter of the values.
+    /// True if the residuals are rounding errors: below 1e-9 of the scatter of the values.
     pub exact: bool,
-    /// Akaike's criterion for small samples (Hurvich & Tsai, Biometrika 76 (1989) 297). It counts the numbers that the data
-    /// determine, `n - dof`, and the variance where errors were not given (Burnham & Anderson, Model Selection, 2002,
-    /// section 2.2). With a robust loss the likelihood is that of Student's distribution with four degrees of
-    /// freedom, else that of normal residuals. `None`
-    /// for too few values.
+    /// Akaike's criterion for small samples (Hurvich & Tsai, Biometrika 76 (1989) 297); `None` for too few values. It
+    /// counts the numbers that the data determine, `n - dof`, and the variance where errors were not given (Burnham &
+    /// Anderson, Model Selection, 2002, section 2.2). With a robust loss the likelihood is that of Student's distribution
+    /// with four degrees of freedom, else that of normal residuals.
     pub aicc: Option<f64>,
-    /// The Bayesian criterion of Schwarz (Ann. Statist. 6 (1978) 461).
+    /// Bayesian criterion of Schwarz (Ann. Statist. 6 (1978) 461).
     pub bic: f64,
     /// Values far beyond the scatter of the others.
     pub outliers: Vec<Outlier>,
-    /// Whether the outliers lie so far from all other values that the curve has followed them and does not describe the others. No
-    /// others are then called outliers.
+    /// True if the outliers lie so far from all other values that the curve follows them and does not describe the others.
+    /// Then only these are listed in `outliers`.
     pub misled: bool,
-    /// How many values the next three judge: those of all observations that were measured, without outliers.
+    /// Number of values judged by `durbin_watson`, `autocorrelation` and `runs`: those of all measured observations,
+    /// without outliers.
     pub judged: usize,
-    /// Durbin and Watson's statistic of their residuals, each observation in units of its own scatter.
+    /// Durbin-Watson statistic of the residuals, each observation in units of its own scatter.
     pub durbin_watson: f64,
-    /// The correlation of each of them with the one before.
+    /// Correlation of each residual with the one before.
     pub autocorrelation: f64,
-    /// The test of their signs.
+    /// Runs test of the signs of the residuals.
     pub runs: Option<RunsTest>,
-    /// How many independent values would tell as much about a slow change as all measured values do, by the correlation of
-    /// their errors.
+    /// Effective number of independent values for a slow change, allowing for the autocorrelation of the errors.
     pub independent: f64,
-    /// Whether the errors cannot be distinguished from a random walk: the record is too short for any correlation to be found.
+    /// True if the errors cannot be distinguished from a random walk: the record is too short to determine their
+    /// correlation.
     pub wanders: bool,
-    /// What was varied, in the order of the search.
+    /// Varied numbers, in the order of the search.
     pub parameters: Vec<Estimate>,
-    /// The scales of films, for each record with a known error of its lengths, in the order of the records.
+    /// Film scales of the records with a known error of their lengths, in the order of the records.
     pub scales: Vec<FilmScale>,
-    /// The document's derived quantities that depend on it.
+    /// Derived quantities of the document that depend on the varied numbers.
     pub derived: Vec<Estimate>,
-    /// The correlations of the parameters, row by row; NaN where there is none.
+    /// Correlation matrix of the parameters, row by row; NaN where undefined.
     pub correlation: Vec<f64>,
-    /// What the data cannot determine.
+    /// Numbers and combinations that the data cannot determine.
     pub undetermined: Vec<Undetermined>,
-    /// The records whose fitted curve oscillates faster than their samples can show, of a finished fit.
+    /// Records whose fitted curve oscillates faster than their samples can show; empty until the fit is finished.
     pub undersampled: Vec<usize>,
-    /// What a robust loss has changed; `None` for least squares.
+    /// Effect of a robust loss; `None` for least squares.
     pub reweighted: Option<Reweighted>,
-    /// By record and observation.
+    /// Measured and fitted values, by record and observation.
     pub observations: Vec<ObservationFit>,
-    /// By record: the reading of its clock at which the initial values of equations of motion hold. Empty for formulas.
+    /// One value per record: the reading of its clock at which the initial values of the equations of motion hold. Empty
+    /// for formulas.
     pub origins: Vec<f64>,
-    /// All parameters of the model by record, with the fitted values.
+    /// Values of all parameters of the model, one row per record, with the fitted values.
     pub settings: Vec<Vec<f64>>,
 }
 
 impl Outcome {
-    /// The numbers that an end of the range in which they were searched has stopped.
+    /// Numbers that the search stopped at a bound of their range.
     pub fn stopped(&self) -> impl Iterator<Item = &Estimate> {
         self.parameters.iter().filter(|one| one.at_bound && one.determined)
     }
 
-    /// The parameter or derived quantity of this name, in the first record that has it.
+    /// Parameter or derived quantity of this name, in the first record that has it.
     pub fn estimate(&self, name: &str) -> Option<&Estimate> {
         self.parameters.iter().chain(&self.derived).find(|estimate| estimate.name == name)
     }
 
-    /// The root of the mean square of what was predicted of the first observation outside the fitted part, over all
-    /// records; `None` where all was fitted.
+    /// Root mean square of measured minus predicted for the first observation outside the fitted part, over all records,
+    /// SI; `None` if all values were fitted.
     pub fn predicted(&self) -> Option<f64> {
         let outside = self.observations.iter().filter(|one| one.observation == 0).filter_map(|one| one.outside);
         Some(Outside::together(outside)).filter(|all| all.n > 0).map(|all| all.rmse)
     }
 
-    /// The residuals of an observation in the fitted part, measured minus fitted.
+    /// Residuals in the fitted part, measured minus fitted, of the entry of [`Outcome::observations`] with this index.
     pub fn residuals(&self, observation: usize) -> Vec<f64> {
         self.observations.get(observation).map(ObservationFit::inside_residuals).unwrap_or_default()
     }
 }
 
-/// How a fit went.
+/// Progress of a fit.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Course {
-    /// Whether it is at its end.
+    /// True if the fit is finished.
     pub finished: bool,
     /// See [`Outcome::converged`].
     pub converged: bool,
@@ -135,11 +136,11 @@ pub(super) struct Course {
     pub rival: Option<Rival>,
     /// See [`Outcome::improved`].
     pub improved: usize,
-    /// Numbers of the search that can exchange their values.
+    /// Pairs of columns of the search whose values can be exchanged.
     pub exchanges: Vec<[usize; 2]>,
 }
 
-/// What is known where `best` has ended.
+/// Result of the fit if the search `best` is its answer.
 pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweighting, course: &Course) -> Outcome {
     let errors_given = problem.task.errors_given();
     let values = problem.independent_values();
@@ -164,7 +165,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
     let chi2 = dot(&residuals, &residuals);
     let priors = dot(&residuals[residuals.len() - scales.len()..], &residuals[residuals.len() - scales.len()..]);
     let reweighted = reweighting.reweighted(problem);
-    // A robust loss is not pulled by what it gives no weight.
+    // With a robust loss, outliers have no weight and do not pull the curve.
     let basis = if reweighted.is_none() { &covariance.basis[..] } else { &[] };
     let judgement = Judgement::new(problem, &problem.plans, &observations, residuals, basis);
     let determined = covariance.basis.len() - scales.len();
@@ -210,11 +211,11 @@ fn origins(problem: &Problem, best: &Search) -> Vec<f64> {
     plans.map(|(record, plan)| problem.origin(record, plan, &best.x)).collect()
 }
 
-/// Every observation beside the curve, in and outside the fitted part.
+/// Measured and fitted values of every observation, in and outside the fitted part.
 fn observations(problem: &mut Problem, best: &Search, finished: bool) -> Vec<ObservationFit> {
     let whole = problem.plans_where(|_| true);
     let count = |plans: &[Plan]| plans.iter().map(|plan| plan.points.len()).sum::<usize>();
-    // Where nothing lies outside, the search has left all residuals.
+    // If no value lies outside, the residuals of the search cover all values.
     let plain = problem.task.loss == Loss::Squares;
     let known = plain && finished && count(&whole) == count(&problem.plans);
     let plans = if known { problem.plans.clone() } else { Arc::new(whole) };
@@ -263,7 +264,7 @@ fn observations(problem: &mut Problem, best: &Search, finished: bool) -> Vec<Obs
     fits
 }
 
-/// The weighted residuals of a record; NaN where the curve does not reach.
+/// Weighted residuals of a record; NaN where the curve has no value.
 fn residuals_of(problem: &mut Problem, record: usize, plan: &Plan, x: &[f64]) -> Vec<f64> {
     let mut residuals = vec![f64::NAN; plan.points.len()];
     let mut jacobian = Jacobian::new(residuals.len(), x.len());

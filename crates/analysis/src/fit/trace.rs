@@ -1,4 +1,4 @@
-//! The fitted curve between the measured values, finely enough to be drawn, and how far it may be off.
+//! Fitted curve between the measured values, sampled finely enough to be drawn, with standard errors.
 
 use super::linear::Jacobian;
 use super::search::Search;
@@ -6,22 +6,23 @@ use super::search::problem::Problem;
 use super::task::plan::{Plan, Point};
 use super::uncertainty::covariance::Covariance;
 
-/// The fitted curve of one observation. All numbers are SI.
+/// Fitted curve of one observation, SI.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
-    /// Which record.
+    /// Index in [`super::Task::records`].
     pub record: usize,
-    /// Which of its observations.
+    /// Index of the observation in its record.
     pub observation: usize,
-    /// The clock's readings, evenly from the first to the last measured value.
+    /// Readings of the clock, evenly spaced from the first to the last measured value.
     pub times: Vec<f64>,
-    /// The model's values, with the zero of the scale; NaN where it has none.
+    /// Values of the model, its offset included; NaN where it has none.
     pub values: Vec<f64>,
-    /// Their standard errors, from the parameters' for residuals as they are, correlated in time.
+    /// Standard error of each value, from the covariance of the parameters that allows for autocorrelated residuals.
     pub stderr: Vec<f64>,
 }
 
-/// The curves of all observations by record, each of `count` points (at least 2), where a search has ended.
+/// Curves of all observations at the end of the search `best`, by record and observation. Each has `count` points, at least
+/// 2.
 pub(super) fn traces(problem: &mut Problem, best: &Search, covariance: &Covariance, count: usize) -> Vec<Trace> {
     let whole = problem.plans_where(|_| true);
     let mut traces = Vec::new();
@@ -42,7 +43,8 @@ pub(super) fn traces(problem: &mut Problem, best: &Search, covariance: &Covarian
     traces
 }
 
-/// The model's values of an observation at any ascending `times`, NaN where it has none, with their derivatives by the numbers `x`.
+/// Values of the model for one observation at ascending `times`, and their derivatives with respect to `x`. NaN where the
+/// model has none.
 pub(super) fn values_at(
     problem: &mut Problem,
     (record, plan): (usize, &Plan),
@@ -50,7 +52,7 @@ pub(super) fn values_at(
     x: &[f64],
     times: &[f64],
 ) -> (Vec<f64>, Jacobian) {
-    // Beside a measured 0, the residual is the model's value.
+    // With a measured value of 0 the residual is the value of the model.
     let point = |row| Point { row, observation, value: 0.0, weight: 1.0, trust: 1.0, share: 1.0, measured: true };
     let points = (0..times.len()).map(point).collect();
     let plan = Plan { times: times.to_vec(), points, expressions: plan.expressions.clone(), origin: plan.origin };

@@ -1,9 +1,9 @@
-//! The cells of a line.
+//! Splitting of a line into cells.
 
-/// No table of measured data has more columns.
+/// Greatest number of columns of a table.
 pub(super) const COLUMNS: usize = 10_000;
 
-/// What stands between two cells.
+/// Delimiter between two cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Delimiter {
     /// One tab.
@@ -12,18 +12,18 @@ pub enum Delimiter {
     Semicolon,
     /// One comma.
     Comma,
-    /// A comma with a blank behind it, where a comma without one is the decimal sign.
+    /// A comma followed by a blank; a comma without one is the decimal sign.
     CommaAndBlank,
     /// Any number of blanks and tabs.
     Blanks,
     /// Exactly one blank: two of them enclose an empty cell.
     Blank,
-    /// One of this ASCII character.
+    /// This ASCII character.
     Other(u8),
 }
 
 impl Delimiter {
-    /// The one byte that it is, if it is one.
+    /// The byte of a delimiter of one character.
     pub(super) fn byte(self) -> Option<u8> {
         match self {
             Self::Tab => Some(b'\t'),
@@ -36,7 +36,7 @@ impl Delimiter {
     }
 }
 
-/// The delimiter that a line declares, as the first one of a file may do for Excel: `sep=;`.
+/// Delimiter declared by a line, as Excel allows in the first one of a file: `sep=;`.
 pub(super) fn declared(line: &str) -> Option<u8> {
     let line = line.trim_end_matches(['\n', '\r']).trim_matches('"');
     let (_, sign) = line.split_once('=').filter(|(name, _)| name.eq_ignore_ascii_case("sep"))?;
@@ -47,7 +47,7 @@ pub(super) fn declared(line: &str) -> Option<u8> {
     }
 }
 
-/// The cells of a line from left to right, without the blanks and quotation marks around them.
+/// Cells of a line from left to right, without the blanks and quotation marks around them.
 #[derive(Clone, Debug)]
 pub(super) struct Cells<'a> {
     rest: Option<&'a str>,
@@ -61,7 +61,7 @@ impl<'a> Cells<'a> {
         Self { rest: (!nothing).then_some(line), delimiter }
     }
 
-    /// Where the delimiter that ends the first cell of `text` begins and ends.
+    /// Begin and end of the delimiter after the first cell of `text`.
     fn delimiter_in(&self, text: &str) -> Option<(usize, usize)> {
         match self.delimiter {
             Delimiter::Blanks => {
@@ -86,7 +86,7 @@ impl<'a> Iterator for Cells<'a> {
 
     fn next(&mut self) -> Option<&'a str> {
         let text = self.rest?;
-        // A delimiter between quotation marks is none.
+        // A delimiter between quotation marks does not count.
         let blanks = if self.delimiter == Delimiter::Tab {
             text.len() - text.trim_start_matches(' ').len()
         } else {
@@ -100,14 +100,14 @@ impl<'a> Iterator for Cells<'a> {
         };
         self.rest = next.map(|next| &text[next..]);
         Some(match quoted {
-            // Something after the closing mark belongs to the cell, and makes it a word.
+            // Text after the closing quotation mark belongs to the cell and makes it a word.
             Some(length) if text[from..end].trim().is_empty() => text[blanks + 1..blanks + 1 + length].trim(),
             _ => text[..end].trim(),
         })
     }
 }
 
-/// The cells of each line. They are divided by what stands behind the first cell if that is in quotation marks, else by tabs.
+/// Cells of each line. The delimiter is the character after the first cell if that is in quotation marks, else a tab.
 pub(crate) fn cells_of(text: &str) -> impl Iterator<Item = Vec<&str>> {
     let quoted = text.trim_start_matches('\u{feff}').strip_prefix('"');
     let behind = quoted.and_then(|rest| rest.split_once('"')).and_then(|(_, rest)| rest.bytes().next());

@@ -3,18 +3,18 @@
 /// Seconds in a day.
 const DAY: f64 = 86_400.0;
 
-/// What a cell says of the clock.
+/// Time or date in a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Reading {
-    /// Seconds since midnight, since the beginning of the hour, or since 1 January 1970.
+    /// Seconds since midnight, since the full hour, or since 1 January 1970.
     pub seconds: f64,
     pub form: Form,
 }
 
-/// How a time is written.
+/// Notation of a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// Hours, minutes and seconds; the day is not known.
+    /// Hours, minutes and seconds, without a date.
     Hours,
     /// Two numbers without a fraction, `12:30`: minutes and seconds, or hours and minutes.
     Two,
@@ -26,19 +26,19 @@ pub(super) enum Form {
     Date,
 }
 
-/// Times in seconds from the first row, and what is to be said of them.
+/// Times in seconds from the first row, with notes for the user.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Times {
     pub seconds: Vec<f64>,
-    /// How often the clock began again at zero, at midnight or at the full hour.
+    /// Number of times the clock restarted at zero, at midnight or at the full hour.
     pub wrapped: usize,
-    /// Whether `12:30` was taken for minutes and seconds without anything that says so.
+    /// True if `12:30` was read as minutes and seconds without an indication in the file.
     pub guessed: bool,
 }
 
-/// Reads a cell without the blanks around it.
+/// Reads a cell without surrounding blanks.
 pub(super) fn read(text: &str) -> Option<Reading> {
-    // Nearly all cells are numbers.
+    // Quick exit: nearly all cells are numbers.
     if text.len() < 3 || text.len() > 40 || !text.starts_with(|first: char| first.is_ascii_digit()) {
         return None;
     }
@@ -84,8 +84,8 @@ pub(super) fn read(text: &str) -> Option<Reading> {
     })
 }
 
-/// Times in seconds from the first row. A clock without a date begins again at midnight (or at the full hour); rows are less
-/// than half a turn apart. `stated` is what the header says that `12:30` means.
+/// Times in seconds from the first row. A clock without a date restarts at midnight or at the full hour; consecutive rows
+/// must be less than half a turn apart. `stated` is the meaning of `12:30` given by the header.
 pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
     let every = |form: Form| readings.iter().all(|reading| reading.form == form);
     let two = every(Form::Two);
@@ -99,7 +99,7 @@ pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
     } else {
         None
     };
-    // A count of hours beyond 24, or of minutes beyond 60, has no turn.
+    // Hours beyond 24 or minutes beyond 60 show that the clock does not restart.
     let turn = turn.filter(|turn| greatest < *turn);
     let mut times = Times { seconds: Vec::with_capacity(readings.len()), wrapped: 0, guessed: two && stated.is_none() };
     let first = readings.first().map_or(0.0, |reading| reading.seconds * factor);
@@ -111,14 +111,14 @@ pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
             times.wrapped += 1;
         }
         before = now;
-        // The difference of two readings has their decimals: 0.05, not 0.0500000000029.
+        // Rounded to remove rounding errors of the difference: 0.05, not 0.0500000000029.
         times.seconds.push(((now - first + added) * 1e9).round() / 1e9);
     }
     times
 }
 
-/// Days since 1 January 1970 of the date at the beginning, and what follows. Where it is ambiguous which number is the
-/// month (`1/2/2026`) there are no days, and the date does not count.
+/// Days since 1 January 1970 of the date at the beginning, and the rest of the text. The days are `None` if day and month
+/// cannot be distinguished (`1/2/2026`); the date is then ignored.
 fn date(text: &str) -> Option<(Option<f64>, &str)> {
     let end = text.find(['T', ' ', ',']).unwrap_or(text.len());
     let (date, rest) = text.split_at(end);
@@ -152,7 +152,7 @@ fn date(text: &str) -> Option<(Option<f64>, &str)> {
     Some((Some(days(year, second_number, first_number)?), rest))
 }
 
-/// Whether there is such a day: no 31 February.
+/// True if the date exists: no 31 February.
 fn is_date(year: i64, month: i64, day: i64) -> bool {
     let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
     let last = match month {
@@ -176,7 +176,7 @@ fn days(year: i64, month: i64, day: i64) -> Option<f64> {
     Some((146_097 * era + day_of_era - 719_468) as f64)
 }
 
-/// The time without `Z` or `+01:00` behind it, and the seconds that the zone is ahead; only behind a date.
+/// Time without a trailing `Z` or `+01:00`, and the offset of the zone in seconds; offsets are only read after a date.
 fn zone(text: &str, dated: bool) -> (&str, f64) {
     let text = text.trim_end();
     if let Some(rest) = text.strip_suffix('Z') {
@@ -195,7 +195,7 @@ fn zone(text: &str, dated: bool) -> (&str, f64) {
     }
 }
 
-/// The half of the day of a clock of twelve hours.
+/// Half of the day on a clock of twelve hours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Half {
     Unstated,

@@ -1,13 +1,13 @@
-//! From bytes to text, and a clear word about bytes that are none.
+//! Decoding of bytes to text, with an error for files that are not text.
 
 use super::lines;
 use super::refusal::{ImportError, Refusal};
 use std::borrow::Cow;
 
-/// How many bytes are looked at to tell whether they are text.
+/// Number of bytes examined to decide if they are text.
 const LOOK: usize = 8192;
 
-/// Files that are known by their first bytes.
+/// Known file types, by their first bytes, with their names in English and Spanish.
 const KINDS: [(&[u8], &str, &str); 10] = [
     (b"PK\x03\x04", "a ZIP archive, as XLSX, ODS and TRZ are", "un archivo ZIP, como lo son XLSX, ODS y TRZ"),
     (b"%PDF", "a PDF", "un PDF"),
@@ -21,10 +21,10 @@ const KINDS: [(&[u8], &str, &str); 10] = [
     (b"RIFF", "a film or a sound", "un vídeo o un sonido"),
 ];
 
-/// Looks at the beginning of a file, some thousand bytes of it, before the rest is read.
+/// Checks the beginning of a file, some thousand bytes, before the rest is read.
 ///
 /// # Errors
-/// When these bytes cannot begin a text that is a table.
+/// These bytes cannot begin a text with a table.
 pub fn look(start: &[u8]) -> Result<(), ImportError> {
     let start = start.get(..LOOK).unwrap_or(start);
     let refuse = |reason| Err(ImportError::new(None, reason));
@@ -44,7 +44,7 @@ pub fn look(start: &[u8]) -> Result<(), ImportError> {
     Ok(())
 }
 
-/// The text, with `\n` at the ends of lines or `\r\n`: UTF-8, UTF-16 with a byte-order mark, else Windows-1252.
+/// Decodes a text and normalises its line ends to `\n` or `\r\n`: UTF-8, UTF-16 with a byte-order mark, else Windows-1252.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     look(bytes)?;
     let text = characters(bytes);
@@ -54,7 +54,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     Ok(lines::settled(text))
 }
 
-/// The same of bytes that are not needed any more: no copy is made of most texts.
+/// Decodes like [`decode`], reusing the bytes without a copy if possible.
 pub(super) fn decode_owned(bytes: Vec<u8>) -> Result<String, ImportError> {
     match decode(&bytes)? {
         Cow::Borrowed(text) if text.len() == bytes.len() => {}
@@ -63,7 +63,7 @@ pub(super) fn decode_owned(bytes: Vec<u8>) -> Result<String, ImportError> {
     Ok(String::from_utf8(bytes).unwrap_or_default())
 }
 
-/// The characters of bytes: UTF-8, UTF-16 with a byte-order mark, else Windows-1252.
+/// Decodes bytes: UTF-8, UTF-16 with a byte-order mark, else Windows-1252.
 pub(crate) fn characters(bytes: &[u8]) -> Cow<'_, str> {
     match bytes {
         [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
@@ -78,13 +78,13 @@ fn utf16(bytes: &[u8], word: fn([u8; 2]) -> u16) -> Cow<'_, str> {
     Cow::Owned(char::decode_utf16(words).map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER)).collect())
 }
 
-/// The characters of Windows-1252 from 0x80 to 0x9f; five bytes have none.
+/// Characters of Windows-1252 from 0x80 to 0x9f; five bytes are undefined.
 const WINDOWS: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘', '’',
     '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
 ];
 
-/// UTF-8, or else Windows-1252, which is Latin-1 but for these, and in which every byte is a character.
+/// Decodes UTF-8, or else Windows-1252, which equals Latin-1 except for [`WINDOWS`] and has a character for every byte.
 fn plain(bytes: &[u8]) -> Cow<'_, str> {
     match core::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),

@@ -1,29 +1,29 @@
-//! Where the header ends and the rows begin.
+//! Search for the first row, at the end of the header.
 
 use super::cells::Cells;
 use super::format::{Format, Kind, kind, sample};
 use super::refusal::{ImportError, Refusal};
 use super::{cells::Delimiter, rows};
 
-/// No header has more bytes. Where no row is full up to there, the first that could be one begins the table.
+/// Greatest length of a header in bytes. If it contains no full row, the first line that could be a row begins the table.
 const LONGEST_HEADER: usize = 1 << 20;
 
-/// Where the rows begin.
+/// Position of the first row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct First {
-    /// How many lines come before.
+    /// Number of lines before it.
     pub line: usize,
-    /// How many bytes come before.
+    /// Number of bytes before it.
     pub offset: usize,
 }
 
-/// Finds the first row: a header has words where the rows have numbers. A word among the numbers of a row, a remark beside
-/// them or the failure of a formula makes no header of it.
+/// Finds the first row: a header has words in the columns where the rows have numbers. A word among the numbers of a row, a
+/// remark beside them or a failed formula does not make it a header.
 pub(super) fn row(text: &str, format: &Format) -> Result<First, ImportError> {
     let numeric = numeric_columns(text, format);
     let mut offset = 0;
     let mut named = false;
-    // Rows with gaps or words just before the first full one belong to the table too.
+    // Rows with gaps or words directly before the first full row belong to the table too.
     let mut odd = None;
     let mut first_odd = None;
     for (line, content) in text.split_inclusive('\n').enumerate() {
@@ -47,10 +47,10 @@ pub(super) fn row(text: &str, format: &Format) -> Result<First, ImportError> {
     first_odd.filter(|_| numeric.iter().filter(|numeric| **numeric).count() >= 2).ok_or_else(|| none(text, format))
 }
 
-/// What a line before the first full row can be.
+/// Judgement of a line before the first full row.
 enum Judgement {
     Row,
-    /// A row with gaps or words in it, if a full one follows.
+    /// Row with gaps or words, if a full one follows.
     Odd,
     Header,
 }
@@ -64,7 +64,8 @@ fn judge(kinds: &[Kind], numeric: &[bool], named: bool, delimiter: Delimiter) ->
     }
     let begins_with_word = cells().next() == Some(Kind::Word);
     let blanks = matches!(delimiter, Delimiter::Blanks | Delimiter::Blank);
-    // Without names above, `trial;1;2;3` names columns by numbers, and between blanks a title has cells too: `12 May 2024`.
+    // Without names above it, `trial;1;2;3` is a header that names columns by numbers. A title split at blanks has cells
+    // too: `12 May 2024`.
     let title = !named && (begins_with_word || (blanks && words > 0));
     if numbers >= 1 && numbers >= words && kinds.len() >= 2 && !title { Judgement::Odd } else { Judgement::Header }
 }
@@ -73,7 +74,7 @@ fn kinds(line: &str, format: &Format) -> Vec<Kind> {
     Cells::of(line, format.delimiter).map(|cell| kind(cell, format.delimiter, format.signs(), true)).collect()
 }
 
-/// The columns that hold numbers in most of the lines that could be rows.
+/// One per column: true if it holds numbers in most of the lines that could be rows.
 fn numeric_columns(text: &str, format: &Format) -> Vec<bool> {
     let mut counts: Vec<(usize, usize)> = Vec::new();
     for line in sample(text) {
@@ -89,12 +90,12 @@ fn numeric_columns(text: &str, format: &Format) -> Vec<bool> {
             count.1 += usize::from(kind == Kind::Word);
         }
     }
-    // What stands in a line or two is part of a header: `Start,Increment` over `-0.006,0.002`.
+    // A column filled in only a line or two belongs to a header: `Start,Increment` over `-0.006,0.002`.
     let most = counts.iter().map(|(numbers, _)| *numbers).max().unwrap_or(0);
     counts.into_iter().map(|(numbers, words)| numbers > 0 && numbers >= words && 20 * numbers >= most).collect()
 }
 
-/// Why there is no row.
+/// Error for a text without rows.
 fn none(text: &str, format: &Format) -> ImportError {
     let lonely = text.lines().take(10_000).position(|line| kinds(line, format) == [Kind::Number]);
     if let Some(line) = lonely {
@@ -108,7 +109,7 @@ fn none(text: &str, format: &Format) -> ImportError {
     ImportError::new(Some(line + 1), Refusal::NoNumbers { text: rows::excerpt(text.trim()) })
 }
 
-/// The first cell that is no number beside one, where most lines below the first have both.
+/// Error for the first cell beside a number that is not a number itself, if most lines below the first have both.
 fn beside(text: &str, format: &Format) -> Option<ImportError> {
     let (mut lines, mut found, mut first) = (0, 0, None);
     for (line, content) in text.lines().enumerate().skip(1).take(200).filter(|(_, content)| !content.trim().is_empty())

@@ -1,4 +1,4 @@
-//! Which delimiter and which decimal sign a text has.
+//! Recognition of the delimiter and the decimal sign of a text.
 
 use super::cells::{Cells, Delimiter, declared};
 use super::number::{self, Cell, Signs};
@@ -6,35 +6,35 @@ use super::{clock, head};
 use std::collections::BTreeMap;
 use units::Language::{self, English, Spanish};
 
-/// How many lines are looked at from the beginning, and how many from all over the rest.
+/// Number of lines examined at the beginning, and of lines spread over the rest.
 const FIRST: usize = 200;
 const SPREAD: usize = 100;
 
-/// How a text is written.
+/// Notation of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Format {
-    /// What stands between two cells.
+    /// Delimiter between two cells.
     pub delimiter: Delimiter,
     /// `b'.'` or `b','`.
     pub decimal: u8,
-    /// The other of the two, where it groups the digits of large numbers: `1.295,5`.
+    /// The other one of the two, if it groups the digits of large numbers: `1.295,5`.
     pub thousands: Option<u8>,
-    /// How many lines come before the first row.
+    /// Number of lines before the first row.
     pub header_lines: usize,
 }
 
 impl Format {
-    /// The signs inside its numbers.
+    /// Decimal and thousands signs.
     pub(super) fn signs(&self) -> Signs {
         Signs { decimal: self.decimal, thousands: self.thousands }
     }
 
-    /// Those of a column that has the other decimal sign.
+    /// Signs of a column with the other decimal sign.
     pub(super) fn other_signs(&self) -> Signs {
         Signs::plain(if self.decimal == b',' { b'.' } else { b',' })
     }
 
-    /// In words: `tabs, decimal comma, 2 header lines`.
+    /// Description for users: `tabs, decimal comma, 2 header lines`.
     pub fn text(&self, language: Language) -> String {
         let (english, other) = match self.delimiter {
             Delimiter::Tab => ("tabs", "tabuladores"),
@@ -75,19 +75,19 @@ impl Format {
     }
 }
 
-/// What stands in a cell, as far as the form of a text is concerned.
+/// Kind of a cell, for the recognition of the format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// A number, or a time of day.
+    /// Number or time of day.
     Number,
-    /// Nothing, or the failure of a formula.
+    /// Empty cell or failed formula.
     Gap,
     Word,
 }
 
-/// What a cell holds. Numbers with their unit behind them count as numbers if `with_units`.
+/// Kind of a cell. Numbers followed by their unit count as numbers if `with_units`.
 pub(super) fn kind(cell: &str, delimiter: Delimiter, signs: Signs, with_units: bool) -> Kind {
-    // Among blanks a comma at the edge of a number is punctuation.
+    // In a text split at blanks, a comma at the edge of a number is punctuation.
     let punctuation = matches!(delimiter, Delimiter::Blanks | Delimiter::Blank)
         && signs.decimal == b','
         && (cell.starts_with(',') || cell.ends_with(','));
@@ -105,18 +105,18 @@ fn is_with_unit(cell: &str, signs: Signs) -> bool {
     number::with_unit(cell, signs).is_some_and(|(_, unit)| head::is_unit(unit))
 }
 
-/// What a line has.
+/// Numbers of cells in a line, by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Count {
     pub numbers: usize,
     pub words: usize,
-    /// All of it, gaps too, those at the end not counted.
+    /// All cells, without trailing gaps.
     pub cells: usize,
-    /// Gaps at the end counted as well.
+    /// All cells, including trailing gaps.
     pub all: usize,
 }
 
-/// Counts what stands in the cells of a line.
+/// Counts the cells of a line by kind.
 fn count(line: &str, delimiter: Delimiter, signs: Signs, with_units: bool) -> Count {
     let mut count = Count::default();
     for cell in Cells::of(line, delimiter) {
@@ -131,7 +131,7 @@ fn count(line: &str, delimiter: Delimiter, signs: Signs, with_units: bool) -> Co
     count
 }
 
-/// A delimiter and the signs of numbers, with what the lines of a sample have by them.
+/// Candidate for delimiter and signs, with the counts of the sample lines under it.
 struct Candidate {
     delimiter: Delimiter,
     signs: Signs,
@@ -141,7 +141,7 @@ struct Candidate {
 impl Candidate {
     fn new(lines: &[&str], (delimiter, decimal): (Delimiter, u8), thousands: bool, with_units: bool) -> Self {
         let other = if decimal == b'.' { b',' } else { b'.' };
-        // Between commas a comma stands in quotation marks alone.
+        // With commas as delimiters, a decimal comma only occurs in quotation marks.
         let thousands = thousands.then_some(other);
         let signs = Signs { decimal, thousands };
         let counts = lines.iter().map(|line| count(line, delimiter, signs, with_units)).collect();
@@ -153,12 +153,12 @@ impl Candidate {
         self.counts.iter().filter(|count| count.numbers >= 2)
     }
 
-    /// Rows with nothing but numbers.
+    /// Number of rows that hold only numbers.
     fn rows(&self) -> usize {
         self.tables().filter(|count| count.words == 0).count()
     }
 
-    /// The numbers that are more than the words, in all lines.
+    /// Excess of numbers over words, summed over all lines.
     fn cells(&self) -> usize {
         self.tables().map(|count| count.numbers.saturating_sub(count.words)).sum()
     }
@@ -168,7 +168,7 @@ impl Candidate {
     }
 }
 
-/// Delimiter and signs of a text.
+/// Recognises delimiter and signs of a text.
 pub(super) fn recognise(text: &str) -> (Delimiter, Signs) {
     let lines = sample(text);
     let candidates = candidates(&lines);
@@ -180,7 +180,7 @@ pub(super) fn recognise(text: &str) -> (Delimiter, Signs) {
     let clean = rows(&found);
     let with_numbers = found.iter().map(Candidate::with_numbers).max().unwrap_or(0);
     if clean < with_numbers && lines.iter().any(|line| has_groups(line)) {
-        // `1,310.40` beside `885.40`.
+        // For `1,310.40` beside `885.40`.
         let other = all(true, false);
         if rows(&other) > clean {
             found = other;
@@ -188,7 +188,7 @@ pub(super) fn recognise(text: &str) -> (Delimiter, Signs) {
     }
     let clean = rows(&found);
     if 2 * clean < with_numbers {
-        // Points and commas in one number, or units beside them, make words of numbers that are none.
+        // Points and commas in one number, or units after numbers, turn numbers into words.
         for (thousands, with_units) in [(true, false), (false, true), (true, true)] {
             let other = all(thousands, with_units);
             if 2 * rows(&other) >= with_numbers && rows(&other) > clean {
@@ -197,13 +197,13 @@ pub(super) fn recognise(text: &str) -> (Delimiter, Signs) {
             }
         }
     }
-    // Rows with nothing but numbers decide; where most lines have a word in them, the cells do.
+    // Decided by the number of rows with only numbers; if most lines contain a word, by the number of cells.
     let by_cells = 2 * rows(&found) < with_numbers;
     let mut best: Option<&Candidate> = None;
     let mut best_score = (0, 0);
     for candidate in &found {
         let numbers = if by_cells { candidate.cells() } else { candidate.rows() };
-        // The earlier candidate wins where both are as good.
+        // With equal scores the earlier candidate wins.
         let score = (numbers, most_frequent(candidate.tables().map(|count| count.all)));
         if score > best_score {
             (best, best_score) = (Some(candidate), score);
@@ -212,7 +212,8 @@ pub(super) fn recognise(text: &str) -> (Delimiter, Signs) {
     best.map_or((Delimiter::Blanks, Signs::plain(b'.')), |best| (best.delimiter, best.signs))
 }
 
-/// Whether a number in a line has groups of digits and decimals, `1,310.40`, or groups in quotation marks, `"1,310"`.
+/// True if a line has a number with groups of digits and decimals, `1,310.40`, or with groups in quotation marks,
+/// `"1,310"`.
 fn has_groups(line: &str) -> bool {
     line.as_bytes().windows(7).any(|bytes| {
         let [before, sign, one, two, three, decimal, after] = bytes else { return false };
@@ -222,7 +223,7 @@ fn has_groups(line: &str) -> bool {
     }) || line.ends_with('"') && line.len() >= 6 && has_groups(&format!("{line} "))
 }
 
-/// How often the most frequent number occurs.
+/// Number of occurrences of the most frequent number.
 fn most_frequent(numbers: impl Iterator<Item = usize>) -> usize {
     let mut occurrences = BTreeMap::new();
     for number in numbers {
@@ -231,7 +232,7 @@ fn most_frequent(numbers: impl Iterator<Item = usize>) -> usize {
     occurrences.into_values().max().unwrap_or(0)
 }
 
-/// What can be, the likelier first: what the first line declares, if it does.
+/// Candidates, the likelier first; only the declared delimiter if the first line declares one.
 fn candidates(lines: &[&str]) -> Vec<(Delimiter, u8)> {
     let all = possible(lines);
     let Some(byte) = lines.first().and_then(|line| declared(line)) else { return all };
@@ -242,7 +243,7 @@ fn candidates(lines: &[&str]) -> Vec<(Delimiter, u8)> {
 fn possible(lines: &[&str]) -> Vec<(Delimiter, u8)> {
     use Delimiter::{Blank, Blanks, Comma, CommaAndBlank, Other, Semicolon, Tab};
     let mut candidates = vec![(Tab, b'.'), (Tab, b','), (Semicolon, b'.'), (Semicolon, b',')];
-    // `1,5, 2,5`: some commas have a blank behind them, others have none.
+    // For `1,5, 2,5`: some commas are followed by a blank, others are not.
     let followed = lines.iter().any(|line| line.contains(", "));
     let alone = lines.iter().any(|line| line.replace(", ", "").contains(','));
     if followed && alone {
@@ -255,7 +256,7 @@ fn possible(lines: &[&str]) -> Vec<(Delimiter, u8)> {
     candidates
 }
 
-/// The first lines that are not blank, and some from all over the text: a comma may be rare.
+/// First lines that are not blank, and some from all over the text, because a comma may be rare.
 pub(super) fn sample(text: &str) -> Vec<&str> {
     let mut lines: Vec<&str> = Vec::new();
     let mut end = 0;
@@ -285,7 +286,7 @@ pub(super) fn sample(text: &str) -> Vec<&str> {
     lines
 }
 
-/// So much of a line as tells how it is written.
+/// Line shortened to a length that suffices for the recognition.
 fn shortened(line: &str) -> &str {
     const LONG: usize = 4000;
     let line = line.trim_end_matches(['\n', '\r']);

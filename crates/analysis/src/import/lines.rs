@@ -1,11 +1,11 @@
-//! Lines that end as `str::lines` expects, and cells in quotation marks that have line ends of their own.
+//! Normalised line ends, and line ends inside quoted cells.
 
 use std::borrow::Cow;
 
-/// A cell in quotation marks ends within so many bytes, or its mark is just a sign.
+/// Greatest length of a quoted cell in bytes; otherwise the quotation mark is an ordinary character.
 const LONGEST_CELL: usize = 2000;
 
-/// The text with `\n` or `\r\n` at the ends of its lines, and nowhere else.
+/// Text with `\n` or `\r\n` at the ends of its lines, and nowhere else.
 pub(super) fn settled(text: Cow<'_, str>) -> Cow<'_, str> {
     let text = if has_lone_return(text.as_bytes()) {
         Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))
@@ -15,7 +15,7 @@ pub(super) fn settled(text: Cow<'_, str>) -> Cow<'_, str> {
     if text.contains('"') { joined(text) } else { text }
 }
 
-/// Whether a carriage return ends a line by itself, as on an old Macintosh, or does so in places.
+/// True if a carriage return alone ends a line anywhere, as on an old Macintosh.
 fn has_lone_return(bytes: &[u8]) -> bool {
     let mut rest = bytes;
     while let Some(place) = rest.iter().position(|byte| *byte == b'\r') {
@@ -27,7 +27,7 @@ fn has_lone_return(bytes: &[u8]) -> bool {
     false
 }
 
-/// With a blank for each line end between the quotation marks of a cell.
+/// Replaces each line end inside a quoted cell by a blank.
 fn joined(text: Cow<'_, str>) -> Cow<'_, str> {
     let bytes = text.as_bytes();
     let mut changed: Vec<usize> = Vec::new();
@@ -49,11 +49,11 @@ fn joined(text: Cow<'_, str>) -> Cow<'_, str> {
     for place in changed {
         whole[place] = b' ';
     }
-    // One ASCII character for another leaves the text valid.
+    // Replacing one ASCII character by another keeps the text valid.
     Cow::Owned(String::from_utf8(whole).unwrap_or_default())
 }
 
-/// Where the quotation mark is that ends a cell; two of them are a mark inside it.
+/// Position of the quotation mark that ends a cell; a doubled mark stands for one inside it.
 fn closing(bytes: &[u8], from: usize) -> Option<usize> {
     let mut at = from;
     let end = bytes.len().min(from + LONGEST_CELL);

@@ -1,4 +1,4 @@
-//! Columns with another decimal sign than the rest of the file: `0.020;4,885`.
+//! Columns with a decimal sign other than that of the file: `0.020;4,885`.
 
 use super::cells::{COLUMNS, Cells};
 use super::clock;
@@ -9,37 +9,37 @@ use super::refusal::{ImportError, Refusal};
 use super::rows;
 use crate::finding::Finding;
 
-/// The first cells of a column that show what its signs mean.
+/// First cells of a column that show the meaning of its signs.
 #[derive(Clone, Debug, Default)]
 struct Column {
-    /// Whether one has the decimal sign of the file.
+    /// True if a cell has the decimal sign of the file.
     usual: bool,
-    /// A number only with the other decimal sign, `0.020`: line and text.
+    /// Line and text of a number that is only valid with the other decimal sign, `0.020`.
     other: Option<(usize, String)>,
-    /// A number with that sign between thousands, `1.040`: line and text.
+    /// Line and text of a number with that sign between thousands, `1.040`.
     grouped: Option<(usize, String)>,
 }
 
-/// What the signs in each column mean, while the rows are read.
+/// Meaning of the signs in each column, collected while the rows are read.
 #[derive(Debug, Default)]
 pub(super) struct Survey {
     columns: Vec<Column>,
-    /// How many lines have been read.
+    /// Number of lines read.
     lines: usize,
-    /// Whether a number with groups has shown what the sign means: `1.295,5` or `1.234.567`.
+    /// True if a number with groups has shown the meaning of the sign: `1.295,5` or `1.234.567`.
     shown: bool,
 }
 
-/// Whether there can be columns with the other sign.
+/// True if there may be columns with the other sign.
 pub(super) fn is_open(rows: &str, format: &Format) -> bool {
     let sign = format.other_signs().decimal;
-    // Between delimiters that are the sign itself it stands in quotation marks alone.
+    // If the sign is the delimiter, it only occurs in quotation marks.
     let quoted = format.delimiter.byte() != Some(sign) || rows.as_bytes().contains(&b'"');
     quoted && rows.as_bytes().contains(&sign)
 }
 
 impl Survey {
-    /// Reads the lines in about `budget` bytes of the rows; how many bytes that were.
+    /// Reads the lines in about `budget` bytes of the rows. Returns the number of bytes read.
     pub fn read(&mut self, rows: &str, budget: usize, first: First, format: &Format) -> usize {
         let mut at = 0;
         for line in rows.split_inclusive('\n') {
@@ -80,14 +80,15 @@ impl Survey {
         }
     }
 
-    /// The columns, from 0, whose decimal sign is not that of the file: one cell is a number with the other sign only, and no cell
-    /// has the sign of the file. Of a sign between thousands it is said where nothing in the file shows that it is none of decimals.
+    /// Columns, from 0, with another decimal sign than the file: at least one cell is a number only with the other sign,
+    /// and no cell has the sign of the file. A sign between thousands is reported unless the file shows elsewhere that it
+    /// is not a decimal sign.
     ///
     /// # Errors
-    /// When a column has both decimal signs, and one of its numbers could be read with either.
+    /// A column has both decimal signs, and one of its numbers can be read with either.
     pub fn settle(self, findings: &mut Vec<Finding>) -> Result<Vec<usize>, ImportError> {
         let mut found = Vec::new();
-        // Or the sign has been settled, and that was said.
+        // Also true if the meaning of the sign was reported already.
         let mut shown = self.shown || !findings.is_empty();
         for (index, column) in self.columns.into_iter().enumerate() {
             let Some((_, beside)) = column.other else {

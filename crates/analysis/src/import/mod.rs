@@ -1,5 +1,5 @@
-//! Delimited text as a table, without questions: delimiter, decimal sign, header, units, clock times, bodies and independent
-//! variables are recognised.
+//! Import of delimited text as a table. Delimiter, decimal sign, header, units, clock times, bodies and independent
+//! variables are recognised automatically.
 
 mod cells;
 mod clock;
@@ -42,57 +42,57 @@ use stamp::Stamped;
 use std::borrow::Cow;
 use units::Unit;
 
-/// A table and how it was read.
+/// Imported table, with notes on how it was read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Import {
-    /// The table. Cells without a number are NaN.
+    /// Table; cells without a number are NaN.
     pub table: Table,
-    /// What a person should know about the file.
+    /// Notes on the file for the user.
     pub findings: Vec<Finding>,
-    /// How the file is written.
+    /// Notation of the file.
     pub format: Format,
 }
 
-/// The most findings about columns that are reported.
+/// Upper bound of the reported findings about columns.
 const FINDINGS: usize = 20;
 
 /// Reads delimited text.
 ///
 /// # Errors
-/// When the bytes are no text, or the text is no table of at least two columns and rows of numbers, or it is ambiguous what
-/// its numbers or its times are.
+/// The bytes are not text, the text is not a table of at least two columns and rows of numbers, or the meaning of its
+/// numbers or times is ambiguous.
 pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
     let mut importer = Importer::new(decode::decode(bytes)?)?;
     while !importer.advance(usize::MAX) {}
     Ok(importer.finish()?.0)
 }
 
-/// A text, with `\n` at the ends of its lines or `\r\n`, of bytes that are not needed any more.
+/// Decodes bytes to a text with line ends `\n` or `\r\n`, without a copy if possible.
 ///
 /// # Errors
-/// When the bytes are no text.
+/// The bytes are not text.
 pub fn decode(bytes: Vec<u8>) -> Result<String, ImportError> {
     decode::decode_owned(bytes)
 }
 
-/// A text that is being read, slice by slice: what is found is the same as at once.
+/// Import of a text in slices; the result does not depend on the slices.
 #[derive(Debug)]
 pub struct Importer<'a> {
     text: Cow<'a, str>,
-    /// The text as it was, where time stamps have become a column of it.
+    /// Original text, if its time stamps were moved to a column.
     original: Option<Cow<'a, str>>,
-    /// Whether it is a sheet, whose texts can have any form.
+    /// True for a spreadsheet, whose texts can have any form.
     sheet: bool,
     format: Format,
     first: First,
     pass: Pass,
-    /// What was noticed about the signs in its numbers.
+    /// Notes on the signs in its numbers.
     findings: Vec<Finding>,
-    /// How many bytes of the rows have been read in this pass; of the whole text where time stamps are divided from it.
+    /// Number of bytes of the rows read in this pass; of the whole text in the pass of time stamps.
     read: usize,
 }
 
-/// One reading of all rows. What is noticed in one decides the next.
+/// One pass over all rows. Its result selects the next pass.
 #[derive(Debug)]
 enum Pass {
     Stamps(Stamped),
@@ -103,10 +103,10 @@ enum Pass {
 }
 
 impl<'a> Importer<'a> {
-    /// Begins to read a text, as [`decode`] gives it: finds out how it is written and where its rows begin.
+    /// Begins to read a text as returned by [`decode()`]: recognises its notation and the first row.
     ///
     /// # Errors
-    /// When there are no rows of numbers.
+    /// There are no rows of numbers.
     pub fn new(text: Cow<'a, str>) -> Result<Self, ImportError> {
         if let Some(bare) = stamp::without(&text) {
             let stamped = Stamped::new(format::recognise(&bare).0);
@@ -118,21 +118,21 @@ impl<'a> Importer<'a> {
         Self::begin(text, delimiter, signs, None).map_err(|(error, _)| error)
     }
 
-    /// The same for the cells of a spreadsheet, as [`sheet`] describes them.
+    /// Begins to read the cells of a spreadsheet, in the format of [`sheet`].
     ///
     /// # Errors
-    /// As [`Importer::new`].
+    /// As for [`Importer::new`].
     pub fn of_sheet(cells: Cow<'a, str>) -> Result<Self, ImportError> {
         if cells.trim_start().is_empty() {
             return Err(ImportError::new(None, Refusal::Empty));
         }
-        // Numbers that a sheet holds as texts can have any form.
+        // If that fails: numbers stored as texts in a sheet can have any form.
         Self::begin(cells, Delimiter::Tab, Signs::plain(b'.'), None)
             .map(|importer| Self { sheet: true, ..importer })
             .or_else(|(_, cells)| Self::new(cells))
     }
 
-    /// Begins to read a text whose delimiter and signs are known; gives it back where that cannot be.
+    /// Begins to read a text with known delimiter and signs; returns the text with the error if there are no rows.
     fn begin(
         text: Cow<'a, str>,
         delimiter: Delimiter,
@@ -153,7 +153,7 @@ impl<'a> Importer<'a> {
         Ok(Self { text, original, sheet: false, format, first, pass, findings: Vec::new(), read: 0 })
     }
 
-    /// Reads the rows in about `budget` bytes more. Whether all have been read.
+    /// Reads about `budget` more bytes of the rows. Returns true if all have been read.
     pub fn advance(&mut self, budget: usize) -> bool {
         let (header, rows) = self.text.split_at(self.first.offset);
         let rest = rows.get(self.read..).unwrap_or_default();
@@ -179,7 +179,7 @@ impl<'a> Importer<'a> {
         false
     }
 
-    /// Goes on with what the pass that has come to its end has shown.
+    /// Begins the next pass after the present one has ended.
     fn next_pass(&mut self) {
         self.read = 0;
         let refused = Pass::Refused(ImportError::new(None, Refusal::Empty));
@@ -214,7 +214,7 @@ impl<'a> Importer<'a> {
         }
     }
 
-    /// Which part of the text has been read, from 0 to 1.
+    /// Progress, from 0 to 1.
     pub fn progress(&self) -> f64 {
         let part = (self.first.offset + self.read) as f64 / self.text.len().max(1) as f64;
         let (from, to) = match self.pass {
@@ -226,11 +226,11 @@ impl<'a> Importer<'a> {
         from + (to - from) * part.min(1.0)
     }
 
-    /// The table, once all rows have been read, and the text.
+    /// Table and text; reads the remaining rows first.
     ///
     /// # Errors
-    /// When it is no table of at least two columns and rows of numbers, its times cannot be read, or a comma or a point in its numbers
-    /// can be read in two ways.
+    /// It is not a table of at least two columns and rows of numbers, its times cannot be read, or a comma or a point in
+    /// its numbers is ambiguous.
     pub fn finish(mut self) -> Result<(Import, Cow<'a, str>), ImportError> {
         while !self.advance(usize::MAX) {}
         let Self { text, original, format, first, pass, mut findings, .. } = self;
@@ -285,7 +285,7 @@ impl<'a> Importer<'a> {
 }
 
 impl Pass {
-    /// The pass after the meaning of the signs is known.
+    /// Pass after the meaning of the signs is known.
     fn after_separators(rows: &str, format: &Format) -> Self {
         if mixed::is_open(rows, format) {
             Self::Mixed(mixed::Survey::default())
@@ -295,7 +295,8 @@ impl Pass {
     }
 }
 
-/// Which columns are taken for the standard errors of others, and which are only called so. Of `sigma_y` beside `y` nothing is said.
+/// Notes on columns taken as the standard errors of others, and on columns that only have such a name. `sigma_y` beside `y`
+/// is not reported.
 fn errors(table: &Table) -> Vec<Heading> {
     let mut said = Vec::new();
     for (index, column) in table.columns.iter().enumerate() {
@@ -324,21 +325,20 @@ fn errors(table: &Table) -> Vec<Heading> {
 
 /// Reads the cells of a spreadsheet, by the same rules as a text.
 ///
-/// The cells come as text: a row is a line, cells are divided by tabs and stand in the columns that they have in the sheet.
-/// Numbers have a decimal point and no other sign (`{:?}` of an `f64`); texts have neither tabs nor line ends nor quotation
-/// marks; an error is written as the sheet shows it, `#DIV/0!`. A date with a time is `2026-01-02T10:00:00.050`, a time of day
-/// or a duration `10:00:00.050` (hours may exceed 24), a date `2026-01-02`: such a column is read in seconds from its
-/// first row.
+/// The cells come as text. A row is a line; cells are separated by tabs and keep their columns in the sheet. Numbers have a
+/// decimal point and no other sign (`{:?}` of an `f64`). Texts have no tabs, line ends or quotation marks. An error is
+/// written as the sheet shows it, `#DIV/0!`. A date with a time is `2026-01-02T10:00:00.050`, a time of day or a duration
+/// `10:00:00.050` (hours may exceed 24), a date `2026-01-02`: such a column is read in seconds from its first row.
 ///
 /// # Errors
-/// As [`text`].
+/// As for [`text`].
 pub fn sheet(cells: &str) -> Result<Import, ImportError> {
     let mut importer = Importer::of_sheet(Cow::Borrowed(cells))?;
     while !importer.advance(usize::MAX) {}
     Ok(importer.finish()?.0)
 }
 
-/// The columns that hold something, and which of the file they are.
+/// Columns that hold numbers or have a name, and their indices in the file.
 fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (Vec<Column>, Vec<usize>) {
     let mut columns = Vec::with_capacity(heads.len());
     let mut kept = Vec::new();
@@ -346,7 +346,8 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
         let words = rows.words_in(index);
         let filled = values.iter().any(|value| value.is_finite());
         if !filled && (words > 0 || head.name.is_empty()) {
-            // A delimiter at the end of each line makes an empty column; words are no measurement.
+            // Empty columns without a name come from a delimiter at the end of each line; columns of words are not
+            // measurements.
             if words > 0 && findings.len() < FINDINGS {
                 findings.push(Finding::WordColumn(called(&head.name, index)));
             }
@@ -371,7 +372,7 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
     (columns, kept)
 }
 
-/// The unit of this name, as people write it over their columns: `ms`, `msec`, `Sekunden`.
+/// Unit by its symbol or a word, as written over columns: `ms`, `msec`, `Sekunden`.
 pub fn unit(text: &str) -> Option<Unit> {
     head::unit_of(text)
 }
@@ -389,13 +390,13 @@ fn clock_finding(clock: &ClockColumn, column: String) -> Finding {
     }
 }
 
-/// The runs of a logger, if there are several.
+/// Note on the runs of a logger, if there are several.
 fn runs_finding(table: &Table) -> Option<Finding> {
     let runs: Vec<String> = table.runs().into_iter().map(|(name, _)| name).collect();
     (runs.len() > 1).then_some(Finding::Runs(runs))
 }
 
-/// A column that is called a time and holds words: the next column would be taken for the time.
+/// Refuses a column named as a time that holds only words: otherwise the next column would be taken for the time.
 fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
     let mut unread = None;
     let columns = heads.iter().zip(&rows.columns).enumerate();
@@ -411,7 +412,7 @@ fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
     }
 }
 
-/// Two names over four numbers, all commas: it is ambiguous which commas are decimal signs.
+/// Refuses two names over four numbers with commas everywhere: some commas may be decimal signs.
 fn refuse_double_commas(heads: &[Head], rows: &Rows, format: &Format) -> Result<(), ImportError> {
     let names = heads.iter().take_while(|head| !head.name.is_empty()).count();
     let whole = |values: &Vec<f64>| values.iter().all(|value| value.is_nan() || value.fract() == 0.0);

@@ -1,6 +1,6 @@
-//! Numbers as programs write them: `-1.686115217E2`, `-1,686115217E2`, `−0,5`, `.5`.
+//! Numbers in the notations of programs: `-1.686115217E2`, `-1,686115217E2`, `−0,5`, `.5`.
 
-/// Powers of ten that are exact.
+/// Powers of ten that `f64` represents exactly.
 const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
@@ -8,27 +8,27 @@ const POWERS: [f64; 23] = [
 
 #[cfg(test)]
 thread_local! {
-    /// How many numbers have been looked for.
+    /// Number of calls of [`scan`].
     pub(super) static SCANNED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
 }
 
-/// What stands in a cell.
+/// Content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cell {
-    /// A finite number.
+    /// Finite number.
     Number(f64),
-    /// Nothing, or a word for nothing.
+    /// Empty cell, or a word for a missing value.
     Gap,
     /// Anything else.
     Word,
 }
 
-/// The signs inside the numbers of a file.
+/// Decimal and thousands signs of the numbers of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Signs {
     /// `b'.'` or `b','`.
     pub decimal: u8,
-    /// The other of the two, where it groups the digits of large numbers.
+    /// The other one of the two, if it groups the digits of large numbers.
     pub thousands: Option<u8>,
 }
 
@@ -38,7 +38,7 @@ impl Signs {
     }
 }
 
-/// What a cell without the blanks around it holds.
+/// Content of a cell without surrounding blanks.
 pub(super) fn cell(text: &str, signs: Signs) -> Cell {
     if text.is_empty() {
         return Cell::Gap;
@@ -50,7 +50,7 @@ pub(super) fn cell(text: &str, signs: Signs) -> Cell {
     if GAPS.iter().any(|gap| text.eq_ignore_ascii_case(gap)) || text == "–" { Cell::Gap } else { Cell::Word }
 }
 
-/// The number that is the whole text.
+/// Number, if the whole text is one.
 fn whole(text: &str, signs: Signs) -> Option<f64> {
     let exact = |text: &str| scan(text.as_bytes(), signs.decimal).filter(|(_, length)| *length == text.len());
     if let Some((number, _)) = exact(text) {
@@ -67,7 +67,7 @@ fn whole(text: &str, signs: Signs) -> Option<f64> {
     exact(&plain).map(|(number, _)| number)
 }
 
-/// `1,234,567.8` as `1234567.8`, if every separator is the same and has three digits behind it.
+/// Removes separators: `1,234,567.8` becomes `1234567.8`. All must be equal and followed by three digits.
 fn ungrouped(text: &str, decimal: u8, separator: impl Fn(char) -> bool) -> Option<String> {
     let whole = text.find(char::from(decimal)).map_or(text, |place| &text[..place]);
     let found = whole.chars().find(|character| separator(*character))?;
@@ -83,7 +83,7 @@ fn ungrouped(text: &str, decimal: u8, separator: impl Fn(char) -> bool) -> Optio
     Some(format!("{}{}", whole.replace(found, ""), &text[whole.len()..]))
 }
 
-/// Whether `sign` stands in the number as it could between groups of three digits, once: `1,295` but not `0,5`.
+/// True if `sign` occurs once and could separate groups of three digits: `1,295` but not `0,5`.
 pub(super) fn could_be_grouped(text: &str, sign: u8) -> bool {
     let sign = char::from(sign);
     text.matches(sign).count() == 1
@@ -92,10 +92,10 @@ pub(super) fn could_be_grouped(text: &str, sign: u8) -> bool {
         })
 }
 
-/// A number with a unit behind it in the same cell, `12.3 cm`, `45°`, and the text of the unit.
+/// Number followed by a unit in the same cell, `12.3 cm`, `45°`, and the text of the unit.
 pub(super) fn with_unit(text: &str, signs: Signs) -> Option<(f64, &str)> {
     let end = text.find(|character: char| character.is_alphabetic() || matches!(character, '°' | 'º' | '%' | 'µ'))?;
-    // The e of an exponent is no unit.
+    // The e of an exponent does not begin a unit.
     let end = match scan(text.as_bytes(), signs.decimal) {
         Some((_, length)) if length > end => length,
         _ => end,
@@ -108,7 +108,7 @@ pub(super) fn with_unit(text: &str, signs: Signs) -> Option<(f64, &str)> {
     Some((whole(number.trim(), signs)?, unit))
 }
 
-/// Whether a cell holds the word by which a spreadsheet says that a formula failed: `#DIV/0!`, `#N/A`, `#WERT!`.
+/// True if a cell holds a spreadsheet error: `#DIV/0!`, `#N/A`, `#WERT!`.
 pub(super) fn is_spreadsheet_error(text: &str) -> bool {
     let Some(word) = text.strip_prefix('#') else { return false };
     const WITHOUT_MARK: [&str; 6] = ["N/A", "N/D", "NV", "N/V", "NULL", "I/T"];
@@ -118,10 +118,10 @@ pub(super) fn is_spreadsheet_error(text: &str) -> bool {
     named || WITHOUT_MARK.contains(&word) || (!word.is_empty() && word.bytes().all(|byte| byte == b'#'))
 }
 
-/// The number at the beginning of `bytes` and its length; `None` if there is none, or it is too large.
+/// Number at the beginning of `bytes` and its length in bytes; `None` if there is none, or it overflows.
 ///
-/// A number of up to 15 digits with a small exponent is one exact operation on exact numbers, and so correctly rounded;
-/// the others are left to the standard library.
+/// A mantissa below 2^53 with an exponent of at most 22 needs one operation on exact numbers, so the result is correctly
+/// rounded. Other numbers are parsed by the standard library.
 #[inline]
 pub(super) fn scan(bytes: &[u8], decimal: u8) -> Option<(f64, usize)> {
     #[cfg(test)]
@@ -136,7 +136,7 @@ pub(super) fn scan(bytes: &[u8], decimal: u8) -> Option<(f64, usize)> {
     while let Some(&byte) = bytes.get(at) {
         let digit = byte.wrapping_sub(b'0');
         if digit < 10 {
-            // What overflows is not used.
+            // May wrap for more than 19 digits; then the mantissa is not used.
             mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
             digits += 1;
             exponent -= i64::from(fraction);

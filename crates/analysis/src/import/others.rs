@@ -1,27 +1,27 @@
-//! What cells hold that are neither plain numbers nor gaps: words, times of day, numbers with a unit behind them.
+//! Cells that are neither plain numbers nor gaps: words, times of day, numbers with a unit.
 
 use super::clock::{self, Reading};
 use super::head;
 use super::number::{self, Signs};
 
-/// What the cells of a column hold besides plain numbers and gaps.
+/// Cells of a column besides plain numbers and gaps.
 #[derive(Debug, Default)]
 pub(super) struct Others {
-    /// Words: neither a number, nor a time, nor a number with a unit.
+    /// Number of words: neither a number, nor a time, nor a number with a unit.
     pub words: usize,
-    /// The first word, and its line.
+    /// Line and text of the first word.
     pub first: Option<(usize, String)>,
     /// Times of day and dates, with their rows.
     pub clocks: Vec<(usize, Reading)>,
-    /// Numbers with a unit behind them, with their rows.
+    /// Numbers followed by a unit, with their rows.
     pub with_units: Vec<(usize, f64)>,
-    /// The unit of the first of those, and whether all others have the same.
+    /// Unit of the first of these numbers, and true if all others have the same.
     pub unit: Option<(String, bool)>,
-    /// How many cells of each kind have been listed.
+    /// Number of listed cells of each kind.
     pub listed: [usize; 3],
 }
 
-/// What a cell holds that is neither a plain number nor a gap.
+/// Content of a cell that is neither a plain number nor a gap.
 #[derive(Debug)]
 pub(super) enum Other {
     Word,

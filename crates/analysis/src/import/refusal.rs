@@ -1,78 +1,78 @@
-//! Why a file cannot be read as a table.
+//! Errors of the import of a file as a table.
 
 use crate::finding::readings;
 use std::fmt;
 use units::Language::{self, English, Spanish};
 
-/// Why a file was not read. Nothing of it is lost: it was not touched.
+/// Reason why a file was not read, with its line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ImportError {
-    /// The line, from 1, where there is one to show.
+    /// Line, from 1; `None` if the error belongs to no line.
     pub line: Option<usize>,
     /// The reason.
     pub reason: Refusal,
 }
 
-/// The reasons.
+/// Reason why a file was not read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// There is nothing in it.
+    /// The file is empty.
     Empty,
-    /// It is of a kind that is known, and not text: `a ZIP archive (XLSX, ODS, TRZ)`.
+    /// The file is of a known type that is not text, such as a ZIP archive.
     Kind {
-        /// In English.
+        /// Name of the type in English.
         english: &'static str,
-        /// In Spanish.
+        /// Name of the type in Spanish.
         spanish: &'static str,
     },
-    /// It contains bytes that no text has.
+    /// The file contains bytes that do not occur in text.
     Binary,
-    /// It is XML or HTML, and no project of Tracker.
+    /// The file is XML or HTML, and not a Tracker project.
     Markup,
-    /// No line has a number.
+    /// No line contains a number.
     NoNumbers {
-        /// The first line.
+        /// First line.
         text: String,
     },
-    /// Each line has one number only.
+    /// Each line contains only one number.
     OneColumn,
     /// There are fewer than two rows.
     FewRows,
-    /// A comma or a point can be a decimal sign or group digits.
+    /// A comma or a point is ambiguous: decimal sign or separator of groups of digits.
     Separator {
-        /// The column, from 1.
+        /// Column, from 1.
         column: usize,
-        /// A number with it: `1,295`.
+        /// Number with the sign: `1,295`.
         text: String,
-        /// One without it in the same column: `926`.
+        /// Number without it in the same column: `926`.
         beside: String,
     },
-    /// A column is called a time, and none of its cells can be read as one.
+    /// A column is named as a time, and none of its cells can be read as one.
     Times {
-        /// Its name.
+        /// Name of the column.
         column: String,
-        /// What stands in the first cell.
+        /// Text of its first cell.
         text: String,
     },
-    /// Commas stand between the cells and are decimal signs too.
+    /// Commas are both delimiters and decimal signs.
     Commas {
-        /// How many names the header has.
+        /// Number of names in the header.
         names: usize,
-        /// How many numbers the row has.
+        /// Number of numbers in a row.
         cells: usize,
     },
-    /// No line has two numbers; this cell beside a number is none.
+    /// No line has two numbers; this cell beside a number is not one.
     Cell {
-        /// The column, from 1.
+        /// Column, from 1.
         column: usize,
-        /// What stands there.
+        /// Text of the cell.
         text: String,
     },
-    /// More words than numbers among the data.
+    /// The rows contain more words than numbers.
     Words {
-        /// The column of the first word, from 1.
+        /// Column of the first word, from 1.
         column: usize,
-        /// The word.
+        /// Text of the word.
         text: String,
     },
 }
@@ -82,7 +82,7 @@ impl ImportError {
         Self { line, reason }
     }
 
-    /// What is wrong, where and why.
+    /// Message for users: the line, and what is wrong.
     pub fn message(&self, language: Language) -> String {
         let at = |text: String| match (self.line, language) {
             (Some(line), English) => format!("line {line}: {text}"),
@@ -147,7 +147,7 @@ impl ImportError {
         }
     }
 
-    /// What to do.
+    /// Advice for users.
     pub fn hint(&self, language: Language) -> &'static str {
         match (&self.reason, language) {
             (Refusal::Commas { .. }, English) => "export it again with tabs or semicolons between the columns",

@@ -1,4 +1,4 @@
-//! The rows: one pass over the bytes, numbers straight into columns.
+//! Rows: one pass over the bytes, with numbers stored directly in columns.
 
 use super::cells::{COLUMNS, Cells, Delimiter};
 use super::format::Format;
@@ -8,39 +8,39 @@ use super::others::{Other, Others};
 use super::refusal::{ImportError, Refusal};
 use crate::finding::Finding;
 
-/// So many words are reported one by one.
+/// Upper bound of the words, and of other cells by kind and column, that are listed individually.
 const TOLD: usize = 5;
-/// So many cells, or as many as the file has bytes: then a longer row makes no new columns. Otherwise a small file could
-/// ask for any amount of memory.
+/// Upper bound of the number of cells, or the size of the file in bytes if that is greater. Beyond it a longer row adds no
+/// columns; otherwise a small file could need any amount of memory.
 const CELLS: usize = 4_000_000;
 
-/// The columns, and what was no number.
+/// Columns of numbers, and cells that are not numbers.
 #[derive(Debug, Default)]
 pub(super) struct Rows {
     pub columns: Vec<Vec<f64>>,
-    /// How many rows.
+    /// Number of rows.
     pub length: usize,
-    /// How many lines and bytes the text has, and how many of its lines were read.
+    /// Number of lines and bytes of the text, and of lines read.
     lines: usize,
     bytes: usize,
     line: usize,
-    /// The columns with the other decimal sign than the file.
+    /// Columns with a decimal sign other than that of the file.
     pub mixed: Vec<usize>,
-    /// How many cells hold a number.
+    /// Number of cells that hold a number.
     numbers: usize,
-    /// What else the cells hold, by column.
+    /// Other contents of the cells, by column.
     others: Vec<Others>,
-    /// The first of them in each column.
+    /// The first of these cells in each column.
     listed: Vec<Listed>,
-    /// Lines of words alone: the first, and how many.
+    /// Lines that hold only words: line of the first, and their number.
     word_lines: Option<(usize, usize)>,
-    /// Rows before which a line of the header stands again.
+    /// Rows before which a line of the header is repeated.
     pub repeats: Vec<usize>,
-    /// Rows with too many cells: the first, and how many.
+    /// Rows with too many cells: line of the first, and their number.
     long: Option<(usize, usize)>,
 }
 
-/// A cell that is no plain number.
+/// Cell that is not a plain number.
 #[derive(Debug)]
 struct Listed {
     line: usize,
@@ -56,7 +56,7 @@ enum What {
     WithUnit,
 }
 
-/// The beginning of a text, for a message.
+/// Beginning of a text, for a message.
 pub(super) fn excerpt(text: &str) -> String {
     const LONG: usize = 40;
     match text.char_indices().nth(LONG) {
@@ -66,14 +66,14 @@ pub(super) fn excerpt(text: &str) -> String {
 }
 
 impl Rows {
-    /// None yet, of a text of this length, with columns that have the other decimal sign.
+    /// Empty rows for a text, with the columns that have the other decimal sign.
     pub fn of(text: &str, mixed: Vec<usize>) -> Self {
         let lines = text.bytes().filter(|byte| *byte == b'\n').count() + 1;
         Self { lines, bytes: text.len(), mixed, ..Self::default() }
     }
 
-    /// Reads the lines in about `budget` bytes of `text`, which goes on where the last reading ended. Lines of the header may
-    /// stand again between them. How many bytes that were.
+    /// Reads the lines in about `budget` bytes of `text`, which continues where the last call ended. Lines of the header
+    /// may be repeated between them. Returns the number of bytes read.
     pub fn read(&mut self, text: &str, budget: usize, format: &Format, header: &[&str]) -> usize {
         let mut row: Vec<f64> = Vec::new();
         let mut at = 0;
@@ -104,7 +104,7 @@ impl Rows {
         at
     }
 
-    /// Adds a row; `width` cells of it hold something, if that is more than its numbers say.
+    /// Adds a row; `width` is the number of cells up to the last filled one, if that is not a plain number.
     fn push(&mut self, row: &[f64], width: usize, line: usize) {
         let (lines, cells) = (self.lines, self.bytes.max(CELLS));
         let filled = row.iter().rposition(|value| value.is_finite()).map_or(0, |last| last + 1).max(width);
@@ -113,7 +113,7 @@ impl Rows {
         }
         if filled > self.columns.len() {
             let wanted = filled.min(COLUMNS).min((cells / lines).max(self.columns.len()));
-            // The first row may have missing last cells, so later rows can be longer.
+            // Trailing cells may be missing in the first row, so later rows can be longer.
             while self.columns.len() < wanted {
                 let mut column = Vec::with_capacity(lines);
                 column.resize(self.length, f64::NAN);
@@ -131,8 +131,8 @@ impl Rows {
         self.length += 1;
     }
 
-    /// Reads a line cell by cell. The answer is up to where it holds numbers, times, or numbers with units; `None` if it is no
-    /// row.
+    /// Reads a line cell by cell. Returns the number of cells up to the last time or number with a unit; `None` if the line
+    /// is not a row.
     fn any(&mut self, line: &str, number: usize, format: &Format, row: &mut Vec<f64>) -> Option<usize> {
         let start = line.trim_start();
         let comment = start.starts_with(['#', '%']) && !number::is_spreadsheet_error(head::first_word(start));
@@ -159,7 +159,7 @@ impl Rows {
             others.push((column, text, other));
         }
         if !is_row {
-            // A title or a header between the rows.
+            // Title or header between the rows.
             if !others.is_empty() {
                 self.word_lines.get_or_insert((number, 0)).1 += 1;
             }
@@ -202,12 +202,12 @@ impl Rows {
         }
     }
 
-    /// What the cells of a column hold besides numbers.
+    /// Contents of a column besides numbers.
     pub fn others_mut(&mut self, column: usize) -> Option<&mut Others> {
         self.others.get_mut(column)
     }
 
-    /// Takes the values of what had been set aside in a column: it is no word any more.
+    /// Stores values of cells set aside in a column, which are then no longer listed as words.
     pub fn accept(&mut self, column: usize, values: impl Iterator<Item = (usize, f64)>, clocks: bool) {
         let Some(cells) = self.columns.get_mut(column) else { return };
         for (row, value) in values {
@@ -220,7 +220,7 @@ impl Rows {
         self.listed.retain(|one| one.column != column || one.what != taken);
     }
 
-    /// Makes words of a column of times, which another column tells better.
+    /// Turns a column of times into words, because another column holds them better.
     pub fn leave_out(&mut self, column: usize) {
         let Some(cells) = self.columns.get_mut(column) else { return };
         let filled = cells.iter().filter(|value| value.is_finite()).count();
@@ -231,7 +231,7 @@ impl Rows {
         }
     }
 
-    /// Counts what is left in a column, which nothing has been made of, as words.
+    /// Counts the unused times and numbers with units of a column as words.
     pub fn reject(&mut self, column: usize) {
         let Some(mine) = self.others.get_mut(column) else { return };
         mine.words += mine.clocks.len() + mine.with_units.len();
@@ -241,7 +241,7 @@ impl Rows {
         mine.first = first.map(|one| (one.line, one.text.clone())).or(mine.first.take());
     }
 
-    /// Makes room for columns that only the header has, as far as the bound on cells lets it.
+    /// Adds columns that only the header has, within the bound on cells.
     pub fn widen(&mut self, wanted: usize, text: &str) {
         let most = text.len().max(CELLS) / self.length.max(1);
         let length = self.length;
@@ -249,7 +249,7 @@ impl Rows {
         self.columns.resize_with(wanted, || vec![f64::NAN; length]);
     }
 
-    /// What the rows say of the header above them.
+    /// Properties of the rows needed to read the header.
     pub fn below(&self) -> Below<'_> {
         let wide = self.columns.len().max(self.others.len());
         let numeric = |column: usize| {
@@ -262,17 +262,17 @@ impl Rows {
         Below { numeric: (0..wide).map(numeric).collect(), first: numbers(0), second: numbers(1) }
     }
 
-    /// How many words a column has.
+    /// Number of words in a column.
     pub fn words_in(&self, column: usize) -> usize {
         self.others.get(column).map_or(0, |others| others.words)
     }
 
-    /// The first word of a column, and its line.
+    /// First word of a column, and its line.
     pub fn first_word(&self, column: usize) -> Option<(usize, String)> {
         self.others.get(column).and_then(|others| others.first.clone())
     }
 
-    /// Refuses what is no table: fewer than two rows, or more words than numbers in columns that have numbers.
+    /// Refuses fewer than two rows, or more words than numbers in columns that have numbers.
     pub fn refuse_words(&self, header_lines: usize) -> Result<(), ImportError> {
         let in_columns: usize = self
             .columns
@@ -294,7 +294,7 @@ impl Rows {
         Ok(())
     }
 
-    /// What was noticed, with columns called by `label`; columns without one were left out as a whole.
+    /// Notes on the rows, with columns named by `label`; columns without a label were left out as a whole.
     pub fn findings(&self, label: impl Fn(usize) -> Option<String>) -> Vec<Finding> {
         let mut findings = Vec::new();
         if let Some((line, count)) = self.word_lines {
@@ -317,13 +317,13 @@ impl Rows {
     }
 }
 
-/// Whether a line stands in the header too.
+/// True if a line also occurs in the header.
 fn is_in(header: &[&str], line: &str) -> bool {
     let line = line.trim();
     !line.is_empty() && header.iter().any(|header| header.trim() == line)
 }
 
-/// Reads a line that holds nothing but numbers, gaps and delimiters; false for any other.
+/// Reads a line that holds only numbers, gaps and delimiters. Returns false for any other.
 fn plain(line: &[u8], format: &Format, row: &mut Vec<f64>) -> bool {
     let any_blanks = format.delimiter == Delimiter::Blanks;
     let delimiter = match format.delimiter.byte() {
@@ -352,7 +352,7 @@ fn plain(line: &[u8], format: &Format, row: &mut Vec<f64>) -> bool {
         let after = skip(at);
         match line.get(after) {
             None => return true,
-            // The blanks that were skipped are the delimiter.
+            // The skipped blanks are the delimiter.
             Some(_) if any_blanks && after > at => at = after,
             Some(byte) if !any_blanks && *byte == delimiter => at = after + 1,
             Some(_) => return false,

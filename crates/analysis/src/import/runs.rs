@@ -1,15 +1,16 @@
-//! Runs that stand below each other, with a clock that begins again.
+//! Runs one below the other, recognised by a clock that restarts.
 
 use super::cells::COLUMNS;
 use crate::roles;
 use crate::table::{Column, Table};
 use units::Dimension;
 
-/// A run has at least so many rows. A row in the wrong place begins none.
+/// Least number of rows of a run, so that a misplaced row does not begin one.
 const SHORTEST: usize = 3;
 
-/// Puts runs beside each other as bodies, `Run 1` and `Run 2`, if the times begin again where the header stands again, or from the
-/// first time without a header. `repeats` are the rows before which the header stands, ascending.
+/// Moves runs beside each other as bodies, `Run 1` and `Run 2`. A run begins where the header is repeated and the times
+/// restart; without repeated headers, where the times restart at the first time. `repeats` are the rows after a repeated
+/// header, ascending.
 pub(super) fn side_by_side(table: &mut Table, repeats: &[usize]) {
     let length = table.rows();
     let found = if repeats.is_empty() { restarts(table) } else { Vec::new() };
@@ -20,7 +21,7 @@ pub(super) fn side_by_side(table: &mut Table, repeats: &[usize]) {
     let longest = starts.iter().zip(&ends).map(|(start, end)| end - start).max().unwrap_or(0);
     let count = table.columns.len();
     let named = table.columns.iter().any(|column| column.body.is_some());
-    // Runs of very different lengths would fill much memory with nothing.
+    // Runs of very different lengths would need much memory for gaps.
     let too_many = starts.len() * count > COLUMNS || starts.len() * longest > 20 * length;
     let Some(times) = table.independent().last().map(|index| &table.columns[index].values) else { return };
     let begins_again = |row: &usize| {
@@ -50,8 +51,8 @@ pub(super) fn side_by_side(table: &mut Table, repeats: &[usize]) {
     table.columns = columns;
 }
 
-/// The rows at which the only clock of a table begins again at its first time, within the least step; none unless the times of every run
-/// between them increase.
+/// Rows at which the only clock of a table restarts at its first time, within the least step. Empty unless the times of
+/// every run increase.
 fn restarts(table: &Table) -> Vec<usize> {
     let independent: Vec<usize> = table.independent().collect();
     let [clock] = independent[..] else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! Whether a comma or a point in the numbers is the decimal sign or groups their digits, where a column contradicts itself:
+//! Meaning of a comma or a point in the numbers, decimal sign or separator of groups, in a column that contradicts itself:
 //! `1,295` beside `926`.
 
 use super::cells::{COLUMNS, Cells, Delimiter};
@@ -9,43 +9,43 @@ use super::refusal::{ImportError, Refusal};
 use super::rows;
 use crate::finding::Finding;
 
-/// One reading is the smoother one if its roughness is so many times less. A wrong reading leaps wherever the values pass 1000.
+/// Least ratio of the roughness of the two readings for a decision. A wrong reading jumps wherever the values pass 1000.
 const SMOOTHER: f64 = 1.5;
 
-/// What the cells of one column with the sign in them look like.
+/// Properties of the cells of one column that contain the sign.
 #[derive(Clone, Debug, Default)]
 struct Column {
-    /// `1,295`: line and text of the first.
+    /// Line and text of the first number like `1,295`.
     grouped: Option<(usize, String)>,
-    /// Whether one of those ends with a zero, `1,290`, which no program writes that leaves zeros out.
+    /// True if one of these ends with a zero, `1,290`: a program that omits trailing zeros does not write it as a decimal.
     zero: bool,
-    /// A whole number below 1000 without the sign, `926`: line and text of the first.
+    /// Line and text of the first whole number below 1000 without the sign, `926`.
     plain: Option<(usize, String)>,
-    /// A whole number of more digits without the sign, which grouping would have divided.
+    /// True if there is a whole number of more digits without the sign, which grouping would have divided.
     long: bool,
-    /// All of them by both readings: with a decimal sign, with groups.
+    /// All numbers by both readings: (as a decimal sign, as groups).
     values: Vec<(f64, f64)>,
 }
 
-/// The columns with what speaks for either reading, while the rows are read.
+/// Evidence for either reading in each column, collected while the rows are read.
 #[derive(Debug, Default)]
 pub(super) struct Survey {
     columns: Vec<Column>,
-    /// How many lines have been read.
+    /// Number of lines read.
     lines: usize,
-    /// Whether a number has settled that the sign is decimal.
+    /// True if a number has shown that the sign is decimal.
     decimal: bool,
 }
 
-/// Whether the sign of the decimals can group digits as well: it stands in the rows, and the format does not settle it.
+/// True if the decimal sign may also group digits: it occurs in the rows, and the format does not decide it.
 pub(super) fn is_open(rows: &str, format: &Format) -> bool {
-    // A comma between commas stands in quotation marks alone.
+    // If the sign is the delimiter, it only occurs in quotation marks.
     let quoted = format.delimiter.byte() != Some(format.decimal) || rows.as_bytes().contains(&b'"');
     format.thousands.is_none() && quoted && rows.as_bytes().contains(&format.decimal)
 }
 
 impl Survey {
-    /// Reads the lines in about `budget` bytes of the rows; how many bytes that were.
+    /// Reads the lines in about `budget` bytes of the rows. Returns the number of bytes read.
     pub fn read(&mut self, rows: &str, budget: usize, first: First, format: &Format) -> usize {
         let mut at = 0;
         for line in rows.split_inclusive('\n') {
@@ -59,12 +59,12 @@ impl Survey {
         at
     }
 
-    /// Whether nothing more need be read.
+    /// True if no more rows need to be read.
     pub fn is_settled(&self) -> bool {
         self.decimal
     }
 
-    /// `None` as soon as a number settles that the sign is decimal.
+    /// Reads a line. Returns `None` if a number shows that the sign is decimal.
     fn line(&mut self, line: &str, header_lines: usize, format: &Format) -> Option<()> {
         let sign = format.decimal;
         let other = if sign == b',' { b'.' } else { b',' };
@@ -97,16 +97,15 @@ impl Survey {
         Some(())
     }
 
-    /// The format with the sign read as it must be, and what is to be said of it.
+    /// Format with the meaning of the sign decided. Notes for the user are added to `findings`.
     ///
-    /// Nearly every file settles it at once: `0,5`, `1,25` and `12,3456` have a decimal sign. Where all numbers with the sign have
-    /// the form `1,295`, a column of those alone has a decimal sign, as programs write that always give three decimals. A
-    /// column that also has whole numbers without it contradicts itself. Then the reading counts by which the values follow each
-    /// other far more smoothly, or the one with groups if it is smoother at all and one of the numbers ends with a zero. Otherwise
-    /// the column is ambiguous.
+    /// Most files decide it at once: `0,5`, `1,25` and `12,3456` have a decimal sign. If all numbers with the sign have the
+    /// form `1,295`, a column of only these has a decimal sign: some programs always write three decimals. A column that
+    /// also has whole numbers without it contradicts itself. Then the much smoother reading wins; or the one with groups,
+    /// if it is smoother at all and one of the numbers ends with a zero. Otherwise the column is ambiguous.
     ///
     /// # Errors
-    /// When both readings are possible.
+    /// Both readings are possible.
     pub fn settle(self, format: Format, findings: &mut Vec<Finding>) -> Result<Format, ImportError> {
         let columns = if self.decimal { Vec::new() } else { self.columns };
         let decimal = if format.decimal == b',' { b'.' } else { b',' };
@@ -137,8 +136,8 @@ impl Survey {
                 Refusal::Separator { column: index + 1, text: text.clone(), beside: plain.clone() },
             ));
         }
-        // A column of `1,295` alone is read as usual. Of a comma it is said, which is no decimal sign everywhere; where semicolons
-        // divide the cells it is one.
+        // A column of only `1,295` is read as decimal. A comma is reported, unless semicolons are the delimiters: then a
+        // decimal comma is usual.
         let alone = columns
             .into_iter()
             .filter(|column| column.plain.is_none() && !column.long)
@@ -150,7 +149,7 @@ impl Survey {
     }
 }
 
-/// The squares of the steps over the squares of the deviations from the mean: von Neumann's ratio, small for what moves smoothly.
+/// Sum of squared steps over the sum of squared deviations from the mean: von Neumann's ratio, small for smooth values.
 fn roughness(values: &[(f64, f64)], reading: usize) -> f64 {
     let value = |pair: &(f64, f64)| if reading == 0 { pair.0 } else { pair.1 };
     let mean = values.iter().map(value).sum::<f64>() / values.len() as f64;

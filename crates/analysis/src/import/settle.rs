@@ -1,4 +1,4 @@
-//! Columns whose cells hold times of day, or numbers with a unit behind them.
+//! Columns of times of day, or of numbers followed by a unit.
 
 use super::clock::{self, Form, Reading, Times};
 use super::head::{self, Head, Meant};
@@ -7,17 +7,17 @@ use crate::finding::{Finding, Heading};
 use crate::origin::UnitOrigin;
 use units::Unit;
 
-/// A column of clock times, and how it was read.
+/// Column of clock times, and their notation.
 #[derive(Debug)]
 pub(super) struct ClockColumn {
     pub column: usize,
-    /// The form of the first time.
+    /// Notation of the first time.
     pub form: Form,
     pub times: Times,
 }
 
-/// Makes numbers of what is neither a plain number nor a word, where a column holds more of it than of numbers; the rest are
-/// words. The unit is that of the cells, whatever the header says.
+/// Converts times and numbers with units to numbers, in columns that hold more of them than of plain numbers; elsewhere
+/// they count as words. The unit is that of the cells, not that of the header.
 pub(super) fn columns(rows: &mut Rows, heads: &mut [Head], findings: &mut Vec<Finding>) -> Vec<ClockColumn> {
     let mut clocks = Vec::new();
     for (column, head) in heads.iter_mut().enumerate().take(rows.columns.len()) {
@@ -44,12 +44,12 @@ pub(super) fn columns(rows: &mut Rows, heads: &mut [Head], findings: &mut Vec<Fi
     clocks
 }
 
-/// The unit that all cells have, and its text.
+/// Unit common to all cells, and its text.
 fn common(unit: Option<(String, bool)>, name: &str) -> Option<(Meant, String)> {
     unit.filter(|(_, same)| *same).and_then(|(text, _)| Some((head::meant_unit(&text, name)?, text)))
 }
 
-/// Gives a column the unit of its cells, and says where the header has another one or some cells have none.
+/// Gives a column the unit of its cells, and reports a different unit in the header or cells without a unit.
 fn take_units(head: &mut Head, index: usize, (meant, text): (Meant, String), bare: usize, findings: &mut Vec<Finding>) {
     let column = if head.name.is_empty() { (index + 1).to_string() } else { head.name.clone() };
     let same = head.is_in(&meant);
@@ -72,7 +72,7 @@ fn take_clocks(
     head: &mut Head,
 ) -> Option<ClockColumn> {
     let form = readings.first()?.1.form;
-    // A stopwatch shows `59.9` before `1:00.0`. Beside times of day a plain number is nothing.
+    // A stopwatch shows `59.9` before `1:00.0`. Beside times of day a plain number is ignored.
     let stopwatch = readings.iter().all(|(_, reading)| matches!(reading.form, Form::Two | Form::Minutes));
     for (row, value) in rows.columns[column].iter_mut().enumerate() {
         if value.is_finite() {
@@ -91,7 +91,7 @@ fn take_clocks(
     Some(ClockColumn { column, form, times })
 }
 
-/// Leaves out the dates beside a column of times of day, which pass midnight by themselves.
+/// Leaves out columns of dates beside a column of times of day; midnight is recognised from the times alone.
 fn drop_dates(rows: &mut Rows, clocks: &mut Vec<ClockColumn>) {
     if !clocks.iter().any(|clock| clock.form == Form::Hours) {
         return;

@@ -1,9 +1,9 @@
-//! No slice of reading does the work of a whole file.
+//! Test that the work of one slice of an import does not grow with the file.
 
 use super::{Importer, number};
 use std::borrow::Cow;
 
-/// The most numbers that are looked for at once while a text is read in small slices, and how many slices that takes.
+/// Greatest number of scans per slice while a text is read in small slices, and the number of slices.
 fn most_at_once(text: &str) -> (usize, usize) {
     const BUDGET: usize = 2000;
     let count = || number::SCANNED.with(|count| count.replace(0));

@@ -1,4 +1,4 @@
-//! The time stamps that a serial monitor writes before each line: `12:00:00.050 -> 50,2.81`.
+//! Time stamps that a serial monitor writes before each line: `12:00:00.050 -> 50,2.81`.
 
 use super::cells::Delimiter;
 use super::clock;
@@ -6,10 +6,10 @@ use crate::origin::UnitOrigin;
 use crate::table::Column;
 use units::Unit;
 
-/// What stands between the stamp and the line.
+/// Text between the stamp and the line.
 const ARROW: &str = "->";
 
-/// A line without its stamp, and the stamp.
+/// Stamp of a line, and the line without it.
 fn divided(line: &str) -> Option<(&str, &str)> {
     let (stamp, rest) = line.split_once(ARROW)?;
     let stamp = stamp.trim();
@@ -17,10 +17,10 @@ fn divided(line: &str) -> Option<(&str, &str)> {
     Some((stamp, rest.strip_prefix(' ').unwrap_or(rest)))
 }
 
-/// So many lines tell the delimiter behind the stamps.
+/// Number of lines from which the delimiter after the stamps is recognised.
 const SAMPLE: usize = 300;
 
-/// The first lines without stamps, if most of them have one.
+/// First lines without their stamps, if most of them have one.
 pub(super) fn without(text: &str) -> Option<String> {
     let first: Vec<&str> = text.lines().take(SAMPLE).filter(|line| !line.trim().is_empty()).take(20).collect();
     let stamped = first.iter().filter(|line| divided(line).is_some()).count();
@@ -35,7 +35,7 @@ pub(super) fn without(text: &str) -> Option<String> {
     Some(bare)
 }
 
-/// A text that is being written again with the stamps in a first column.
+/// Text rewritten with the stamps in a first column.
 #[derive(Debug)]
 pub(super) struct Stamped {
     pub delimiter: Delimiter,
@@ -44,7 +44,7 @@ pub(super) struct Stamped {
 
 impl Stamped {
     pub fn new(delimiter: Delimiter) -> Self {
-        // Numbers alone behind the stamps have no delimiter; one of blanks has no empty cells.
+        // Single numbers after the stamps have no delimiter, and blanks allow no empty cells.
         let delimiter = match delimiter {
             Delimiter::Blanks | Delimiter::Blank | Delimiter::CommaAndBlank => Delimiter::Tab,
             other => other,
@@ -52,7 +52,7 @@ impl Stamped {
         Self { delimiter, columns: String::new() }
     }
 
-    /// Takes the lines in about `budget` bytes of the text; how many bytes that were.
+    /// Reads the lines in about `budget` bytes of the text. Returns the number of bytes read.
     pub fn read(&mut self, text: &str, budget: usize) -> usize {
         let sign = char::from(self.delimiter.byte().unwrap_or(b'\t'));
         let mut at = 0;
@@ -71,8 +71,8 @@ impl Stamped {
     }
 }
 
-/// Leaves the stamps out where a column has the same times in a unit of its own, which are those of the measurement and not
-/// those of the arrival; says which unit it is.
+/// Leaves out the stamps if the second column holds the same times, in s, ms or µs: these are the times of measurement, the
+/// stamps those of arrival. Returns the unit of these times.
 pub(super) fn prefer_own_times(columns: &mut Vec<Column>) -> Option<Unit> {
     let stamps = columns.first().filter(|column| column.origin.unit == UnitOrigin::Clock)?.values.clone();
     let own = columns.get_mut(1)?;
@@ -81,7 +81,7 @@ pub(super) fn prefer_own_times(columns: &mut Vec<Column>) -> Option<Unit> {
     let ascending = rows().zip(rows().skip(1)).all(|((_, before), (_, after))| after > before);
     let rate = (last - first) / (last_stamp - first_stamp);
     let unit = ["s", "ms", "µs"].iter().filter_map(|unit| Unit::parse(unit).ok()).find(|unit| {
-        // The stamps are rounded, and come late by up to some hundredths of a second.
+        // Stamps are rounded, and late by up to some hundredths of a second.
         let late = 0.02 + 0.5 / (last_stamp - first_stamp);
         (rate * unit.factor - 1.0).abs() < late
     })?;

@@ -1,52 +1,52 @@
-//! The directory of a ZIP archive (PKWARE, APPNOTE.TXT 6.3.3), and what a part may expand to before it is opened.
+//! Directory of a ZIP archive (PKWARE, APPNOTE.TXT 6.3.3), with bounds on the expansion of its files.
 
 use super::Defect;
 use super::part::Part;
 use std::ops::Range;
 use std::rc::Rc;
 
-/// The record of the end is followed by a comment of at most so many bytes.
+/// Greatest length of the comment after the end record, in bytes.
 pub(super) const LONGEST_COMMENT: usize = 65_535;
-/// The fixed part of the header before the content of a file.
+/// Length of the fixed part of the header before the content of a file, in bytes.
 pub(super) const HEADER: u64 = 30;
-/// More files than any workbook or project has.
+/// Upper bound of the number of files.
 const MOST_FILES: usize = 10_000;
-/// No part may expand to more bytes. A sheet of a million rows and five columns has half of it.
+/// Upper bound of the expanded size of a file, in bytes. A sheet of a million rows and five columns has half of it.
 const MOST_EXPANDED: u64 = 512 << 20;
-/// Nor to more than this many times its compressed size, apart from the first megabyte. Sheets of measurements expand by
-/// 5 to 30; Deflate itself reaches 1032, which is what a bomb needs.
+/// Upper bound of the expansion ratio, apart from the first megabyte. Sheets of measurements expand by 5 to 30; Deflate can
+/// reach 1032, which a decompression bomb uses.
 const MOST_EXPANSION: u64 = 200;
 const ALWAYS_ALLOWED: u64 = 1 << 20;
 
-/// An archive in memory, or the pieces of it that are needed.
+/// Archive in memory, or the needed pieces of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Archive {
     pieces: Vec<Piece>,
-    /// Its length in bytes.
+    /// Length in bytes.
     size: u64,
     files: Vec<File>,
 }
 
-/// Some bytes of an archive.
+/// Range of bytes of an archive.
 #[derive(Clone, Debug)]
 struct Piece {
-    /// Where they begin in the archive.
+    /// Offset in the archive.
     start: u64,
     bytes: Rc<Vec<u8>>,
 }
 
-/// Where the content of a file is.
+/// Location of the content of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Stored {
-    /// The bytes of the archive that hold it.
+    /// Range of bytes in the archive.
     pub range: Range<u64>,
-    /// Whether they are compressed (Deflate); otherwise they are the content.
+    /// True if they are compressed (Deflate), false if they are the content.
     pub deflated: bool,
-    /// The size of the content in bytes, as the directory states it.
+    /// Size of the content in bytes, as stated by the directory.
     pub expanded: u64,
 }
 
-/// A file as the directory lists it.
+/// File as listed in the directory.
 #[derive(Clone, Debug)]
 pub(super) struct File {
     pub name: String,
@@ -55,19 +55,19 @@ pub(super) struct File {
     checksum: u32,
     pub packed: u64,
     expanded: u64,
-    /// Where the header of its content is.
+    /// Offset of the header of its content.
     pub header: u64,
 }
 
-/// What the end of an archive says of its directory.
+/// Location of the directory, from the end record.
 #[derive(Clone, Debug)]
 pub(super) struct End {
     files: usize,
-    /// Where the directory is.
+    /// Range of bytes of the directory.
     pub directory: Range<u64>,
 }
 
-/// Reads little-endian numbers; `None` beyond the end.
+/// Reads a little-endian number; `None` beyond the end.
 fn word(bytes: &[u8], at: usize) -> Option<u16> {
     Some(u16::from_le_bytes(bytes.get(at..at.checked_add(2)?)?.try_into().ok()?))
 }
@@ -84,7 +84,7 @@ impl Archive {
     /// Reads the directory.
     ///
     /// # Errors
-    /// When there is none, or it points outside the file.
+    /// There is no directory, or it points outside the file.
     pub fn open(bytes: Vec<u8>) -> Result<Self, Defect> {
         let end = end(&bytes).ok_or(Defect::Damaged)?;
         let directory = usize::try_from(end.directory.start).ok().and_then(|start| bytes.get(start..));
@@ -92,28 +92,28 @@ impl Archive {
         Ok(Self::of_pieces(bytes.len() as u64, vec![(0, bytes)], files))
     }
 
-    /// That of this length of which these bytes are known, each with where they begin.
+    /// Archive of this length of which only these pieces are known, as (offset, bytes).
     pub(super) fn of_pieces(size: u64, pieces: Vec<(u64, Vec<u8>)>, files: Vec<File>) -> Self {
         let piece = |(start, bytes)| Piece { start, bytes: Rc::new(bytes) };
         Self { pieces: pieces.into_iter().map(piece).collect(), size, files }
     }
 
-    /// Whether there is a file of this name.
+    /// True if there is a file of this name.
     pub fn has(&self, name: &str) -> bool {
         self.find(name).is_some()
     }
 
-    /// The names of all files, in the order of the directory.
+    /// Names of all files, in the order of the directory.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.files.iter().map(|file| file.name.as_str())
     }
 
-    /// Its length in bytes.
+    /// Length in bytes.
     pub fn size(&self) -> u64 {
         self.size
     }
 
-    /// The names of the first few files, for a message.
+    /// Names of the first few files, for a message.
     pub fn first_names(&self) -> Vec<String> {
         const SHOWN: usize = 5;
         let short = |name: &str| name.chars().take(60).collect::<String>();
@@ -124,7 +124,7 @@ impl Archive {
         names
     }
 
-    /// Where a file is, unless it is encrypted.
+    /// Location of a file; `None` if it does not exist or is encrypted.
     pub fn stored(&self, name: &str) -> Option<Stored> {
         let file = self.find(name).filter(|file| !file.encrypted)?;
         Some(Stored { range: self.content(file)?, deflated: file.deflated, expanded: file.expanded })
@@ -135,10 +135,10 @@ impl Archive {
         self.files.iter().find(|file| file.name.eq_ignore_ascii_case(name))
     }
 
-    /// Opens a file; `most` bytes at most may come out of it.
+    /// Opens a file that expands to at most `most` bytes.
     ///
     /// # Errors
-    /// When there is no such file, it is encrypted, or it would expand too much.
+    /// There is no such file, it is encrypted, or it would expand too much.
     pub fn part(&self, name: &str, most: Option<u64>) -> Result<Part, Defect> {
         let file = self.find(name).ok_or(Defect::Damaged)?;
         if file.encrypted {
@@ -153,7 +153,7 @@ impl Archive {
         Ok(Part::new(Rc::clone(&piece.bytes), range, file.deflated, file.expanded, file.checksum))
     }
 
-    /// The piece that holds some bytes, and where they are in it.
+    /// Piece that contains a range of bytes, and the range in it.
     fn piece(&self, range: Range<u64>) -> Option<(&Piece, Range<usize>)> {
         self.pieces.iter().find_map(|piece| {
             let [start, end] = [range.start, range.end].map(|at| usize::try_from(at.checked_sub(piece.start)?).ok());
@@ -162,7 +162,7 @@ impl Archive {
         })
     }
 
-    /// Where the content of a file is: behind a header of its own.
+    /// Location of the content of a file, after its own header.
     fn content(&self, file: &File) -> Option<Range<u64>> {
         let (piece, range) = self.piece(file.header..file.header.checked_add(HEADER)?)?;
         let bytes = piece.bytes.get(range)?;
@@ -176,7 +176,7 @@ impl Archive {
     }
 }
 
-/// The record at the end of an archive, in its last bytes.
+/// End record of an archive, from its last bytes.
 pub(super) fn end(bytes: &[u8]) -> Option<End> {
     let last = bytes.len().checked_sub(22)?;
     let end = (last.saturating_sub(LONGEST_COMMENT)..=last).rev().find(|at| bytes.get(*at..).is_some_and(is_end))?;
@@ -184,7 +184,7 @@ pub(super) fn end(bytes: &[u8]) -> Option<End> {
     Some(End { files: usize::from(word(bytes, end + 10)?).min(MOST_FILES), directory: start..start + length })
 }
 
-/// The files that the directory of an archive lists.
+/// Files listed in the directory of an archive.
 pub(super) fn files(directory: &[u8], end: &End) -> Option<Vec<File>> {
     let mut at = 0_usize;
     let mut found = Vec::new();
@@ -197,7 +197,7 @@ pub(super) fn files(directory: &[u8], end: &End) -> Option<Vec<File>> {
             (usize::from(word(entry, 28)?), usize::from(word(entry, 30)?), usize::from(word(entry, 32)?));
         let method = word(entry, 10)?;
         let mut file = File {
-            // Some programs write their names with the separator of Windows.
+            // Some programs write Windows separators.
             name: String::from_utf8_lossy(entry.get(46..46 + name)?).replace('\\', "/"),
             encrypted: word(entry, 8)? & 1 == 1,
             deflated: method == 8,
@@ -207,7 +207,7 @@ pub(super) fn files(directory: &[u8], end: &End) -> Option<Vec<File>> {
             header: double(entry, 42)?.into(),
         };
         large_sizes(&mut file, entry.get(46 + name..46 + name + extra)?);
-        // Other methods are in no workbook.
+        // Workbooks use no other methods.
         if method == 0 || method == 8 {
             found.push(file);
         }
@@ -220,7 +220,7 @@ fn is_end(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x05\x06")
 }
 
-/// Sizes that do not fit into 32 bits stand in an extra field; some programs always write them there.
+/// Reads sizes that do not fit into 32 bits from the extra field; some programs always write them there.
 fn large_sizes(file: &mut File, mut extra: &[u8]) {
     const LARGE: u64 = 0xffff_ffff;
     while let (Some(kind), Some(length)) = (word(extra, 0), word(extra, 2)) {

@@ -1,23 +1,24 @@
-//! An archive that is not read whole: which of its bytes are needed to read its projects and to find its films.
+//! Partial reading of an archive: the ranges of bytes needed to read its projects and to locate its films.
 
 use super::archive::{self, Archive, End, File, HEADER, LONGEST_COMMENT};
 use std::cmp::Reverse;
 use std::ops::Range;
 
-/// A longer directory is not read.
+/// Upper bound of the length of the directory, in bytes.
 const LONGEST_DIRECTORY: u64 = 4 << 20;
-/// Files whose content is read may have so many bytes together, as they are in the archive.
+/// Upper bound of the compressed size of all files that are read, in bytes.
 const MOST_BYTES: u64 = 64 << 20;
-/// So many of the other files are found, the largest ones.
+/// Upper bound of the number of needed files, and of the largest other files that are located.
 const MOST_FOUND: usize = 20;
-/// Before its content the header of a file has its name and an extra field, each of at most 65535 bytes; hardly ever more than this.
+/// Allowance for the name and the extra field in the header of a file, in bytes. Each may have 65535 bytes, but is rarely
+/// longer.
 const BEFORE: u64 = 4096;
 
-/// The bytes of an archive that are needed, asked for one after the other.
+/// Ranges of bytes needed from an archive, requested one after the other.
 #[derive(Debug)]
 pub struct Gathering {
     size: u64,
-    /// The file names whose content is needed end so, in small letters.
+    /// Ending, in lower case, of the names of the files that are read.
     ending: &'static str,
     stage: Stage,
     pieces: Vec<(u64, Vec<u8>)>,
@@ -27,19 +28,19 @@ pub struct Gathering {
 enum Stage {
     Tail,
     Directory(End),
-    /// The ranges that are still to be read, the next one last, and all files.
+    /// Ranges still to be read, the next one last, and all files.
     Pieces(Vec<Range<u64>>, Vec<File>),
-    /// It is no archive, or one with nothing that is needed.
+    /// Not an archive, or no needed file in it.
     Nothing,
 }
 
 impl Gathering {
-    /// Of an archive of this length in bytes, with the content of the files whose names end so.
+    /// For an archive of this length in bytes, with the content of the files whose names have this ending.
     pub(crate) fn new(size: u64, ending: &'static str) -> Self {
         Self { size, ending, stage: Stage::Tail, pieces: Vec::new() }
     }
 
-    /// The bytes that are needed next; `None` once all are there.
+    /// Next range of bytes needed; `None` if all are there.
     pub fn wanted(&self) -> Option<Range<u64>> {
         match &self.stage {
             Stage::Tail => Some(self.size.saturating_sub(LONGEST_COMMENT as u64 + 22)..self.size),
@@ -49,7 +50,7 @@ impl Gathering {
         }
     }
 
-    /// Takes the bytes that are wanted.
+    /// Takes the bytes of the range that [`Self::wanted`] requested.
     pub fn supply(&mut self, bytes: Vec<u8>) {
         self.stage = match std::mem::replace(&mut self.stage, Stage::Nothing) {
             Stage::Tail => {
@@ -74,7 +75,7 @@ impl Gathering {
         };
     }
 
-    /// The bytes of the files that are needed, and the headers of the largest others; `None` where nothing is needed, or too much.
+    /// Ranges of the needed files, and of the headers of the largest others; `None` if no file is needed, or too much.
     fn ranges(&self, files: &[File], end: &End) -> Option<Vec<Range<u64>>> {
         let is_needed = |file: &&File| file.name.to_ascii_lowercase().ends_with(self.ending);
         let needed: Vec<&File> = files.iter().filter(is_needed).collect();
@@ -91,7 +92,7 @@ impl Gathering {
         Some(ranges)
     }
 
-    /// The archive, as far as it was needed; `None` where it holds nothing that is.
+    /// Archive with the gathered pieces; `None` if it contains no needed file.
     pub(crate) fn finish(self) -> Option<Archive> {
         let Stage::Pieces(_, files) = self.stage else { return None };
         Some(Archive::of_pieces(self.size, self.pieces, files))

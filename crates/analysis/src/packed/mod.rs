@@ -1,4 +1,4 @@
-//! Files in ZIP archives and their XML as streams, with bounds on what a hostile file can make a reader hold.
+//! Files in ZIP archives and their XML as streams, with bounds on the memory that a hostile file can use.
 
 mod archive;
 mod gathering;
@@ -10,23 +10,23 @@ pub use gathering::Gathering;
 pub(crate) use part::Part;
 pub(crate) use xml::{Tag, Token, Xml};
 
-/// Whether a file begins as a ZIP archive does.
+/// True if a file begins like a ZIP archive.
 pub(crate) fn is_archive(start: &[u8]) -> bool {
     start.starts_with(b"PK\x03\x04")
 }
 
-/// Why an archive, or XML, cannot be read.
+/// Reason why an archive, or XML, cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Defect {
-    /// It is broken off, changed, or not as the archive's directory says.
+    /// It is truncated, changed, or contradicts the directory of the archive.
     Damaged,
     /// It needs a password.
     Protected,
-    /// A file would expand to too much.
+    /// A file would expand too much.
     Expands {
-        /// Its size in the archive, in bytes.
+        /// Size in the archive, in bytes.
         packed: u64,
-        /// Its size when expanded, in bytes.
+        /// Expanded size, in bytes.
         expanded: u64,
     },
 }

@@ -1,5 +1,5 @@
-//! One file of an archive, or a text, as a stream of bytes. It never gives more than the directory has announced, and never
-//! more than a bound between two tokens of its reader.
+//! File of an archive, or a text, as a stream of bytes. It never returns more than the directory states, and never more
+//! than a bound between two tokens of its reader.
 
 use super::Defect;
 use crate::spreadsheet::Checksum;
@@ -9,28 +9,29 @@ use std::io::{self, BufRead, Read};
 use std::ops::Range;
 use std::rc::Rc;
 
-/// How many bytes are expanded at once.
+/// Number of bytes expanded at once.
 const CHUNK: usize = 32 << 10;
-/// No tag and no text of a workbook is longer: a cell holds 32767 characters.
+/// Greatest length of a tag or text of a workbook, in bytes: a cell holds 32767 characters.
 const LONGEST_TOKEN: usize = 1 << 20;
-/// A project holds the values of all frames in one text: 20 bytes for each of the 300,000 frames of its longest clip.
+/// Greatest length of a text of a project, in bytes. It may hold the values of all frames: 20 bytes for each of the 300,000
+/// frames of its longest clip.
 const LONGEST_ARRAY: usize = 16 << 20;
 
-/// The stream.
+/// Stream of the expanded bytes.
 pub(crate) struct Part {
     bytes: Rc<Vec<u8>>,
-    /// What is still packed.
+    /// Range of the bytes still packed.
     packed: Range<usize>,
     length: usize,
-    /// `None` for what is stored as it is.
+    /// State of the decompressor; `None` for stored bytes.
     inflate: Option<Box<InflateState>>,
     chunk: Vec<u8>,
-    /// What of the chunk has been taken.
+    /// Number of bytes taken from the chunk.
     taken: usize,
-    /// How many bytes are still to come.
+    /// Number of bytes still to come.
     left: u64,
     checksum: Checksum,
-    /// `None` for a text, of which no checksum is stated.
+    /// Stated checksum; `None` for a text.
     expected: Option<u32>,
     token: usize,
     longest: usize,
@@ -63,21 +64,21 @@ impl Part {
         }
     }
 
-    /// The bytes of a text, in which one token may hold the values of all frames.
+    /// Stream of a text, in which one token may hold the values of all frames.
     pub fn of_text(bytes: Vec<u8>) -> Self {
         let length = bytes.len();
         let part = Self::new(Rc::new(bytes), 0..length, false, length as u64, 0);
         Self { expected: None, longest: LONGEST_ARRAY, ..part }
     }
 
-    /// Appends about `budget` bytes of it to `bytes`. Whether it has come to the end.
+    /// Appends about `budget` bytes to `bytes`. Returns true at the end.
     ///
     /// # Errors
-    /// What is not as the archive's directory says.
+    /// The file contradicts the directory of the archive.
     pub fn expand(&mut self, budget: usize, bytes: &mut Vec<u8>) -> Result<bool, Defect> {
         let end = bytes.len().saturating_add(budget);
         while bytes.len() < end {
-            // These bytes are no tokens yet.
+            // Plain bytes have no tokens.
             self.begin_token();
             let Ok(chunk) = self.fill_buf() else { return Err(self.refusal().unwrap_or(Defect::Damaged)) };
             let count = chunk.len();
@@ -90,17 +91,17 @@ impl Part {
         Ok(false)
     }
 
-    /// Begins the next token.
+    /// Begins the next token, for the bound on its length.
     pub fn begin_token(&mut self) {
         self.token = 0;
     }
 
-    /// Which part of it has been read, from 0 to 1.
+    /// Progress, from 0 to 1.
     pub fn progress(&self) -> f64 {
         if self.length == 0 { 1.0 } else { 1.0 - self.packed.len() as f64 / self.length as f64 }
     }
 
-    /// Why the stream ended early.
+    /// Reason why the stream ended early.
     pub fn refusal(&mut self) -> Option<Defect> {
         self.refusal.take()
     }
@@ -136,7 +137,7 @@ impl Part {
         self.checksum.add(&self.chunk);
         match self.left.checked_sub(self.chunk.len() as u64) {
             Some(left) => self.left = left,
-            // More than the directory says: it was written to deceive.
+            // More than the directory states: the file is manipulated.
             None => return Err(self.refuse(Defect::Damaged)),
         }
         let changed = self.expected.is_some_and(|expected| self.checksum.value() != expected);

@@ -1,4 +1,4 @@
-//! XML as a stream of tokens, with bounds on what a hostile file can make it hold.
+//! XML as a stream of tokens, with bounds on the memory that a hostile file can use.
 
 use super::Defect;
 use super::part::Part;
@@ -7,10 +7,10 @@ use quick_xml::events::{BytesEnd, BytesRef, BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 use std::borrow::Cow;
 
-/// No spreadsheet and no project nests deeper.
+/// Greatest depth of nesting; no spreadsheet and no project is deeper.
 const DEEPEST: usize = 200;
 
-/// A stream of tokens.
+/// Stream of tokens.
 pub(crate) struct Xml {
     reader: Reader<Part>,
     buffer: Vec<u8>,
@@ -23,49 +23,49 @@ impl std::fmt::Debug for Xml {
     }
 }
 
-/// A token. Names are without their prefix.
+/// Token. Names are without their prefix.
 #[derive(Debug)]
 pub(crate) enum Token<'a> {
     Open(Tag<'a>),
     Close(BytesEnd<'a>),
     Text(Cow<'a, str>),
-    /// An entity that is none of those every XML has.
+    /// Entity other than the five predefined ones of XML and characters by number.
     UnknownEntity,
-    /// A document type, and whether it declares something of its own.
+    /// Document type; true if it has declarations of its own.
     DocumentType {
         declares: bool,
     },
-    /// A comment or a declaration.
+    /// Comment or declaration.
     Other,
     End,
 }
 
 impl Token<'_> {
-    /// Whether it begins the element of this name.
+    /// True if it begins the element of this name.
     pub fn opens(&self, name: &str) -> bool {
         matches!(self, Token::Open(tag) if tag.name() == name)
     }
 
-    /// Whether it ends the element of this name.
+    /// True if it ends the element of this name.
     pub fn closes(&self, name: &str) -> bool {
         matches!(self, Token::Close(tag) if tag.local_name().into_inner() == name)
     }
 }
 
-/// The tag that begins an element.
+/// Tag that begins an element.
 #[derive(Debug)]
 pub(crate) struct Tag<'a>(BytesStart<'a>);
 
 impl Tag<'_> {
-    /// The name of the element.
+    /// Name of the element.
     pub fn name(&self) -> &str {
         self.0.local_name().into_inner()
     }
 
-    /// An attribute by its name. LibreOffice repeats some of OpenDocument with a prefix of its own; those are passed over.
+    /// Value of an attribute. LibreOffice repeats some attributes of OpenDocument with its own prefix; these are ignored.
     pub fn attribute(&self, name: &str) -> Option<String> {
         let mut attributes = self.0.attributes();
-        // Comparing every name with all others takes too long where a hostile tag has thousands.
+        // Without checks for duplicates, which are slow if a hostile tag has thousands of attributes.
         let mut attributes = attributes.with_checks(false).flatten();
         let own = attributes.find(|attribute| {
             attribute.key.local_name().into_inner() == name
@@ -74,7 +74,7 @@ impl Tag<'_> {
         own?.normalized_value(XmlVersion::Explicit1_0).ok().map(Cow::into_owned)
     }
 
-    /// An attribute that is a number; `None` where it is absent or none.
+    /// Value of a numeric attribute; `None` if it is absent or not a number.
     pub fn number(&self, name: &str) -> Option<u32> {
         self.attribute(name)?.trim().parse().ok()
     }
@@ -90,20 +90,20 @@ impl Xml {
         Self { reader, buffer: Vec::new(), depth: 0 }
     }
 
-    /// Which part of the stream has been read, from 0 to 1.
+    /// Progress, from 0 to 1.
     pub fn progress(&self) -> f64 {
         self.reader.get_ref().progress()
     }
 
-    /// How many bytes of XML have been read.
+    /// Number of bytes of XML read.
     pub fn position(&self) -> u64 {
         self.reader.buffer_position()
     }
 
-    /// The next token.
+    /// Next token.
     ///
     /// # Errors
-    /// What is damaged, too long or nested too deeply.
+    /// The stream is damaged, a token too long, or the nesting too deep.
     pub fn next(&mut self) -> Result<Token<'_>, Defect> {
         self.buffer.clear();
         self.reader.get_mut().begin_token();
@@ -128,7 +128,7 @@ impl Xml {
     }
 }
 
-/// What an entity stands for: one of the five of XML, or a character by its number.
+/// Character of an entity: one of the five predefined ones of XML, or a character by number.
 fn entity(name: &BytesRef<'_>) -> Option<Cow<'static, str>> {
     match name.resolve_char_ref() {
         Ok(Some(character)) => Some(Cow::Owned(character.to_string())),

@@ -1,4 +1,4 @@
-//! Gives the columns of a table their roles.
+//! Assignment of roles to the columns of a table.
 
 use super::bodies::{forget_bodies, owners as owners_of_bodies};
 use super::names::{is_frame, is_row_number};
@@ -8,8 +8,9 @@ use crate::origin::{Reason, Role};
 use crate::table::{Column, Table};
 use std::collections::BTreeSet;
 
-/// Decides the roles of all columns, and bodies where each has its own clock but no name; says what is not plain. Where several
-/// readings hold, [`Table::readings`] has them, and the roles are those of the first.
+/// Decides the roles of all columns, and numbers the bodies if several columns are clocks without named bodies. Returns
+/// remarks on unclear roles. If several readings are possible, they are stored in [`Table::readings`], and the roles are
+/// those of the first.
 pub(crate) fn assign(table: &mut Table) -> Vec<Remark> {
     let decision = decide::decide(&table.columns);
     let of_bodies = table.columns.iter().any(|column| column.body.is_some());
@@ -22,7 +23,7 @@ pub(crate) fn assign(table: &mut Table) -> Vec<Remark> {
     remarks
 }
 
-/// Measures every column against the one of `clocks` that it belongs to.
+/// Assigns every column to the one of `clocks` against which it is measured.
 pub(crate) fn measure_against(table: &mut Table, clocks: &[usize], reason: Reason) {
     let mut clocks = clocks.to_vec();
     clocks.sort_unstable();
@@ -44,7 +45,7 @@ pub(crate) fn measure_against(table: &mut Table, clocks: &[usize], reason: Reaso
     }
 }
 
-/// A column, those of its name in other bodies, and what the bodies without one are measured against as read.
+/// The column `clock`, columns of its name in other bodies, and the independent variables of the bodies without one.
 fn of_each_body(table: &Table, clock: usize) -> Vec<usize> {
     let Some(chosen) = table.columns.get(clock) else { return Vec::new() };
     let with_one: BTreeSet<&Option<String>> =
@@ -57,7 +58,7 @@ fn of_each_body(table: &Table, clock: usize) -> Vec<usize> {
     clocks.map(|(index, _)| index).collect()
 }
 
-/// The one of `clocks`, which ascend, that each column belongs to.
+/// One per column: the clock it belongs to. `clocks` ascend.
 pub(super) fn owners(columns: &[Column], clocks: &[usize]) -> Vec<usize> {
     let values: Vec<usize> = (0..columns.len()).filter(|index| clocks.binary_search(index).is_err()).collect();
     let of_bodies = columns.iter().any(|column| column.body.is_some());
@@ -70,7 +71,7 @@ fn take(table: &mut Table, clocks: &[usize], owners: &[usize], reason: Reason) {
     let named = table.columns.iter().any(|column| !column.name.is_empty());
     for (index, (column, owner)) in table.columns.iter_mut().zip(owners).enumerate() {
         let is_clock = clocks.binary_search(&index).is_ok();
-        // A counter beside a time is no measurement.
+        // A counter beside a time is not a measured quantity.
         let counts = named && (column.name.is_empty() || is_row_number(&column.name) || is_frame(&column.name));
         let counts = !is_clock && counts && index < first && numbers::are_whole(&column.values);
         column.independent = if is_clock || counts { index } else { *owner };
@@ -82,7 +83,7 @@ fn take(table: &mut Table, clocks: &[usize], owners: &[usize], reason: Reason) {
     }
 }
 
-/// Calls the bodies of several clocks by their numbers.
+/// Names the bodies of several clocks by numbers from 1.
 fn number_bodies(table: &mut Table, clocks: &[usize]) {
     for column in &mut table.columns {
         let place = clocks.binary_search(&column.independent).ok();

@@ -1,21 +1,21 @@
-//! The clocks of a table whose header names bodies or runs.
+//! Clocks of a table whose header names bodies or runs.
 
 use super::names::{is_frame, is_row_number, is_time, tag};
 use crate::origin::UnitOrigin;
 use crate::table::{Column, Table};
 use units::Dimension;
 
-/// True if a column may hold times by its unit.
+/// True if a column has a unit of time, or none.
 pub(super) fn may_be_time(column: &Column) -> bool {
     column.unit.as_ref().is_none_or(|unit| unit.dimension == Dimension::TIME)
 }
 
-/// True if a column is in a unit of time.
+/// True if a column has a unit of time.
 pub(super) fn is_in_time(column: &Column) -> bool {
     column.unit.as_ref().is_some_and(|unit| unit.dimension == Dimension::TIME)
 }
 
-/// The clocks, ascending.
+/// Indices of the clocks, ascending.
 pub(super) fn clocks(columns: &[Column]) -> Vec<usize> {
     let all = |wanted: &dyn Fn(&Column) -> bool| -> Vec<usize> {
         (0..columns.len()).filter(|index| columns.get(*index).is_some_and(wanted)).collect()
@@ -35,8 +35,8 @@ pub(super) fn clocks(columns: &[Column]) -> Vec<usize> {
     if name.is_empty() { vec![time.unwrap_or(0)] } else { all(&|column| column.name == *name) }
 }
 
-/// Of several times with different names (`Time`, `t`) the one that all are measured against: one with a number rather than a
-/// time of day, else the first. Those of other bodies are called as it is, or stand alone in their body.
+/// Reduces several times with different names (`Time`, `t`) to one clock per body: a number is preferred to a time of day,
+/// else the first is used. In other bodies the clock has the same name, or is the only time.
 fn one_clock(columns: &[Column], times: Vec<usize>) -> Vec<usize> {
     let of = |index: &usize| columns.get(*index);
     let Some(chosen) = preferred(columns, &times).and_then(|chosen| of(&chosen)) else { return times };
@@ -51,20 +51,20 @@ fn one_clock(columns: &[Column], times: Vec<usize>) -> Vec<usize> {
         .collect()
 }
 
-/// Of several times one with a number rather than a time of day, else the first.
+/// Preferred clock of several times: a number rather than a time of day, else the first.
 pub(super) fn preferred(columns: &[Column], times: &[usize]) -> Option<usize> {
     let is_number = |index: &&usize| columns.get(**index).is_some_and(|column| column.origin.unit != UnitOrigin::Clock);
     times.iter().find(is_number).or(times.first()).copied()
 }
 
-/// The clock of each column: that of its body, else the nearest before it.
+/// One per column: the clock of its body, else the nearest one before it.
 pub(super) fn owners(columns: &[Column], clocks: &[usize]) -> Vec<usize> {
     let first = clocks.first().copied().unwrap_or(0);
     let owner = |(index, column): (usize, &Column)| {
         if clocks.contains(&index) {
             return index;
         }
-        // Runs may stand beside each other in any order: each has its own clock.
+        // Runs may be in any order: each has its own clock.
         let same_body = |clock: &&usize| {
             column.body.is_some() && columns.get(**clock).is_some_and(|clock| clock.body == column.body)
         };
@@ -75,14 +75,14 @@ pub(super) fn owners(columns: &[Column], clocks: &[usize]) -> Vec<usize> {
     columns.iter().enumerate().map(owner).collect()
 }
 
-/// Forgets bodies that are called by a number, as several clocks without bodies give them.
+/// Removes bodies that are only numbered, as after the import of a table with several clocks without bodies.
 pub(super) fn forget_bodies(table: &mut Table) {
     if table.columns.iter().all(|column| column.body.as_deref().is_none_or(is_number)) {
         table.columns.iter_mut().for_each(|column| column.body = None);
     }
 }
 
-/// True if a body is called by a number.
+/// True if the name of a body is a number.
 pub(super) fn is_number(body: &str) -> bool {
     body.bytes().all(|byte| byte.is_ascii_digit())
 }

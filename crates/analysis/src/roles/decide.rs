@@ -1,4 +1,4 @@
-//! Which columns are independent variables: decided from names, units and numbers together.
+//! Decision which columns are independent variables, from names, units and numbers together.
 
 use super::bodies::{self, is_in_time, may_be_time, preferred};
 use super::layout::{Layout, is_complete, layout};
@@ -7,22 +7,22 @@ use super::numbers::{are_equal, are_even, are_monotone, are_parallel, count, inc
 use crate::origin::Reason;
 use crate::table::Column;
 
-/// So many readings are shown to a person.
+/// Upper bound of the readings shown to a user.
 const SHOWN: usize = 4;
 
-/// The independent variables of a table.
+/// Independent variables of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Decision {
-    /// The independent variables, ascending.
+    /// Indices of the independent variables, ascending.
     pub clocks: Vec<usize>,
-    /// The independent variable of each column.
+    /// One per column: the index of its independent variable.
     pub owners: Vec<usize>,
     pub reason: Reason,
-    /// Where several readings hold: the independent variables of each, ascending.
+    /// If several readings are possible: the independent variables of each, ascending. Else empty.
     pub readings: Vec<Vec<usize>>,
 }
 
-/// Decides it. Where several readings hold the first one is in the other fields.
+/// Decides the independent variables. If several readings are possible, the other fields are those of the first.
 pub(super) fn decide(columns: &[Column]) -> Decision {
     if columns.iter().any(|column| column.body.is_some()) {
         let clocks = bodies::clocks(columns);
@@ -44,9 +44,9 @@ fn errors(columns: &[Column]) -> Vec<bool> {
 
 struct Table<'a> {
     columns: &'a [Column],
-    /// The columns that are called as the errors of others.
+    /// One per column: true if it is named as the error of another column.
     errors: Vec<bool>,
-    /// True if there are names at all.
+    /// True if any column has a name.
     named: bool,
 }
 
@@ -67,7 +67,7 @@ impl Table<'_> {
         let first = (0..self.columns.len()).find(|index| !self.numbers_rows(*index)).unwrap_or(0);
         let period = self.is(first, &|column| column.name == "T" && may_be_time(column));
         let by_unit = self.all(&|column| is_in_time(column) && column.name != "T");
-        // Times that do not increase are values where the first column can be what they are measured against.
+        // Times that do not increase are values if the first column can be their independent variable.
         let is_clock = |index: &&usize| **index == first || self.increases(**index) || !self.is_monotone(first);
         if let Some(time) = by_unit.iter().find(is_clock).filter(|_| !period) {
             return self.timed(*time, Reason::Unit, true, &[]);
@@ -75,7 +75,7 @@ impl Table<'_> {
         self.untimed(first)
     }
 
-    /// Where a column is a time by its name or its unit.
+    /// Decision for a table with a time, by name or unit.
     fn timed(&self, primary: usize, reason: Reason, inexact: bool, times: &[usize]) -> Decision {
         let further: Vec<usize> = (0..self.columns.len())
             .filter(|index| {
@@ -101,7 +101,7 @@ impl Table<'_> {
             all
         };
         let named = self.layout(&with(&clocks)).filter(|layout| layout.by_names);
-        // What stands before several times may be what they were measured at: lengths and periods.
+        // A column before several times may be their independent variable: lengths and periods.
         let before = values(&with(&further));
         let leads = before.iter().all(|value| *value < primary && further.iter().all(|time| value < time));
         if inexact
@@ -119,7 +119,7 @@ impl Table<'_> {
             equal(index) || !inexact && self.is(primary, &|one| self.is(*index, &|other| are_parallel(one, other)))
         };
         let beside = |index: &usize| parallel(index) && index.checked_sub(1) == Some(primary) && named.is_none();
-        // The same times in another unit, or from another zero, are no clock of their own.
+        // The same times in another unit, or from another zero, are not a separate clock.
         clocks.retain(|index| !beside(index));
         if clocks.is_empty() {
             return self.single(primary, reason);
@@ -140,7 +140,7 @@ impl Table<'_> {
         }
     }
 
-    /// Where no name and no unit says that a column is a time.
+    /// Decision for a table in which no name or unit indicates a time.
     fn untimed(&self, first: usize) -> Decision {
         if !self.named {
             return self.unnamed();
@@ -172,7 +172,7 @@ impl Table<'_> {
         }
     }
 
-    /// A table without names: the first column, unless others may be clocks by their numbers.
+    /// Decision for a table without names: the first column, unless others may be clocks by their numbers.
     fn unnamed(&self) -> Decision {
         let of = |index: usize| self.columns.get(index).map(|column| column.values.as_slice()).unwrap_or_default();
         let last = self.columns.len().saturating_sub(1);
@@ -193,12 +193,12 @@ impl Table<'_> {
         }
     }
 
-    /// All columns against one.
+    /// All columns against one clock.
     fn single(&self, clock: usize, reason: Reason) -> Decision {
         Decision { clocks: vec![clock], owners: vec![clock; self.columns.len()], reason, readings: Vec::new() }
     }
 
-    /// Several readings, each with its independent variables.
+    /// Several readings, each given by its independent variables.
     fn asked(&self, mut readings: Vec<Vec<usize>>, reason: Reason) -> Decision {
         readings.truncate(SHOWN);
         let clocks = readings.first().cloned().unwrap_or_default();
@@ -210,7 +210,7 @@ impl Table<'_> {
         layout(self.columns, clocks, &self.values(clocks))
     }
 
-    /// The columns that hold something measured beside these clocks.
+    /// Columns with measured values beside these clocks.
     fn values(&self, clocks: &[usize]) -> Vec<usize> {
         let first = clocks.first().copied().unwrap_or(0);
         (0..self.columns.len())
@@ -221,7 +221,7 @@ impl Table<'_> {
             .collect()
     }
 
-    /// The column that numbers rows or frames, where there is one.
+    /// First column that numbers rows or frames, except those in `but`.
     fn counter(&self, but: &[usize]) -> Option<usize> {
         (0..self.columns.len())
             .find(|index| !but.contains(index) && (self.numbers_rows(*index) || self.counts_frames(*index)))

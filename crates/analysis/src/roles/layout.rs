@@ -1,23 +1,23 @@
-//! Which clock each column belongs to, where a table has several.
+//! Assignment of columns to clocks in a table with several.
 
 use super::names::{has_tag, tag};
 use super::numbers::covers;
 use crate::table::Column;
 
-/// The clock of each column, and whether names have decided it.
+/// Assignment of columns to clocks.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Layout {
-    /// One for each column; clocks are their own.
+    /// One per column: the index of its clock; a clock belongs to itself.
     pub owners: Vec<usize>,
-    /// True if the names of the columns say which clock is theirs: `tA, tB, yA, yB`.
+    /// True if the names of the columns decided it: `tA, tB, yA, yB`.
     pub by_names: bool,
 }
 
-/// The clocks of the columns in `values`; `None` where some clock would have no column, or it is open whose column one is.
+/// Assigns the columns in `values` to clocks; `None` if a clock would have no column, or the assignment is ambiguous.
 /// `clocks` ascend.
 pub(super) fn layout(columns: &[Column], clocks: &[usize], values: &[usize]) -> Option<Layout> {
     let (names, place) = (by_names(columns, clocks, values), by_place(clocks, values));
-    // `t, y1, y2, t2`: without a tag of its own a clock leaves it to the places.
+    // In `t, y1, y2, t2` a clock has no tag, so that positions decide.
     let bare =
         |clock: &usize| columns.get(*clock).is_some_and(|clock| tag(&clock.name).is_some_and(|tag| tag.is_empty()));
     let (found, by_names) = match (names, place) {
@@ -39,9 +39,9 @@ pub(super) fn layout(columns: &[Column], clocks: &[usize], values: &[usize]) -> 
     Some(Layout { owners, by_names })
 }
 
-/// By what the names of clocks and columns have in common. A column without a tag belongs to the clock without one.
+/// Assignment by common tags in names of clocks and columns. A column without a tag belongs to the clock without one.
 fn by_names(columns: &[Column], clocks: &[usize], values: &[usize]) -> Option<Vec<usize>> {
-    // So many names can be compared with all others.
+    // Upper bound of the number of clocks, because each name is compared with all of them.
     const MOST: usize = 100;
     if clocks.len() > MOST {
         return None;
@@ -60,7 +60,7 @@ fn by_names(columns: &[Column], clocks: &[usize], values: &[usize]) -> Option<Ve
     (different && clocks.iter().all(|clock| found.contains(clock))).then_some(found)
 }
 
-/// Each clock before its columns, or all clocks before as many columns.
+/// Assignment by position: each clock before its columns, or all clocks before as many columns.
 fn by_place(clocks: &[usize], values: &[usize]) -> Option<Vec<usize>> {
     let (first, last) = (*clocks.first()?, *clocks.last()?);
     let before = |value: &usize| {
@@ -75,7 +75,7 @@ fn by_place(clocks: &[usize], values: &[usize]) -> Option<Vec<usize>> {
     in_pairs.then(|| clocks.to_vec())
 }
 
-/// True if every column has a time wherever it has a value.
+/// True if every column has a time for each of its values.
 pub(super) fn is_complete(columns: &[Column], owners: &[usize]) -> bool {
     columns
         .iter()

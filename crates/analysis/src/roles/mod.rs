@@ -1,4 +1,4 @@
-//! The roles of the columns of a table: which are independent variables, of which others, and which only count rows.
+//! Roles of the columns of a table: independent variables, measured quantities and counters of rows.
 
 mod assign;
 mod bodies;

@@ -1,9 +1,9 @@
-//! What the name of a column says of its role: a time, the number of a row, the error of another column.
+//! Roles indicated by the name of a column: a time, the number of a row, the error of another column.
 
 use crate::error_name::{self, Belongs};
 use std::collections::BTreeSet;
 
-/// Names of times, in the languages of the laboratory and some neighbours.
+/// Names of times, in several languages.
 const TIMES: [&str; 17] = [
     "t",
     "time",
@@ -23,7 +23,7 @@ const TIMES: [&str; 17] = [
     "millis",
     "micros",
 ];
-/// Names of columns that number the rows. A single letter counts as it is: `N` is none.
+/// Names of columns that number the rows. Single letters are case-sensitive: `N` is not one.
 const ROWS: [&str; 24] = [
     "#",
     "n",
@@ -50,11 +50,10 @@ const ROWS: [&str; 24] = [
     "lfd. nr",
     "unnamed: 0",
 ];
-/// Names of frames and steps, which pass at a constant rate.
+/// Names of frames and steps, which follow at a constant rate.
 const FRAMES: [&str; 9] = ["frame", "frames", "step", "fotograma", "cuadro", "paso", "bild", "image", "imagen"];
 
-/// True if a column of this name holds times, as far as its name says: `t`, `Time`, `t (camera)`. A capital `T` may be a
-/// temperature or a period.
+/// True if a column of this name may hold times: `t`, `Time`, `t (camera)`. A capital `T` may be a temperature or a period.
 pub(crate) fn is_time(name: &str) -> bool {
     let stem = name.split(['(', '[']).next().unwrap_or(name).trim();
     is_word(stem)
@@ -64,8 +63,8 @@ fn is_word(text: &str) -> bool {
     text != "T" && TIMES.contains(&text.to_lowercase().as_str())
 }
 
-/// The part of the name of a time that distinguishes it from other times, in small letters: `a` of `tA`, `heavy` of `Time heavy` and of
-/// `heavy time`, `1` of `time.1`, nothing of `t`. `None` for what is not named as a time.
+/// Part of the name of a time that distinguishes it from other times, in lower case: `a` for `tA`, `heavy` for `Time heavy`
+/// and `heavy time`, `1` for `time.1`, empty for `t`. `None` for other names.
 pub(super) fn tag(name: &str) -> Option<String> {
     if is_word(name.trim()) {
         return Some(String::new());
@@ -91,7 +90,7 @@ pub(super) fn has_tag(name: &str, tag: &str) -> bool {
         || name.strip_prefix(tag).is_some_and(|rest| rest.starts_with(' '))
 }
 
-/// The words and numbers of a name: `t`, `A` of `tA`; `time`, `1` of `time.1`.
+/// Words and numbers of a name: `t`, `A` for `tA`; `time`, `1` for `time.1`.
 fn parts(name: &str) -> Vec<&str> {
     let mut parts = Vec::new();
     let mut start = None;
@@ -128,8 +127,8 @@ fn is_in(list: &[&str], name: &str) -> bool {
     known(name) || (stem.chars().count() > 1 && known(stem.trim_end_matches(|letter: char| letter.is_ascii_digit())))
 }
 
-/// True if a name is that of the errors of a column with one of these names in small letters: `sigma_t`, `dt`, `u(t)`, `err_t`; or that
-/// of the errors of the column before, `±`. `u_t` and `s_t` are errors here: beside `t` they are no times.
+/// True if a name is that of the errors of a column in `others` (names in lower case): `sigma_t`, `dt`, `u(t)`, `err_t`; or
+/// that of the errors of the column before, `±`. `u_t` and `s_t` also count as errors here: beside `t` they are not times.
 pub(super) fn is_error(name: &str, others: &BTreeSet<String>) -> bool {
     let short = || {
         let name = name.to_lowercase();

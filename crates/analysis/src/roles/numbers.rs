@@ -1,13 +1,13 @@
-//! What the numbers of a column say of its role.
+//! Roles indicated by the numbers of a column.
 
 use crate::table::Column;
 
-/// True if every number is larger than the one before; there are at least two.
+/// True if every number is greater than the one before, and there are at least two.
 pub(super) fn increase(values: &[f64]) -> bool {
     in_order(values, |before, after| after > before)
 }
 
-/// True if the numbers increase or decrease throughout.
+/// True if the numbers strictly increase or strictly decrease.
 pub(super) fn are_monotone(values: &[f64]) -> bool {
     increase(values) || in_order(values, |before, after| after < before)
 }
@@ -35,10 +35,10 @@ pub(super) fn are_whole(values: &[f64]) -> bool {
     values.iter().all(|value| value.is_nan() || value.fract() == 0.0)
 }
 
-/// True if there are at least five numbers, evenly spaced and increasing, as a clock shows them.
+/// True if there are at least five numbers, evenly spaced and increasing, like those of a clock.
 pub(super) fn are_even(values: &[f64]) -> bool {
     const FEWEST: usize = 5;
-    // Times rounded to a fiftieth of their step are even.
+    // Tolerance for rounded times, as a part of their step.
     const ROUNDED: f64 = 0.02;
     let filled = values.iter().rposition(|value| value.is_finite()).map_or(0, |last| last + 1);
     let Some((&first, &last)) = values.first().zip(filled.checked_sub(1).and_then(|last| values.get(last))) else {
@@ -49,22 +49,22 @@ pub(super) fn are_even(values: &[f64]) -> bool {
     filled >= FEWEST && step > 0.0 && values.iter().take(filled).enumerate().all(even)
 }
 
-/// True if a clock shows a time in every row in which there is a value.
+/// True if a clock has a time in every row with a value.
 pub(super) fn covers(clock: &[f64], values: &[f64]) -> bool {
     clock.iter().zip(values).all(|(time, value)| value.is_nan() || time.is_finite())
 }
 
-/// True if two columns show the same in SI, wherever both show something. Without a unit a column is in that of the other.
+/// True if two columns have equal values in SI and the same gaps. A column without a unit has the unit of the other one.
 pub(super) fn are_equal(one: &Column, other: &Column) -> bool {
     differ_by(one, other, |_| 0.0)
 }
 
-/// True if two columns show the same in SI but for their zeros.
+/// True if two columns differ by a constant in SI.
 pub(super) fn are_parallel(one: &Column, other: &Column) -> bool {
     differ_by(one, other, |first| first)
 }
 
-/// True if the difference of two columns in SI is everywhere the one that `expected` makes of the first difference.
+/// True if the difference of two columns in SI is everywhere `expected` of the first difference.
 fn differ_by(one: &Column, other: &Column, expected: impl Fn(f64) -> f64) -> bool {
     let (own, its) = (one.unit.as_ref().or(other.unit.as_ref()), other.unit.as_ref().or(one.unit.as_ref()));
     let si = |unit: Option<&units::Unit>, value: f64| unit.map_or(value, |unit| unit.to_si(value));

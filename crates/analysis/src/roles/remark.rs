@@ -1,4 +1,4 @@
-//! Sentences on the roles of columns, where these are not plain.
+//! Remarks on unclear roles of columns.
 
 use super::bodies::{is_in_time, is_number};
 use super::decide::Decision;
@@ -7,38 +7,38 @@ use crate::origin::{Reason, Role};
 use crate::table::Table;
 use units::Language::{self, Spanish};
 
-/// Something that a person should know about the roles of columns. All names are labels.
+/// Remark for the user on the roles of columns. All names are labels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Remark {
     /// Several columns are clocks: each with the columns that belong to it.
     Clocks(Vec<(String, Vec<String>)>),
     /// A column numbers the rows, and another one is the independent variable.
     RowNumbers {
-        /// The numbers of the rows.
+        /// Column of the row numbers.
         counter: String,
-        /// The independent variable.
+        /// Independent variable.
         variable: String,
     },
-    /// A column in a unit of time, or named as a time, is taken for a measured quantity.
+    /// A column in a unit of time, or named as a time, is taken as a measured quantity.
     Quantity {
         /// The column.
         column: String,
-        /// What it is measured against.
+        /// Its independent variable.
         variable: String,
     },
-    /// The columns that the document, or a person, has made the independent variables.
+    /// The document or the user has chosen the independent variables.
     Chosen {
-        /// These.
+        /// Chosen columns.
         columns: Vec<String>,
-        /// Whether it was the document.
+        /// True if the document chose them, false for the user.
         by_document: bool,
     },
-    /// Several readings hold: the independent variables of each.
+    /// Several readings are possible: the independent variables of each.
     Readings(Vec<Vec<String>>),
 }
 
 impl Remark {
-    /// It in a sentence, in English or Spanish.
+    /// Remark as a sentence in English or Spanish.
     pub fn text(&self, language: Language) -> String {
         let say = |english: String, other: String| if language == Spanish { other } else { english };
         match self {
@@ -98,7 +98,7 @@ impl Remark {
     }
 }
 
-/// A label in a sentence: `column 2` for a number.
+/// Label in a sentence: `column 2` for a number.
 fn called(label: &str, language: Language) -> String {
     if label.bytes().all(|byte| byte.is_ascii_digit()) {
         language.pick(format!("column {label}"), format!("la columna {label}"))
@@ -111,7 +111,7 @@ fn listed(labels: &[String], language: Language) -> String {
     labels.iter().map(|label| called(label, language)).collect::<Vec<_>>().join(", ")
 }
 
-/// A reading in words: `all columns against t`, or `t and t2, each for its own columns`.
+/// Reading in words: `all columns against t`, or `t and t2, each for its own columns`.
 pub(crate) fn reading(clocks: &[String], language: Language) -> String {
     match clocks {
         [clock] => {
@@ -125,7 +125,7 @@ pub(crate) fn reading(clocks: &[String], language: Language) -> String {
     }
 }
 
-/// What is to be said of a decision, once the roles are taken.
+/// Remarks on a decision. Call it after the roles are assigned.
 pub(super) fn remarks(table: &Table, decision: &Decision) -> Vec<Remark> {
     let label = |index: usize| table.label(index);
     if !decision.readings.is_empty() {

@@ -1,4 +1,4 @@
-//! The choice of an independent variable by a document or a person.
+//! Choice of an independent variable by a document or a user.
 
 use super::assign::{self, measure_against, owners};
 use super::bodies::forget_bodies;
@@ -7,18 +7,18 @@ use crate::origin::{Reason, Role};
 use crate::table::Table;
 use units::{Dimension, Language};
 
-/// The column that suits the independent variable of a document.
+/// Column that matches the independent variable of a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Suited {
-    /// What the columns are measured against suits it, or nothing does.
+    /// The present independent variable matches, or no column does.
     AsRead,
-    /// This column does.
+    /// This column matches.
     Column(usize),
 }
 
 impl Table {
-    /// The column with the name of an independent variable of this dimension, or else the only one in a unit of it. Of columns
-    /// named in `observed` none is it.
+    /// Column with the name of an independent variable of this dimension, or else the only one with a unit of it. Columns
+    /// in `observed` are excluded.
     pub fn suited(&self, name: &str, dimension: Dimension, observed: &[usize]) -> Suited {
         let unit =
             |index: usize| self.columns.get(index).and_then(|column| column.unit.as_ref()).map(|unit| unit.dimension);
@@ -42,7 +42,7 @@ impl Table {
         }
         let mut of_unit = all().filter(|index| unit(*index) == Some(dimension));
         let (Some(one), None) = (of_unit.next(), of_unit.next()) else { return Suited::AsRead };
-        // A quantity that is a time is known by the rules for times already.
+        // A time as a quantity is already handled by the rules for times.
         let clocks: Vec<usize> = self.independent().filter(|index| is_used(*index)).collect();
         let fits = |index: &usize| unit(*index) == Some(dimension);
         let open = self.distinguishes(one);
@@ -53,14 +53,14 @@ impl Table {
         settled(one)
     }
 
-    /// True if this column alone is the independent variable of one open reading and none of the others has it.
+    /// True if this column alone is the independent variable of one open reading and does not occur in the others.
     fn distinguishes(&self, column: usize) -> bool {
         let mut with = self.readings.iter().filter(|reading| reading.contains(&column));
         with.next().is_some_and(|reading| reading[..] == [column]) && with.next().is_none()
     }
 
-    /// Measures all columns against the one that suits the independent variable of a document; says so where that is another one
-    /// than was read.
+    /// Measures all columns against the one that matches the independent variable of a document. Returns a remark if that
+    /// differs from the present one.
     pub fn suit(&mut self, name: &str, dimension: Dimension, observed: &[usize]) -> Option<Remark> {
         let Suited::Column(column) = self.suited(name, dimension, observed) else { return None };
         Some(self.against(&[column], Reason::Document))
@@ -75,25 +75,25 @@ impl Table {
         }
     }
 
-    /// The independent variables that are no mere counters.
+    /// Indices of the independent variables, without counters.
     pub fn clocks(&self) -> impl Iterator<Item = usize> + '_ {
         self.independent().filter(|index| {
             self.columns.get(*index).is_some_and(|column| matches!(column.origin.role, Role::Independent(_)))
         })
     }
 
-    /// Decides the roles of all columns again, as they were read.
+    /// Decides the roles of all columns again, as after the import.
     pub fn read_roles(&mut self) {
         forget_bodies(self);
         assign::assign(self);
     }
 
-    /// A reading in words, by the columns that are independent variables in it.
+    /// Reading in words, given by its independent variables.
     pub fn reading_in_words(&self, clocks: &[usize], language: Language) -> String {
         remark::reading(&clocks.iter().map(|index| self.label(*index)).collect::<Vec<_>>(), language)
     }
 
-    /// True if it is open what a column is measured against, or whether it is an independent variable itself.
+    /// True if the readings differ in the independent variable of a column.
     pub fn is_open(&self, column: usize) -> bool {
         let variable = |reading: &Vec<usize>| owners(&self.columns, reading).get(column).copied();
         let mut variables = self.readings.iter().map(variable);

@@ -1,13 +1,13 @@
-//! A ZIP archive whose files are stored as they are (PKWARE, APPNOTE.TXT 6.3.3). Made again it has the same bytes: the time
-//! in it is the first that the format has.
+//! Writer of a ZIP archive with stored files (PKWARE, APPNOTE.TXT 6.3.3). Its bytes are reproducible: all files have the
+//! earliest date of the format.
 
-/// The first of January 1980.
+/// 1 January 1980.
 const DATE: u16 = 0x0021;
-/// Version 2.0, and names in UTF-8.
+/// Version 2.0, and the flag for names in UTF-8.
 const VERSION: u16 = 20;
 const UTF8: u16 = 0x0800;
 
-/// An archive that grows.
+/// Archive under construction.
 #[derive(Debug, Default)]
 pub struct Archive {
     bytes: Vec<u8>,
@@ -20,7 +20,7 @@ impl Archive {
     pub fn add(&mut self, name: &str, content: &[u8]) {
         let start = self.bytes.len() as u32;
         let size = content.len() as u32;
-        // What both headers of a file say about it.
+        // Fields common to both headers of a file.
         let mut facts = Vec::with_capacity(26);
         for word in [VERSION, UTF8, 0, 0, DATE] {
             facts.extend(word.to_le_bytes());
@@ -45,7 +45,7 @@ impl Archive {
         self.files += 1;
     }
 
-    /// The whole archive.
+    /// Bytes of the archive.
     pub fn finish(mut self) -> Vec<u8> {
         let start = self.bytes.len() as u32;
         let size = self.directory.len() as u32;
@@ -60,7 +60,7 @@ impl Archive {
     }
 }
 
-/// CRC-32 of a byte for each value, bit by bit.
+/// CRC-32 of each byte value.
 const CHECKS: [u32; 256] = {
     let mut table = [0; 256];
     let mut byte = 0;
@@ -77,7 +77,7 @@ const CHECKS: [u32; 256] = {
     table
 };
 
-/// The CRC-32 of the archive format, of bytes that come one piece after the other.
+/// CRC-32 as in ZIP, of bytes that come in pieces.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Checksum(u32);
 
@@ -88,19 +88,19 @@ impl Default for Checksum {
 }
 
 impl Checksum {
-    /// Takes the next piece.
+    /// Adds the next piece.
     pub fn add(&mut self, bytes: &[u8]) {
         let next = |check: u32, byte: &u8| CHECKS[((check ^ u32::from(*byte)) & 0xff) as usize] ^ (check >> 8);
         self.0 = bytes.iter().fold(self.0, next);
     }
 
-    /// That of all pieces so far.
+    /// Checksum of all pieces so far.
     pub fn value(self) -> u32 {
         !self.0
     }
 }
 
-/// The CRC-32 (ISO 3309) of some bytes, as ZIP archives and PNG pictures have it.
+/// CRC-32 (ISO 3309) of some bytes, as used in ZIP archives and PNG pictures.
 pub fn checksum(bytes: &[u8]) -> u32 {
     let mut checksum = Checksum::default();
     checksum.add(bytes);

@@ -1,40 +1,40 @@
-//! From the objects and properties of the XML to a project. Other properties, such as colours and views, are passed over.
+//! Builds a project from the objects and properties of the XML. Other properties, such as colours and views, are ignored.
 
 use super::coordinates::Placement;
 use super::project::{Film, Mark, Mass, Missing, Project};
 use super::refusal::TrackerError;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// No more bodies are read.
+/// Upper bound of the bodies.
 const MOST_MASSES: usize = 200;
-/// Tracks and filters beyond these are not counted.
+/// Upper bound of the listed other tracks, and of the listed filters.
 const MOST_OTHERS: usize = 200;
-/// Files of a set of tabs beyond these are not counted.
+/// Upper bound of the listed files of a set of tabs.
 const MOST_TABS: usize = 200;
-/// The longest path of a file.
+/// Greatest length of a path, in characters.
 const LONGEST_PATH: usize = 1000;
-/// Videos of these classes are pictures: a series of them, or an animated one.
+/// Classes of videos that are pictures: a sequence, or an animated picture.
 const PICTURES: [&str; 2] = ["ImageVideo", "GifVideo"];
-/// A longer name is cut off.
+/// Greatest length of a name, in characters; longer names are truncated.
 const LONGEST_NAME: usize = 40;
 
-/// A project of which a part has been read.
+/// Project that has been read in part.
 #[derive(Debug, Default)]
 pub(super) struct Builder {
     project: Project,
-    /// Whether there was a root.
+    /// True after the root element.
     begun: bool,
     track: Track,
     mark: [Option<f64>; 2],
     placement: Placement,
     has_clip: bool,
-    /// The duration of a frame that a sequence of pictures states itself, in seconds.
+    /// Duration of a frame stated by a sequence of pictures, s.
     of_pictures: Option<f64>,
-    /// The files that a set of tabs names; `None` where the root is a project.
+    /// Files named by a set of tabs; `None` if the root is a project.
     tabs: Option<Vec<String>>,
 }
 
-/// The track that is being read.
+/// Track being read.
 #[derive(Debug, Default)]
 struct Track {
     name: String,
@@ -43,7 +43,7 @@ struct Track {
 }
 
 impl Builder {
-    /// An element begins; `path` names those around it and itself.
+    /// Processes the begin of an element; `path` holds the names of the enclosing elements and its own.
     pub fn open(&mut self, path: &[&str]) -> Result<(), TrackerError> {
         match path {
             ["TrackerPanel"] if !self.begun => self.begun = true,
@@ -67,11 +67,11 @@ impl Builder {
         Ok(())
     }
 
-    /// An element ends, whose own text is `text`.
+    /// Processes the end of an element with its own text.
     pub fn close(&mut self, path: &[&str], text: &str) -> Result<(), TrackerError> {
         match path {
             [_, name] => self.take_property(name, text),
-            // The path from everywhere, and the one from the folder of the file, which is shorter.
+            // First the absolute path, then the shorter one relative to the folder of the file.
             [_, "tabs", _, _] if !text.is_empty() => self.name_tab(text),
             [_, "videoclip", _, name] => self.take_clip(name, text)?,
             [_, "clipcontrol", _, "delta_t"] => self.project.clip.interval = number(text)?.abs() / 1000.0,
@@ -125,7 +125,7 @@ impl Builder {
         Ok(self.project)
     }
 
-    /// Adds a file of a set of tabs, or gives the last one another path.
+    /// Adds a file of a set of tabs for an empty path; otherwise replaces the path of the last one.
     fn name_tab(&mut self, path: &str) {
         let Some(tabs) = &mut self.tabs else { return };
         if path.is_empty() {
@@ -146,7 +146,7 @@ impl Builder {
 
     fn take_clip(&mut self, name: &str, text: &str) -> Result<(), TrackerError> {
         let clip = &mut self.project.clip;
-        // Java's `int`; the program itself takes the absolute value of steps and counts.
+        // Java's `int`; Tracker itself uses the absolute value of steps and counts.
         let whole = || text.parse::<i32>().map_err(|_| TrackerError::Damaged);
         match name {
             "startframe" => clip.first = u32::try_from(whole()?).unwrap_or(0),
@@ -184,7 +184,7 @@ impl Builder {
 
     fn take_mark(&mut self, index: &str) -> Result<(), TrackerError> {
         let frame = frame(index)?;
-        // A frame that is not marked is left out or `null`.
+        // A frame without a mark is missing or `null`.
         let [Some(x), Some(y)] = self.mark else { return Ok(()) };
         if x.is_finite() && y.is_finite() {
             self.track.marks.insert(frame, [x, y]);
@@ -210,18 +210,18 @@ impl Builder {
     }
 }
 
-/// A number as Java writes it.
+/// Parses a number written by Java.
 fn number(text: &str) -> Result<f64, TrackerError> {
     text.parse().map_err(|_| TrackerError::Damaged)
 }
 
-/// The frame of an element of an array: `[12]`.
+/// Index of the frame in an element of an array: `[12]`.
 fn frame(index: &str) -> Result<u32, TrackerError> {
     let digits = index.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
     digits.and_then(|digits| digits.parse().ok()).ok_or(TrackerError::Damaged)
 }
 
-/// The numbers of an array that stands in one text: `{0,5,9}`.
+/// Numbers of an array in one text: `{0,5,9}`.
 fn array<T: std::str::FromStr>(text: &str) -> Option<Vec<T>> {
     let inside = text.strip_prefix('{')?.strip_suffix('}')?.trim();
     if inside.is_empty() {

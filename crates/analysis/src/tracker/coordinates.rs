@@ -1,28 +1,28 @@
-//! How the pixels of a project become lengths.
+//! Conversion of pixels of a project to lengths.
 
-/// The axes and the scale, which can change from frame to frame.
+/// Axes and scale, which may change from frame to frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Coordinates {
-    /// What is stated, by rising frames: each entry holds until the next one.
+    /// Stated placements, by ascending frames; each holds until the next one.
     pub placements: Vec<Placement>,
-    /// Whether the origin is the same in all frames: the one that was stated last.
+    /// True if the origin of the last placement holds in all frames.
     pub fixed_origin: bool,
-    /// The same of the angle.
+    /// True if the angle of the last placement holds in all frames.
     pub fixed_angle: bool,
-    /// The same of the scale.
+    /// True if the scale of the last placement holds in all frames.
     pub fixed_scale: bool,
 }
 
-/// The axes in a frame.
+/// Axes and scale from a frame on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// The frame from which they hold.
+    /// First frame for which they hold.
     pub frame: u32,
-    /// The pixel of the origin, to the right and down from the top left corner of the picture.
+    /// Origin in pixels, to the right and down from the top left corner of the picture.
     pub origin: [f64; 2],
-    /// The angle of the x axis in degrees, counterclockwise from the horizontal.
+    /// Angle of the x axis, degrees counterclockwise from the horizontal.
     pub angle: f64,
-    /// Pixels per unit of length along the rows and the columns of the picture.
+    /// Scale along the rows and the columns of the picture, pixels per unit of length.
     pub scale: [f64; 2],
 }
 
@@ -33,14 +33,14 @@ impl Default for Placement {
 }
 
 impl Placement {
-    /// Whether lengths can be computed with it.
+    /// True if lengths can be computed with it.
     pub(super) fn is_usable(&self) -> bool {
         let finite = self.origin.iter().chain([&self.angle]).all(|number| number.is_finite());
         finite && self.scale.iter().all(|scale| scale.is_normal())
     }
 
-    /// The position of a pixel in units of length: the inverse of `ImageCoordSystem.updateTransforms`. x and y are
-    /// perpendicular; y is upwards where x is to the right.
+    /// Position of a pixel in units of length: the inverse of `ImageCoordSystem.updateTransforms`. x and y are
+    /// perpendicular; y is upwards if x is to the right.
     pub fn world(&self, pixel: [f64; 2]) -> [f64; 2] {
         let right = (pixel[0] - self.origin[0]) / self.scale[0];
         let up = (self.origin[1] - pixel[1]) / self.scale[1];
@@ -53,7 +53,7 @@ impl Placement {
 }
 
 impl Coordinates {
-    /// The axes in a frame.
+    /// Axes and scale in a frame.
     pub fn at(&self, frame: u32) -> Placement {
         let behind = self.placements.partition_point(|placement| placement.frame <= frame);
         let here = self.placements.get(behind.saturating_sub(1)).copied().unwrap_or_default();
@@ -66,12 +66,12 @@ impl Coordinates {
         }
     }
 
-    /// Whether a scale was stated: without one Tracker takes a pixel for a unit of length.
+    /// True if a scale is stated; without one, Tracker uses pixels as the unit of length.
     pub fn is_scaled(&self) -> bool {
         self.placements.iter().any(|placement| placement.scale != [1.0; 2])
     }
 
-    /// Whether the axes or the scale change.
+    /// True if the axes or the scale change.
     pub fn changes(&self) -> bool {
         let first = self.placements.first().map_or_else(Placement::default, |first| self.at(first.frame));
         self.placements.iter().any(|placement| Placement { frame: first.frame, ..self.at(placement.frame) } != first)

@@ -1,11 +1,13 @@
-//! Projects of Tracker, the video analysis of Open Source Physics: `.trk`, the XML of its `XMLControl`, and `.trz` or `.zip`, an
-//! archive with such a file, its film and pages about it.
+//! Projects of Tracker, the video analysis of Open Source Physics: `.trk`, the XML of its `XMLControl`, and `.trz` or
+//! `.zip`, an archive with such a file, its film and pages about it.
 //!
-//! What the XML says, and how times and coordinates follow from it, is taken from the source of Tracker
+//! The meaning of the XML, and the computation of times and coordinates, follow the source of Tracker
 //! (github.com/OpenSourcePhysics/tracker, `TrackerPanel.Loader`, `PointMass.Loader`) and of its library
-//! (github.com/OpenSourcePhysics/osp, `VideoClip`, `StepperClipControl`, `MovieVideo`, `ImageCoordSystem`, `XMLControlElement`).
+//! (github.com/OpenSourcePhysics/osp, `VideoClip`, `StepperClipControl`, `MovieVideo`, `ImageCoordSystem`,
+//! `XMLControlElement`).
 //!
-//! A file is read in slices and as a stream. Memory is bounded by the size of the file or, in an archive, by what it may expand to.
+//! A file is read in slices and as a stream. Memory is bounded by the size of the file or, in an archive, by its allowed
+//! expansion.
 
 mod builder;
 mod clip;
@@ -26,10 +28,10 @@ pub use project::{Film, Mark, Mass, Missing, Opened, PackedFilm, Project};
 pub use refusal::TrackerError;
 pub use remark::{LeftOut, Remark};
 
-/// How much of the beginning of a file is looked at.
+/// Number of bytes examined at the beginning of a file.
 const LOOK: usize = 4096;
 
-/// Whether a text begins as the XML of Open Source Physics does; its root is an object of a class.
+/// True if a text begins like the XML of Open Source Physics, whose root is an object of a class.
 pub fn is_project(start: &[u8]) -> bool {
     let start = start.get(..LOOK).unwrap_or(start);
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start).trim_ascii_start();

@@ -1,4 +1,4 @@
-//! A project on its way from a file, read in slices.
+//! Reading of a project from a file in slices.
 
 use super::project::{Opened, PackedFilm, Project};
 use super::refusal::TrackerError;
@@ -6,23 +6,23 @@ use super::xml_reader::XmlReader;
 use crate::import;
 use crate::packed::{self, Archive, Gathering, Part};
 
-/// The XML of a project may expand to so many bytes. An hour of film at 100 frames/s with five masses has half of it.
+/// Upper bound of the expanded XML of a project, in bytes. An hour of film at 100 frames/s with five masses has half of it.
 const MOST_EXPANDED: u64 = 256 << 20;
-/// How many projects of an archive are tried.
+/// Upper bound of the projects tried in an archive.
 const MOST_PROJECTS: usize = 20;
 
-/// A project that is being read.
+/// Reading of a project.
 #[derive(Debug)]
 pub struct Opening {
     archive: Option<Archive>,
-    /// The projects of the archive that have not been read, the next one last.
+    /// Names of the projects in the archive still to be read, the next one last.
     names: Vec<String>,
-    /// How many there are.
+    /// Number of projects in the archive.
     projects: usize,
-    /// The one that is being read.
+    /// Name of the present project.
     name: String,
     stage: Stage,
-    /// Why the first project of the archive was passed over.
+    /// Error of the first project in the archive that was skipped.
     first: Option<TrackerError>,
 }
 
@@ -38,7 +38,7 @@ impl Opening {
     /// Begins to read a file, XML or an archive.
     ///
     /// # Errors
-    /// An archive without a project.
+    /// The archive contains no project.
     pub fn new(bytes: Vec<u8>) -> Result<Self, TrackerError> {
         if !packed::is_archive(&bytes) {
             return Ok(Self::of_xml(bytes));
@@ -46,13 +46,13 @@ impl Opening {
         Self::of_archive(Archive::open(bytes)?).map_err(|_| TrackerError::Damaged)
     }
 
-    /// The same for a text.
+    /// Begins to read a project from its XML.
     pub(crate) fn of_xml(bytes: Vec<u8>) -> Self {
         let stage = Stage::Xml(Box::new(XmlReader::new(characters(bytes))));
         Self { archive: None, names: Vec::new(), projects: 1, name: String::new(), stage, first: None }
     }
 
-    /// The same for an archive; it is given back where it holds no project.
+    /// Begins to read the projects of an archive; returns the archive if it has none.
     pub(crate) fn of_archive(archive: Archive) -> Result<Self, Archive> {
         let mut names: Vec<String> = archive.names().filter(|name| is_project_file(name)).map(str::to_owned).collect();
         if names.is_empty() {
@@ -64,11 +64,11 @@ impl Opening {
         Ok(Self { archive: Some(archive), names, projects, name: String::new(), stage: Stage::Next, first: None })
     }
 
-    /// Reads on for about `budget` bytes. Whether it has come to the end. Of several projects in an archive it is the first in
-    /// which a mass is marked.
+    /// Reads about `budget` more bytes. Returns true at the end. Of several projects in an archive, the first with a marked
+    /// mass is read.
     ///
     /// # Errors
-    /// What cannot be read.
+    /// No project can be read.
     pub fn advance(&mut self, budget: usize) -> Result<bool, TrackerError> {
         match self.step(budget) {
             Err(error) if self.names.is_empty() => Err(self.first.take().unwrap_or(error)),
@@ -112,7 +112,7 @@ impl Opening {
         Ok(matches!(self.stage, Stage::Finished(_)))
     }
 
-    /// Which part has been read, from 0 to 1.
+    /// Progress, from 0 to 1.
     pub fn progress(&self) -> f64 {
         match &self.stage {
             Stage::Next => 0.0,
@@ -122,13 +122,13 @@ impl Opening {
         }
     }
 
-    /// What was read, once it is complete.
+    /// Project that was read; `None` before the end.
     pub fn finish(self) -> Option<Opened> {
         let Stage::Finished(project) = self.stage else { return None };
         Some(Opened { project: *project, name: (self.projects > 1).then_some(self.name) })
     }
 
-    /// Looks for the film in the archive: where the project says it is, else anywhere under its name.
+    /// Locates the film in the archive: at the stated path, else anywhere under its name.
     fn find_film(&self, project: &mut Project) {
         let (Some(archive), Some(film)) = (&self.archive, &mut project.film) else { return };
         let path = film.path.replace('\\', "/");
@@ -149,30 +149,30 @@ impl Opening {
 /// Reads a project at once.
 ///
 /// # Errors
-/// What is no project, or damaged, or marks no mass.
+/// The file is not a project, is damaged, or marks no mass.
 pub fn read(bytes: Vec<u8>) -> Result<Opened, TrackerError> {
     let mut opening = Opening::new(bytes)?;
     while !opening.advance(usize::MAX)? {}
     opening.finish().ok_or(TrackerError::Damaged)
 }
 
-/// The bytes of an archive of this length that are needed to read its projects and to find their film, without reading it whole.
+/// Requests for the bytes of an archive of this length that are needed to read its projects and to locate their film.
 pub fn gathering(size: u64) -> Gathering {
     Gathering::new(size, ".trk")
 }
 
-/// Whether a file of an archive is a project. macOS adds files with the attributes of others.
+/// True if a file of an archive is a project. macOS adds files with the attributes of others.
 fn is_project_file(name: &str) -> bool {
     let ends = name.len() > 4 && name.as_bytes()[name.len() - 4..].eq_ignore_ascii_case(b".trk");
     ends && !name.starts_with("__MACOSX/") && !last(name).starts_with("._")
 }
 
-/// A path without its folders.
+/// Path without its folders.
 fn last(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or(path)
 }
 
-/// The text in UTF-8: old versions wrote that of the system and called it UTF-8.
+/// Text in UTF-8; old versions wrote the encoding of the system and declared it as UTF-8.
 fn characters(bytes: Vec<u8>) -> Vec<u8> {
     if core::str::from_utf8(&bytes).is_ok() { bytes } else { import::characters(&bytes).into_owned().into_bytes() }
 }

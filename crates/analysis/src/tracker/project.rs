@@ -1,106 +1,106 @@
-//! What a project says.
+//! Contents of a project.
 
 use super::clip::Clip;
 use super::coordinates::Coordinates;
 use std::ops::Range;
 
-/// A project of one film.
+/// Project of one film.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Project {
-    /// Its film, if it names one.
+    /// Film, if the project names one.
     pub film: Option<Film>,
-    /// Which frames of the film belong to it, and when they were taken.
+    /// Frames of the film that belong to the project, and their times.
     pub clip: Clip,
-    /// How pixels become lengths.
+    /// Conversion of pixels to lengths.
     pub coordinates: Coordinates,
-    /// The unit of its lengths. Tracker means metres where none is stated.
+    /// Unit of its lengths; `None` if not stated, which means metres in Tracker.
     pub length_unit: Option<String>,
-    /// The point masses that are marked in at least one frame.
+    /// Point masses that are marked in at least one frame.
     pub masses: Vec<Mass>,
-    /// The mass that Tracker shows positions relative to; those of this project are relative to the axes.
+    /// Mass relative to which Tracker shows positions; those of this project are relative to the axes.
     pub reference: Option<String>,
-    /// Tracks that are no point masses, by the last part of their class and their name.
+    /// Tracks other than point masses: last part of the class, and name.
     pub others: Vec<(String, String)>,
-    /// What the project does not state.
+    /// Information that the project does not state.
     pub missing: Missing,
-    /// Filters of the film's pictures, by the last part of their class: positions belong to the filtered picture.
+    /// Filters of the pictures of the film, by the last part of their class: positions belong to the filtered picture.
     pub filters: Vec<String>,
 }
 
 impl Project {
-    /// The film, if it can be tracked here.
+    /// Film, if it can be tracked here.
     pub fn trackable(&self) -> Option<&Film> {
         self.film.as_ref().filter(|film| film.is_trackable())
     }
 }
 
-/// What a project does not state, as those that other programs write do not.
+/// Information that a project does not state, as in those written by other programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Missing {
-    /// Which frames of the film it uses: it has no video clip. All marked frames are used then.
+    /// True if it has no video clip and so does not state which frames it uses; then all marked frames are used.
     pub clip: bool,
-    /// How long a frame lasts: it has no clip control, or one without a duration.
+    /// True if it has no clip control, or one without the duration of a frame.
     pub duration: bool,
 }
 
-/// A project that has been read.
+/// Project that has been read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opened {
-    /// What it says.
+    /// Contents.
     pub project: Project,
-    /// Its name in the archive, if it was in one with others.
+    /// Name in the archive, if it was there with others.
     pub name: Option<String>,
 }
 
-/// The film of a project.
+/// Film of a project.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Film {
-    /// Where it is, as the project states it: as a rule relative to the project's file.
+    /// Path stated by the project, usually relative to its file.
     pub path: String,
-    /// Whether it is a sequence of pictures, of which the path names the first, or an animated picture.
+    /// True if it is a sequence of pictures, of which the path names the first, or an animated picture.
     pub pictures: bool,
-    /// Where it is in the archive of the project, if it is there.
+    /// Location in the archive of the project, if it is there.
     pub packed: Option<PackedFilm>,
 }
 
 impl Film {
-    /// Whether it is a film that can be tracked here, as far as the project states.
+    /// True if the stated film can be tracked here.
     pub fn is_trackable(&self) -> bool {
         !self.pictures && !self.path.is_empty()
     }
 }
 
-/// A film in the archive of its project.
+/// Film in the archive of its project.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PackedFilm {
-    /// Its name in the archive, with folders.
+    /// Name in the archive, with folders.
     pub name: String,
-    /// The bytes of the archive that hold it.
+    /// Range of bytes in the archive.
     pub range: Range<u64>,
-    /// Whether these bytes are compressed (Deflate); otherwise they are the film.
+    /// True if these bytes are compressed (Deflate), false if they are the film.
     pub deflated: bool,
-    /// The film's size in bytes, as the archive states it.
+    /// Size of the film in bytes, as stated by the archive.
     pub size: u64,
 }
 
-/// A point mass.
+/// Point mass.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mass {
-    /// Its name, `mass A`.
+    /// Name, for example `mass A`.
     pub name: String,
-    /// Its marks, by rising frames.
+    /// Marks, by ascending frames.
     pub marks: Vec<Mark>,
-    /// Whether the project distinguishes key frames; older ones do not.
+    /// True if the project distinguishes key frames; older ones do not.
     pub has_keys: bool,
 }
 
-/// The position of a mass in a frame.
+/// Position of a mass in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
-    /// The frame, counted as the project does.
+    /// Frame, counted as in the project.
     pub frame: u32,
-    /// The position in pixels, to the right and down from the top left corner of the picture.
+    /// Position in pixels, to the right and down from the top left corner of the picture.
     pub pixel: [f64; 2],
-    /// Whether it is a key frame: marked by hand, or confirmed in the autotracker.
+    /// True for a key frame: marked by hand, or confirmed in the autotracker.
     pub key: bool,
 }

@@ -1,51 +1,51 @@
-//! Why a project cannot be read.
+//! Errors of reading a project.
 
 use super::wording::listed;
 use crate::packed::Defect;
 use units::Language::{self, Spanish};
 
-/// Why a project was not read. Nothing of it is lost: it was not touched.
+/// Reason why a project was not read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TrackerError {
-    /// It is XML of Open Source Physics, but no project of one film.
+    /// The file is XML of Open Source Physics, but not a project of one film.
     NotAProject {
-        /// The last part of the class of its object.
+        /// Last part of the class of its object.
         class: String,
     },
-    /// It is a set of tabs of Tracker.
+    /// The file is a set of tabs of Tracker.
     Tabs {
-        /// The projects and films of the tabs, as the file names them.
+        /// Projects and films of the tabs, as named in the file.
         files: Vec<String>,
     },
     /// No point mass is marked.
     NoMass {
-        /// Whether it names a film that can be tracked here.
+        /// True if it names a film that can be tracked here.
         film: bool,
     },
     /// Only one frame is marked.
     OneFrame {
-        /// Whether it names a film that can be tracked here.
+        /// True if it names a film that can be tracked here.
         film: bool,
     },
-    /// It declares entities or uses some that no XML has, as no program does.
+    /// The XML declares entities, or uses undefined ones; no program writes such a project.
     Entities,
-    /// The XML or the archive is broken off or changed.
+    /// The XML or the archive is truncated or changed.
     Damaged,
-    /// It needs a password.
+    /// The archive needs a password.
     Protected,
-    /// The project would expand to too much.
+    /// The project would expand too much.
     Expands {
-        /// Its size in the archive, in bytes.
+        /// Size in the archive, in bytes.
         packed: u64,
-        /// Its size when expanded, in bytes.
+        /// Expanded size, in bytes.
         expanded: u64,
     },
-    /// It holds more masses or positions than can be read.
+    /// The project holds more masses or positions than can be read.
     TooLarge,
 }
 
 impl TrackerError {
-    /// What is wrong.
+    /// Message for users.
     pub fn message(&self, language: Language) -> String {
         let say = |english: &str, other: &str| (if language == Spanish { other } else { english }).to_owned();
         match self {
@@ -95,7 +95,7 @@ impl TrackerError {
         }
     }
 
-    /// What to do.
+    /// Advice for users.
     pub fn hint(&self, language: Language) -> &'static str {
         let (english, spanish) = match self {
             Self::NotAProject { .. } => (

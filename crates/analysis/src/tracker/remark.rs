@@ -1,77 +1,77 @@
-//! What a person should know about a project, in words.
+//! Remarks on a project for the user.
 
 use super::coordinates::Placement;
 use super::project::{Opened, Project};
 use units::Language;
 
-/// Something a person should know about the data of a project.
+/// Remark on the data of a project for the user.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Remark {
-    /// The archive holds several projects; this is the one that was read, by its name.
+    /// The archive contains several projects; the one with this name was read.
     OneOfSeveral(String),
-    /// Times are the number of the frame times a constant step.
+    /// Times are the frame number times a constant step.
     ConstantStep {
-        /// The step in milliseconds.
+        /// Step, ms.
         milliseconds: f64,
-        /// The path of the film, if it is one with times of its own.
+        /// Path of the film, if it has times of its own.
         film: Option<String>,
-        /// Whether the film is in the archive of the project.
+        /// True if the film is in the archive of the project.
         packed: bool,
     },
-    /// The project does not state how long a frame lasts, and nothing else does: the table has the numbers of the frames.
+    /// Neither the project nor its pictures state the duration of a frame: the table has frame numbers.
     FrameNumbers {
-        /// The path of the film, if it is one with times of its own.
+        /// Path of the film, if it has times of its own.
         film: Option<String>,
     },
-    /// The project has no clip control, which states how long a frame lasts: times are the listed ones, or of the step that its pictures
-    /// state.
+    /// The project has no clip control with the duration of a frame: times are the listed ones, or from the step stated by
+    /// its pictures.
     NoClipControl {
-        /// Whether they are the listed ones.
+        /// True if they are the listed ones.
         listed: bool,
     },
-    /// The project has no video clip, which states the frames that it uses.
+    /// The project has no video clip, which states the used frames.
     NoClip,
-    /// The project lists the times of all frames, which are multiplied by a factor.
+    /// The project lists the times of all frames, which were multiplied by a factor.
     ListedTimes {
-        /// The factor, as the project states another mean duration of a frame than its film.
+        /// Factor, different from 1 if the project states another mean duration of a frame than its film.
         stretch: f64,
     },
     /// Times are those of the frames of the film, which was opened.
     FilmTimes {
-        /// The constant step that the project states, in milliseconds, if it does.
+        /// Constant step stated by the project, ms; `None` if it states none.
         milliseconds: Option<f64>,
     },
-    /// How pixels became lengths.
+    /// Conversion of pixels to lengths.
     Calibration {
-        /// The axes and the scale, those of the first frame.
+        /// Axes and scale in the first frame.
         axes: Placement,
-        /// Whether they change from frame to frame.
+        /// True if they change from frame to frame.
         changes: bool,
-        /// The unit of lengths; `None` where the project has no scale.
+        /// Unit of lengths; `None` if the project has no scale.
         unit: Option<String>,
     },
     /// The project has a scale, but states no unit of length.
     AssumedMetres,
     /// Tracker shows positions relative to this mass.
     Reference(String),
-    /// Positions of a mass that are no key frames.
+    /// Some positions of a mass are not key frames.
     Unconfirmed {
-        /// The mass.
+        /// Name of the mass.
         mass: String,
-        /// How many positions are key frames.
+        /// Number of positions in key frames.
         keys: usize,
-        /// How many there are.
+        /// Number of all positions.
         marks: usize,
     },
-    /// Positions in frames that do not belong to the clip.
+    /// Number of positions in frames outside the clip.
     OutsideClip(usize),
-    /// Tracks of a kind that was left out, by their names.
+    /// Tracks of a kind that was left out, with their names.
     LeftOut(LeftOut, Vec<String>),
-    /// Filters of the film's pictures.
+    /// Filters of the pictures of the film.
     Filters(Vec<String>),
 }
 
-/// What is not read of a project.
+/// Kinds of tracks that are not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LeftOut {
     /// Particle models: their positions are computed, not measured.
@@ -93,7 +93,7 @@ pub enum LeftOut {
 }
 
 impl LeftOut {
-    /// What a track of this class is; `None` for what is part of the calibration.
+    /// Kind of a track of this class; `None` for tracks that belong to the calibration.
     fn of_class(class: &str) -> Option<Self> {
         Some(match class {
             "CoordAxes" | "TapeMeasure" | "OffsetOrigin" | "Calibration" | "PerspectiveTrack" => return None,
@@ -124,7 +124,7 @@ impl LeftOut {
 }
 
 impl Opened {
-    /// What a person should know about it.
+    /// Remarks for the user.
     pub fn remarks(&self) -> Vec<Remark> {
         let Self { project, name } = self;
         let mut remarks: Vec<Remark> = name.iter().cloned().map(Remark::OneOfSeveral).collect();

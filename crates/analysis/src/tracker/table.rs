@@ -1,26 +1,27 @@
-//! The positions of a project as text: a line for each frame in which a mass is marked, tabs between the cells.
+//! Positions of a project as text: a line for each frame with a marked mass, and tabs between the cells.
 
 use super::project::{Mark, Mass, Project};
 use super::refusal::TrackerError;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// The column of a project without times. Its unit is none of time, so that no number of a frame passes for seconds.
+/// Header of the first column of a project without times. Its unit is not one of time, so that frame numbers are not read
+/// as seconds.
 const FRAMES: &str = "frame [frames]";
 
 impl Project {
-    /// The times in seconds, or the numbers of the frames where the project has no times, and the positions of all masses in units of length, or in pixels where the project has no scale.
-    /// The text is a table that the import reads; positions of frames that are not marked are empty.
+    /// Times in s, or frame numbers if the project has no times, and the positions of all masses in units of length, or in
+    /// pixels if the project has no scale. The text is a table for the import; positions in unmarked frames are empty.
     ///
     /// # Errors
-    /// A project with fewer than two marked frames, and a table of more than `most` bytes.
+    /// The project has fewer than two marked frames, or the table more than `most` bytes.
     pub fn table(&self, most: usize) -> Result<String, TrackerError> {
         let rows = self.rows();
         if rows.len() < 2 {
             let film = self.trackable().is_some();
             return Err(if rows.is_empty() { TrackerError::NoMass { film } } else { TrackerError::OneFrame { film } });
         }
-        // A body has a name of its own, so that its columns belong together.
+        // Each body has its own name, which its columns share.
         let names = self.body_names();
         let unit = self.column_unit();
         let has_times = self.has_times();
@@ -49,17 +50,17 @@ impl Project {
         Ok(text)
     }
 
-    /// Whether frames have times: listed ones, or those of a constant step.
+    /// True if frames have times: listed ones, or those of a constant step.
     pub fn has_times(&self) -> bool {
         self.clip.is_timed() || self.clip.stretch().is_some()
     }
 
-    /// The masses that are marked in frames of the clip.
+    /// Masses that are marked in frames of the clip.
     pub(super) fn shown(&self) -> impl Iterator<Item = &Mass> {
         self.masses.iter().filter(|mass| mass.marks.iter().any(|mark| self.clip.includes(mark.frame)))
     }
 
-    /// The marks of each frame of the clip, with the numbers of their masses.
+    /// Marks of each frame of the clip, with the indices of their masses.
     fn rows(&self) -> BTreeMap<u32, Vec<(usize, Mark)>> {
         let mut rows: BTreeMap<u32, Vec<(usize, Mark)>> = BTreeMap::new();
         for (body, mass) in self.shown().enumerate() {
@@ -70,7 +71,7 @@ impl Project {
         rows
     }
 
-    /// Names that can stand in a header, each once.
+    /// Distinct names of the masses, without signs that have a meaning in a header.
     fn body_names(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
         for (number, mass) in (1..).zip(self.shown()) {
@@ -84,7 +85,7 @@ impl Project {
         names
     }
 
-    /// The unit of the positions: that of the project's lengths, or pixels.
+    /// Unit of the positions: that of the project's lengths, or pixels.
     pub(super) fn column_unit(&self) -> String {
         if !self.coordinates.is_scaled() {
             return "px".to_owned();

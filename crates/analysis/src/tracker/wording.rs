@@ -1,15 +1,15 @@
-//! The remarks in words.
+//! Texts of the remarks.
 
 use super::coordinates::Placement;
 use super::remark::Remark;
 use units::Language::{self, English, Spanish};
 use units::number;
 
-/// How many names are listed.
+/// Upper bound of the listed names.
 const SHOWN: usize = 6;
 
 impl Remark {
-    /// It in a sentence or two, in English or Spanish.
+    /// Remark as one or two sentences in English or Spanish.
     pub fn text(&self, language: Language) -> String {
         let say = |english: String, other: String| if language == Spanish { other } else { english };
         let round = |value: f64, digits: usize| number::plain(value, digits, language.style());
@@ -196,7 +196,7 @@ fn calibration(axes: &Placement, changes: bool, unit: Option<&str>, language: La
     text
 }
 
-/// The first names of a list.
+/// First names of a list, and the number of the others.
 pub(super) fn listed(names: &[String], language: Language) -> String {
     let shown = names.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
     match names.len().saturating_sub(SHOWN) {

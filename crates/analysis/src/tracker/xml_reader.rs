@@ -1,20 +1,20 @@
-//! The XML of a project as a stream: objects of a class with properties of a name, nested in each other.
+//! Reading of the XML of a project as a stream of nested objects (with a class) and properties (with a name).
 
 use super::builder::Builder;
 use super::project::Project;
 use super::refusal::TrackerError;
 use crate::packed::{Part, Tag, Token, Xml};
 
-/// A text that is longer holds no number, name or array of a project.
+/// Greatest length of a text, in bytes; no number, name or array of a project is longer.
 const LONGEST_TEXT: usize = 32 << 20;
 
-/// A project that is being read.
+/// Project being read.
 #[derive(Debug)]
 pub(super) struct XmlReader {
     xml: Xml,
-    /// The names of the open properties and, in between, the last parts of the classes of the open objects.
+    /// Names of the open properties and last parts of the classes of the open objects, from the root inwards.
     path: Vec<String>,
-    /// The text of the innermost property.
+    /// Text of the innermost property.
     text: String,
     builder: Builder,
 }
@@ -29,7 +29,7 @@ impl XmlReader {
         self.xml.progress()
     }
 
-    /// Reads on for about `budget` bytes. Whether the project is complete.
+    /// Reads about `budget` more bytes. Returns true if the project is complete.
     pub fn advance(&mut self, budget: usize) -> Result<bool, TrackerError> {
         let end = self.xml.position().saturating_add(budget as u64);
         while self.xml.position() < end {
@@ -64,13 +64,13 @@ fn names(path: &[String]) -> Vec<&str> {
     path.iter().map(String::as_str).collect()
 }
 
-/// What an element is called in the path. Tracker writes no other elements.
+/// Name of an element in the path. Tracker writes no elements other than properties and objects.
 fn level(tag: &Tag<'_>) -> Result<String, TrackerError> {
     match tag.name() {
         "property" => tag.attribute("name").ok_or(TrackerError::Damaged),
         "object" => {
             let class = tag.attribute("class").ok_or(TrackerError::Damaged)?;
-            // `org.opensourcephysics.cabrillo.tracker.PointMass$FrameData` is a `PointMass$FrameData`.
+            // For example, `org.opensourcephysics.cabrillo.tracker.PointMass$FrameData` becomes `PointMass$FrameData`.
             Ok(class.rsplit('.').next().unwrap_or_default().chars().take(80).collect())
         }
         _ => Err(TrackerError::Damaged),

@@ -1,4 +1,4 @@
-//! Text files of an archive as the sheets of a workbook.
+//! Text files of an archive, read like the sheets of a workbook.
 
 use super::refusal::WorkbookError;
 use super::source::{Progress, SheetSource, SheetText};
@@ -6,24 +6,25 @@ use crate::data_sets::{DEVICE, EVENTS};
 use crate::import;
 use crate::packed::{Archive, Part};
 
-/// More files are not read.
+/// Upper bound of the files that are read.
 const MOST_FILES: usize = 60;
-/// All files together may expand to so many bytes, and to so many times the archive. Measurements expand by 2 to 20.
+/// Upper bound of the expanded size of all files together: a fixed number of bytes, plus a multiple of the archive.
+/// Measurements expand by 2 to 20.
 const ALWAYS_ALLOWED: u64 = 8 << 20;
 const MOST_EXPANSION: u64 = 60;
 
-/// The text files of an archive.
+/// Text files of an archive.
 #[derive(Debug)]
 pub(super) struct Files {
     archive: Archive,
     /// Paths of the files, the next one last.
     paths: Vec<String>,
-    /// The file that is being expanded.
+    /// Present file, with its bytes expanded so far.
     part: Option<(Part, Vec<u8>)>,
 }
 
 impl Files {
-    /// The text files of an archive, unless there are none; `most` bytes may come out of them.
+    /// Text files of an archive, which expand to at most `most` bytes. An error if there are none.
     pub fn open(archive: Archive, most: usize) -> Result<Self, WorkbookError> {
         let mut paths: Vec<String> =
             archive.names().filter(|path| is_table(path)).take(MOST_FILES).map(str::to_owned).collect();
@@ -39,7 +40,7 @@ impl Files {
         Ok(Self { archive, paths, part: None })
     }
 
-    /// Name of the data set in a file: without folders and ending, unless another file has the same.
+    /// Name of the data set in a file: without folders and ending, unless another file has the same name.
     fn name(&self, path: &str) -> String {
         let lower = path.to_ascii_lowercase();
         if lower.ends_with("meta/device.csv") {
@@ -61,7 +62,7 @@ fn is_table(path: &str) -> bool {
     ends && !path.starts_with("__MACOSX/") && !last(path).starts_with('.')
 }
 
-/// A path without its folders.
+/// Path without its folders.
 fn last(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or(path)
 }

@@ -1,8 +1,8 @@
-//! Workbooks as other programs write them, XLSX (Office Open XML), ODS (OpenDocument) and XLS (Excel 5 to 2003), as text: the
-//! one reader of page and program. The page reads no XLS yet.
+//! Workbooks of other programs as text: XLSX (Office Open XML), ODS (OpenDocument) and XLS (Excel 5 to 2003). Page and
+//! command line share this reader; the page does not read XLS yet.
 //!
-//! A workbook is read in slices and as a stream: what it expands to is never in memory, only the lines of one sheet. What it
-//! may expand to is bounded before anything is expanded, where a cell may be before anything is written.
+//! A workbook is read in slices and as a stream: only the lines of one sheet are in memory. The expanded size is bounded
+//! before anything is expanded, and the position of a cell is checked before anything is written.
 
 mod files;
 mod moment;
@@ -26,7 +26,7 @@ use source::SheetSource;
 use texts::Texts;
 use xlsx::{Book, Inside, SheetReader};
 
-/// A workbook that is being read, sheet after sheet: those that are shown before those that are hidden.
+/// Reading of a workbook, sheet after sheet: visible sheets before hidden ones.
 #[derive(Debug)]
 pub struct Workbook {
     sheets: Box<dyn SheetSource>,
@@ -37,43 +37,44 @@ struct Xlsx {
     archive: Archive,
     book: Book,
     texts: Texts,
-    /// The texts, while they are being read.
+    /// Shared texts while they are being read.
     reading: Option<(Xml, Inside)>,
-    /// The sheet that is being read, after how many others.
+    /// Present sheet, and the number of sheets completed before it.
     sheet: Option<SheetReader>,
     passed: usize,
-    /// No sheet may become a longer text, in bytes.
+    /// Upper bound of the text of a sheet, in bytes.
     most: usize,
 }
 
-/// True if a file begins as a workbook in an archive does: XLSX or ODS.
+/// True if a file begins like a workbook in an archive: XLSX or ODS.
 pub fn is_workbook(start: &[u8]) -> bool {
     packed::is_archive(start)
 }
 
-/// True if a file begins as an old workbook does: XLS.
+/// True if a file begins like an old workbook: XLS.
 pub fn is_old_workbook(start: &[u8]) -> bool {
     xls::begins(start)
 }
 
 impl Workbook {
-    /// Begins to read a workbook, whose sheets may become `most` bytes of text.
+    /// Begins to read a workbook; each sheet may become at most `most` bytes of text.
     ///
     /// # Errors
-    /// What is no workbook, needs a password or would expand too much.
+    /// The file is not a workbook, needs a password or would expand too much.
     pub fn open(bytes: Vec<u8>, most: usize) -> Result<Self, WorkbookError> {
         Self::of_archive(Archive::open(bytes)?, most)
     }
 
-    /// Begins to read an old workbook (XLS), as [`Workbook::open`]. Without a call the reader is not part of a program.
+    /// Begins to read an old workbook (XLS); `most` as in [`Workbook::open`]. A program that does not call this function
+    /// does not contain the reader.
     ///
     /// # Errors
-    /// What is damaged, too large or too old, needs a password, or is no workbook.
+    /// The file is damaged, too large or too old, needs a password, or is not a workbook.
     pub fn open_old(bytes: Vec<u8>, most: usize) -> Result<Self, WorkbookError> {
         Ok(Self { sheets: Box::new(xls::Sheets::open(bytes, most)?) })
     }
 
-    /// The same for an archive, also one of text files.
+    /// Begins to read a workbook in an archive, or an archive of text files.
     pub(crate) fn of_archive(archive: Archive, most: usize) -> Result<Self, WorkbookError> {
         let is_xlsx = archive.has("[Content_Types].xml");
         if !is_xlsx && archive.has(ods::CONTENT) {
@@ -90,10 +91,10 @@ impl Workbook {
         Ok(Self { sheets: Box::new(xlsx) })
     }
 
-    /// Reads on for about `budget` bytes of what the workbook expands to. The next sheet, once it is complete.
+    /// Reads about `budget` more bytes of the expanded workbook. Returns the next sheet when it is complete.
     ///
     /// # Errors
-    /// What is damaged or too large.
+    /// The workbook is damaged or too large.
     pub fn advance(&mut self, budget: u64) -> Result<Progress, WorkbookError> {
         self.sheets.advance(budget)
     }
@@ -103,17 +104,17 @@ impl Workbook {
         self.sheets.has_more()
     }
 
-    /// Part of the present sheet that has been read, from 0 to 1.
+    /// Progress in the present sheet, from 0 to 1.
     pub fn progress(&self) -> f64 {
         self.sheets.progress()
     }
 
-    /// True if each sheet is a text in any form, and not one that was made of cells.
+    /// True if each sheet is a text in any form, false if it was made from cells.
     pub(crate) fn holds_texts(&self) -> bool {
         self.sheets.holds_texts()
     }
 
-    /// True if each sheet is a data set that was exported together with the others.
+    /// True if each sheet is a data set exported together with the others.
     pub(crate) fn holds_data_sets(&self) -> bool {
         self.sheets.holds_texts() || [DEVICE, EVENTS].into_iter().any(|name| self.sheets.lists(name))
     }

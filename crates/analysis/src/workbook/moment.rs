@@ -1,24 +1,24 @@
-//! Dates, times and durations of spreadsheets, as texts that the import reads as times.
+//! Dates, times and durations of spreadsheets, written so that the import reads them as times.
 
 use std::fmt::Write as _;
 
 const SECONDS_PER_DAY: f64 = 86_400.0;
-/// No spreadsheet has a later date: the end of the year 9999, in days from the end of 1899.
+/// Latest date of a spreadsheet: the end of the year 9999, in days from the end of 1899.
 const LAST_DAY: f64 = 2_958_466.0;
-/// A date is exact to fifteen digits: some microseconds.
+/// Parts of a second to which dates and times are rounded. A date is exact to fifteen digits: some microseconds.
 const PER_SECOND_OF_DATES: f64 = 1e5;
 const PER_SECOND: f64 = 1e6;
 
-/// What a number with the format of a date or time means.
+/// Meaning of a number with the format of a date or time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
-    /// A day, perhaps with a time of it.
+    /// Day, perhaps with a time of day.
     Date,
-    /// A time of the day, or a duration: `[h]:mm:ss`.
+    /// Time of day, or a duration: `[h]:mm:ss`.
     Time,
 }
 
-/// A date or time, in days.
+/// Date or time, in days.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Moment {
     pub days: f64,
@@ -26,16 +26,16 @@ pub(super) struct Moment {
 }
 
 impl Moment {
-    /// Of a serial number: days from the end of 1899, or from the beginning of 1904.
+    /// Moment from a serial number: days from the end of 1899, or from the beginning of 1904.
     pub fn of_serial(serial: f64, meaning: Meaning, from_1904: bool) -> Option<Self> {
         let shift = if from_1904 && meaning == Meaning::Date { 1462.0 } else { 0.0 };
         let days = serial + shift;
-        // A number below 1 with the format of a date is a time: days begin with 1.
+        // A number below 1 with the format of a date is a time: day numbers begin at 1.
         let meaning = if meaning == Meaning::Date && days < 1.0 { Meaning::Time } else { meaning };
         (days.abs() < LAST_DAY).then_some(Self { days, meaning })
     }
 
-    /// Of `2024-05-01`, `2024-05-01T12:00:00.05`, `12:00:00` as ISO 8601 has them; a zone is left out.
+    /// Moment from ISO 8601: `2024-05-01`, `2024-05-01T12:00:00.05` or `12:00:00`; a trailing `Z` is ignored.
     pub fn of_iso(text: &str) -> Option<Self> {
         let text = text.trim();
         let (date, time) = match text.split_once(['T', ' ']) {
@@ -54,7 +54,7 @@ impl Moment {
         Some(Self { days, meaning: Meaning::Date })
     }
 
-    /// Of a duration `PT00H00M00.05S` (ISO 8601, XML Schema).
+    /// Moment from a duration `PT00H00M00.05S` (ISO 8601, XML Schema).
     pub fn of_duration(text: &str) -> Option<Self> {
         let text = text.trim();
         let (sign, text) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
@@ -77,11 +77,11 @@ impl Moment {
         (days.abs() < LAST_DAY).then_some(Self { days, meaning: Meaning::Time })
     }
 
-    /// Writes it as `2024-05-01T12:00:00.05` or `00:00:00.05`; hours of a duration go on beyond 24.
+    /// Writes the moment as `2024-05-01T12:00:00.05` or `00:00:00.05`; hours of a duration continue beyond 24.
     pub fn write(self, out: &mut String) {
         let date = self.meaning == Meaning::Date;
         let per_second = if date { PER_SECOND_OF_DATES } else { PER_SECOND };
-        // Rounded as a whole, so that no second has sixty of its parts.
+        // Rounded before it is split, so that seconds never reach 60.
         let parts = (self.days.abs() * SECONDS_PER_DAY * per_second).round() as u64;
         let (mut seconds, parts) = (parts / per_second as u64, parts % per_second as u64);
         if date {
@@ -100,7 +100,7 @@ impl Moment {
     }
 }
 
-/// Seconds of `hh:mm`, `hh:mm:ss` or `hh:mm:ss.sss`.
+/// Seconds for `hh:mm`, `hh:mm:ss` or `hh:mm:ss.sss`.
 fn clock(text: &str) -> Option<f64> {
     let mut seconds = 0.0;
     let mut factor = 3600.0;
@@ -115,17 +115,17 @@ fn clock(text: &str) -> Option<f64> {
     text.contains(':').then_some(seconds)
 }
 
-/// The serial day of a date: 1 is the first of January 1900, and 60 the 29th of February that 1900 did not have, as all
-/// spreadsheets count since Lotus 1-2-3.
+/// Serial day of a date: 1 is 1 January 1900, and 60 is 29 February 1900, which did not exist but is counted by all
+/// spreadsheets since Lotus 1-2-3.
 fn serial_day(year: i64, month: i64, day: i64) -> i64 {
-    // Days from the first of March of the year 0 (Hinnant, chrono-compatible low-level date algorithms).
+    // Days from 1 March of the year 0 (Hinnant, chrono-compatible low-level date algorithms).
     let (year, month) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
     let days = 365 * year + year / 4 - year / 100 + year / 400 + (153 * month + 2) / 5 + day - 1;
     let serial = days - EPOCH;
     if serial > 59 { serial + 1 } else { serial }
 }
 
-/// The 31st of December 1899, counted as above.
+/// Day number of 31 December 1899, counted from 1 March of the year 0.
 const EPOCH: i64 = 693_900;
 
 /// Year, month and day of a serial day.

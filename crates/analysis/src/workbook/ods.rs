@@ -1,4 +1,4 @@
-//! OpenDocument spreadsheets (ISO/IEC 26300): all sheets stand one behind the other in one part.
+//! OpenDocument spreadsheets (ISO/IEC 26300): all sheets are in one part, one after the other.
 
 use super::moment::{Meaning, Moment};
 use super::refusal::WorkbookError;
@@ -6,27 +6,27 @@ use super::sheet::{LONGEST_VALUE, Lines, MOST_COLUMNS};
 use super::source::{Progress, SheetSource, SheetText};
 use crate::packed::{Tag, Token, Xml};
 
-/// The part with the sheets.
+/// Path of the part with the sheets.
 pub(super) const CONTENT: &str = "content.xml";
 
-/// The sheets, one after the other.
+/// Reader of the sheets, one after the other.
 #[derive(Debug)]
 pub(super) struct SheetsReader {
     xml: Xml,
     most: usize,
     sheet: Option<Sheet>,
-    /// How many elements deep the stream is in what is no part of the table: a remark, a drawing.
+    /// Depth of nesting in an element that is not part of the table, such as a remark or a drawing; 0 outside.
     skipping: usize,
 }
 
-/// The sheet that is being read.
+/// Sheet being read.
 #[derive(Debug)]
 struct Sheet {
     name: String,
     lines: Lines,
     row: u32,
     column: u32,
-    /// How often the present row is repeated, and whether something stands in it.
+    /// Number of repetitions of the present row, and true if it has a filled cell.
     repeated: u32,
     filled: bool,
     cell: Option<Cell>,
@@ -36,9 +36,9 @@ struct Sheet {
 struct Cell {
     repeated: u32,
     kind: String,
-    /// The value of what is no text.
+    /// Value of a cell that is not a text.
     value: String,
-    /// What the cell shows.
+    /// Text shown by the cell.
     text: String,
     in_paragraph: bool,
 }
@@ -156,7 +156,7 @@ impl Sheet {
     fn write(&mut self, cell: &Cell) -> Result<(), WorkbookError> {
         let next = self.column.saturating_add(cell.repeated);
         if !cell.is_empty() {
-            // A value in more columns than there are is one of a damaged file; empty cells go on to the end.
+            // Repeated empty cells may extend beyond the last column; a repeated value there means a damaged file.
             let (row, first) = (self.row, self.column);
             for column in first..next.min(MOST_COLUMNS + 1) {
                 self.lines.go_to(row, column, &|| format!("R{}C{}", row.saturating_add(1), column + 1))?;

@@ -1,45 +1,45 @@
-//! Why a workbook cannot be read.
+//! Errors of reading a workbook.
 
 use crate::packed::Defect;
 use units::Language::{self, English, Spanish};
 
-/// Why a workbook was not read.
+/// Reason why a workbook was not read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum WorkbookError {
-    /// It is no archive, or a part of it is broken off, changed or not as its directory says.
+    /// The file is not an archive, or a part is truncated, changed or contradicts the directory.
     Damaged,
-    /// It needs a password.
+    /// The workbook needs a password.
     Protected,
-    /// It is an archive without a sheet or a table.
+    /// The file is an archive without a sheet or a table.
     NoSheets {
-        /// The names of its files, those of the first few.
+        /// Names of its first few files.
         found: Vec<String>,
     },
-    /// It has no sheet with cells, or is a text or a presentation and no workbook.
+    /// The workbook has no sheet with cells, or the file is a text document or a presentation.
     NoCells,
-    /// It was written by Excel 4 or an older version.
+    /// The workbook was written by Excel 4 or older.
     TooOld,
-    /// A part of it would expand to too much.
+    /// A part would expand too much.
     Expands {
-        /// Its size in the file, in bytes.
+        /// Size in the file, in bytes.
         packed: u64,
-        /// Its size when expanded, in bytes.
+        /// Expanded size, in bytes.
         expanded: u64,
     },
-    /// A cell where no spreadsheet has one, or not in the order of rows and columns.
+    /// A cell lies beyond the limits of a sheet, or is not in the order of rows and columns.
     Place {
-        /// What the sheet calls it.
+        /// Reference of the cell in the sheet.
         cell: String,
     },
-    /// A sheet, or the texts of the workbook, hold more than can be read.
+    /// A sheet, or the shared texts of the workbook, exceed the limit.
     TooLarge {
-        /// How much can be read, in megabytes.
+        /// Limit, in megabytes.
         most: usize,
     },
 }
 
 impl WorkbookError {
-    /// What is wrong.
+    /// Message for users.
     pub fn message(&self, language: Language) -> String {
         let say = |english: &str, other: &str| (if language == Spanish { other } else { english }).to_owned();
         match self {
@@ -85,7 +85,7 @@ impl WorkbookError {
         }
     }
 
-    /// What to do.
+    /// Advice for users.
     pub fn hint(&self, language: Language) -> &'static str {
         match (self, language) {
             (Self::Damaged | Self::Place { .. } | Self::TooOld, English) => {
@@ -122,7 +122,7 @@ impl From<Defect> for WorkbookError {
     }
 }
 
-/// A number of bytes for a person.
+/// Number of bytes, formatted for users.
 fn size(bytes: u64) -> String {
     match bytes {
         0..10_000 => format!("{bytes} B"),

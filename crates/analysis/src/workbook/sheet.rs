@@ -1,24 +1,24 @@
-//! A sheet as text with tabs between its cells: a line for each row, so that a workbook is read by the same rules as a text
-//! and a message about a line is about a row.
+//! Sheet as text: a line for each row, and tabs between the cells. So a workbook is read by the same rules as a text, and
+//! the line of a message is the row.
 
 use super::moment::Moment;
 use super::refusal::WorkbookError;
 use super::styles::NumberFormat;
 
-/// What a sheet can have (ECMA-376, 18.3.1.73; LibreOffice has as many).
+/// Limits of a sheet (ECMA-376, 18.3.1.73; the same in LibreOffice).
 pub(super) const MOST_ROWS: u32 = 1_048_576;
 pub(super) const MOST_COLUMNS: u32 = 16_384;
 
-/// No cell holds a longer text, in bytes: 32767 characters.
+/// Greatest length of the text of a cell, in bytes: 32767 characters.
 pub(super) const LONGEST_VALUE: usize = 4 * 32_767;
 
-/// Cells in the order of reading, as they become a text.
+/// Text under construction, with cells in the order of reading.
 #[derive(Debug)]
 pub(super) struct Lines {
     text: String,
     row: u32,
     column: u32,
-    /// Longer it may not become, in bytes.
+    /// Upper bound of the length of the text, in bytes.
     most: usize,
 }
 
@@ -27,7 +27,8 @@ impl Lines {
         Self { text: String::new(), row: 0, column: 0, most }
     }
 
-    /// Moves on to a cell, counted from 0. `called` is for the message if that is not possible.
+    /// Moves forward to a cell, with row and column from 0. `called` gives its reference for the error if that is not
+    /// possible.
     pub fn go_to(&mut self, row: u32, column: u32, called: &dyn Fn() -> String) -> Result<(), WorkbookError> {
         if row >= MOST_ROWS || column >= MOST_COLUMNS || (row, column) < (self.row, self.column) {
             return Err(WorkbookError::Place { cell: called().chars().take(40).collect() });
@@ -45,18 +46,18 @@ impl Lines {
         WorkbookError::TooLarge { most: self.most >> 20 }
     }
 
-    /// Writes a number as it stands in the file.
+    /// Writes a number with the digits of the file.
     pub fn number(&mut self, digits: &str) {
         self.word(digits.trim());
     }
 
-    /// Writes a text, without what would end the cell or its line.
+    /// Writes a text; characters that would end the cell or its line become blanks.
     pub fn word(&mut self, text: &str) {
         let kept = |character: char| if matches!(character, '\t' | '\n' | '\r' | '"') { ' ' } else { character };
         self.text.extend(text.chars().map(kept));
     }
 
-    /// Writes a number as a cell of this format shows it.
+    /// Writes a number as shown by a cell of this format.
     pub fn formatted(&mut self, digits: &str, format: NumberFormat, from_1904: bool) {
         let moment = match format {
             NumberFormat::Plain => None,
@@ -71,7 +72,7 @@ impl Lines {
         }
     }
 
-    /// Writes a fraction as a percentage with its sign: 0.05 as `5%`.
+    /// Writes a fraction as a percentage: 0.05 as `5%`.
     pub fn percent(&mut self, digits: &str) {
         match digits.trim().parse::<f64>() {
             Ok(fraction) if fraction.is_finite() => {
@@ -87,7 +88,7 @@ impl Lines {
         moment.write(&mut self.text);
     }
 
-    /// Repeats the row that was written last so many times.
+    /// Repeats the last row `times` times.
     pub fn repeat_row(&mut self, times: u32) -> Result<(), WorkbookError> {
         let start = self.text.rfind('\n').map_or(0, |end| end + 1);
         let line = format!("\n{}", self.text.get(start..).unwrap_or_default());
@@ -101,13 +102,13 @@ impl Lines {
         Ok(())
     }
 
-    /// The text.
+    /// Returns the text.
     pub fn finish(self) -> String {
         self.text
     }
 }
 
-/// The digits of a number with the decimal point two places further right, so that none of them changes.
+/// Digits of a number with the decimal point moved two places to the right, so that no digit changes.
 fn hundredfold(number: f64) -> String {
     let digits = format!("{number:e}");
     let (mantissa, exponent) = digits.split_once('e').unwrap_or((&digits, "0"));

@@ -1,26 +1,26 @@
-//! Number formats of Excel: which of them show a number as a date, a time or a percentage.
+//! Number formats of Excel: recognition of dates, times and percentages.
 
 use super::moment::Meaning;
 use super::refusal::WorkbookError;
 use crate::packed::{Token, Xml};
 use std::collections::BTreeMap;
 
-/// Excel allows 65490 cell formats.
+/// Upper bound of the cell formats; Excel allows 65490.
 const MOST_STYLES: usize = 70_000;
 
-/// How a cell shows its number.
+/// Format in which a cell shows its number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum NumberFormat {
-    /// As it is, perhaps rounded.
+    /// Plain number, perhaps rounded.
     #[default]
     Plain,
-    /// Times a hundred, with a percent sign.
+    /// Multiplied by a hundred, with a percent sign.
     Percent,
-    /// As a date or time.
+    /// Date or time.
     Moment(Meaning),
 }
 
-/// The formats of the workbook's cells (`cellXfs`), in their order.
+/// Formats of the cells of the workbook (`cellXfs`), in their order.
 pub(super) fn read(mut xml: Xml) -> Result<Vec<NumberFormat>, WorkbookError> {
     let mut formats: BTreeMap<u32, NumberFormat> = BTreeMap::new();
     let mut styles = Vec::new();
@@ -46,7 +46,7 @@ pub(super) fn read(mut xml: Xml) -> Result<Vec<NumberFormat>, WorkbookError> {
     }
 }
 
-/// The formats that every spreadsheet has (ECMA-376, 18.8.30), those of East Asia included.
+/// Built-in format of this id (ECMA-376, 18.8.30), including those of East Asia.
 pub(super) fn of_builtin(id: u32) -> NumberFormat {
     match id {
         9 | 10 => NumberFormat::Percent,
@@ -56,14 +56,14 @@ pub(super) fn of_builtin(id: u32) -> NumberFormat {
     }
 }
 
-/// A format such as `yyyy-mm-dd h:mm:ss` or `[h]:mm:ss;@`.
+/// Format with a code such as `yyyy-mm-dd h:mm:ss` or `[h]:mm:ss;@`.
 pub(super) fn of_code(code: &str) -> NumberFormat {
     let mut letters = String::new();
     let mut rest = code.chars();
     while let Some(character) = rest.next() {
         match character {
             '"' => drop(rest.by_ref().find(|next| *next == '"')),
-            // The next character stands for itself, for its width, or fills the cell.
+            // The next character is literal, or gives a width or fills the cell.
             '\\' | '_' | '*' => drop(rest.next()),
             '[' => {
                 let inside: String = rest.by_ref().take_while(|next| *next != ']').collect();
@@ -73,7 +73,7 @@ pub(super) fn of_code(code: &str) -> NumberFormat {
                     return NumberFormat::Moment(Meaning::Time);
                 }
             }
-            // What follows is for other signs.
+            // The following sections are for other signs of the number.
             ';' => break,
             _ => letters.extend(character.to_lowercase()),
         }

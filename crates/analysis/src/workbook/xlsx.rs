@@ -1,4 +1,4 @@
-//! Office Open XML (ECMA-376): which sheets there are, their texts, and the cells of a sheet.
+//! Office Open XML (ECMA-376): list of sheets, shared texts, and cells of a sheet.
 
 use super::moment::Moment;
 use super::refusal::WorkbookError;
@@ -9,35 +9,35 @@ use crate::packed::Archive;
 use crate::packed::{Tag, Token, Xml};
 use std::collections::BTreeMap;
 
-/// The parts that say how a workbook is made are small.
+/// Upper bound of the size of the parts that describe the workbook, in bytes.
 const SMALL: Option<u64> = Some(16 << 20);
-/// More sheets than anybody has.
+/// Upper bound of the number of sheets.
 const MOST_SHEETS: usize = 1000;
 
-/// The part with the list of sheets, unless the archive names another one.
+/// Path of the part with the list of sheets, unless the archive states another one.
 pub(super) const BOOK: &str = "xl/workbook.xml";
 
-/// A sheet in the list of the workbook.
+/// Entry in the list of sheets.
 #[derive(Clone, Debug)]
 pub(super) struct SheetEntry {
     pub name: String,
-    /// Its part in the archive.
+    /// Path of its part in the archive.
     pub part: String,
     hidden: bool,
 }
 
-/// What all sheets have in common.
+/// Properties common to all sheets.
 #[derive(Debug)]
 pub(super) struct Book {
     pub sheets: Vec<SheetEntry>,
     styles: Vec<NumberFormat>,
     from_1904: bool,
-    /// The part with the texts, if there is one.
+    /// Path of the part with the shared texts, if there is one.
     pub texts: Option<String>,
 }
 
 impl Book {
-    /// Reads what the workbook says about itself.
+    /// Reads the description of the workbook.
     pub fn open(archive: &Archive) -> Result<Self, WorkbookError> {
         let of_package = relations(archive, "_rels/.rels")?;
         let document = of_package.into_values().find(|target| target.kind == "officeDocument");
@@ -64,7 +64,7 @@ impl Book {
                 }
                 Token::Open(tag) if tag.name() == "sheet" && book.sheets.len() < MOST_SHEETS => {
                     let target = tag.attribute("id").and_then(|id| targets.get(&id));
-                    // A sheet that is a chart has no cells.
+                    // A chart sheet has no cells.
                     let path = target.filter(|target| target.kind == "worksheet").map(|target| &target.path);
                     book.sheets.extend(path.map(|path| SheetEntry {
                         name: tag.attribute("name").unwrap_or_default(),
@@ -76,20 +76,20 @@ impl Book {
                 _ => {}
             }
         }
-        // What a person sees comes before what is hidden.
+        // Visible sheets before hidden ones.
         book.sheets.sort_by_key(|sheet| sheet.hidden);
         if book.sheets.is_empty() { Err(WorkbookError::NoCells) } else { Ok(book) }
     }
 }
 
-/// Where a relation leads.
+/// Target of a relation.
 struct Target {
-    /// The last part of its type: `worksheet`.
+    /// Last part of its type, such as `worksheet`.
     kind: String,
     path: String,
 }
 
-/// The relations in a part, by their ids; none where there is no such part.
+/// Relations in a part, by their ids; empty if there is no such part.
 fn relations(archive: &Archive, path: &str) -> Result<BTreeMap<String, Target>, WorkbookError> {
     let mut targets = BTreeMap::new();
     if !archive.has(path) {
@@ -110,7 +110,7 @@ fn relations(archive: &Archive, path: &str) -> Result<BTreeMap<String, Target>, 
     }
 }
 
-/// A path that a part in a folder names.
+/// Absolute path for a path relative to a folder.
 fn resolved(folder: &str, path: &str) -> String {
     if path.starts_with('/') || folder.is_empty() {
         return path.trim_start_matches('/').to_owned();
@@ -126,7 +126,7 @@ fn resolved(folder: &str, path: &str) -> String {
     parts.join("/")
 }
 
-/// Reads on until about so many bytes more of the part with the texts have been read. True if it has come to the end.
+/// Reads about `budget` more bytes of the part with the shared texts. Returns true at the end.
 pub(super) fn read_texts(
     texts: &mut Texts,
     xml: &mut Xml,
@@ -147,7 +147,7 @@ pub(super) fn read_texts(
     Ok(false)
 }
 
-/// Whether the stream is inside a text that is shown: not in one that says how it is pronounced.
+/// Position of the stream relative to a text and to a phonetic text, which is not shown.
 #[derive(Debug, Default)]
 pub(super) struct Inside {
     text: bool,
@@ -170,7 +170,7 @@ impl Inside {
     }
 }
 
-/// A sheet that is being read.
+/// Sheet being read.
 #[derive(Debug)]
 pub(super) struct SheetReader {
     xml: Xml,
@@ -179,17 +179,17 @@ pub(super) struct SheetReader {
     next: (u32, u32),
     cell: Option<Cell>,
     inside: Inside,
-    /// Whether the stream is inside the value of a cell.
+    /// True inside the value of a cell.
     in_value: bool,
 }
 
-/// The cell that is being read.
+/// Cell being read.
 #[derive(Debug, Default)]
 struct Cell {
     place: (u32, u32),
-    /// Its reference, as the sheet writes it.
+    /// Reference as written in the sheet.
     called: String,
-    /// `s`, `str`, `inlineStr`, `b`, `e`, `d`; empty or `n` for a number.
+    /// Type: `s`, `str`, `inlineStr`, `b`, `e`, `d`; empty or `n` for a number.
     kind: String,
     style: usize,
     value: String,
@@ -204,7 +204,7 @@ impl SheetReader {
         self.xml.progress()
     }
 
-    /// Reads on until about so many bytes more have been read. Whether it has come to the end.
+    /// Reads about `budget` more bytes. Returns true at the end.
     pub fn read(&mut self, budget: u64, book: &Book, texts: &Texts) -> Result<bool, WorkbookError> {
         let end = self.xml.position().saturating_add(budget);
         while self.xml.position() < end {
@@ -244,7 +244,7 @@ impl SheetReader {
     }
 }
 
-/// The row that a reference names, from 0; the next one without a reference.
+/// Row of a reference, from 0; `next` without a reference.
 fn row_number(reference: Option<&str>, next: u32) -> Result<u32, WorkbookError> {
     let Some(reference) = reference else { return Ok(next) };
     let row = reference.trim().parse::<u32>().ok().and_then(|row| row.checked_sub(1));
@@ -291,7 +291,7 @@ impl Cell {
     }
 }
 
-/// Row and column of a reference such as `AB12`, from 0; `None` for what no sheet has.
+/// Row and column of a reference such as `AB12`, from 0; `None` if it is invalid.
 fn place(reference: &str) -> Option<(u32, u32)> {
     let reference = reference.trim();
     let letters = reference.bytes().take_while(u8::is_ascii_alphabetic).count();

@@ -38,7 +38,7 @@ impl Record {
     }
 }
 
-/// How often the truth lies within one error, and how often a change is claimed.
+/// Coverage of one standard error, and rate of reported changes.
 #[derive(Debug, Default)]
 struct Score {
     within: [u32; 3],
@@ -50,7 +50,7 @@ struct Score {
 }
 
 impl Score {
-    /// The percentage of rows whose truth lies within one standard error, of period, frequency, damping.
+    /// Percentage of rows whose true value lies within one standard error, for period, frequency and damping.
     fn shares(&self) -> [f64; 3] {
         self.within.map(|within| 100.0 * f64::from(within) / f64::from(self.rows.max(1)))
     }
@@ -76,7 +76,7 @@ impl Score {
 /// A level at times from 0 to 1 in the record, in amplitudes, with its name.
 type Level = (&'static str, fn(f64) -> f64);
 
-/// Levels that stand still, drift evenly, turn, and come to rest.
+/// Levels that are constant, drift linearly, turn, or come to rest.
 const LEVELS: [Level; 4] = [
     ("still", |_| 0.0),
     ("line", |x| 0.5 * x),
@@ -87,7 +87,7 @@ const LEVELS: [Level; 4] = [
 /// Rows a period, periods, damping over frequency, noise over amplitude.
 const KINDS: [(f64, f64, f64, f64); 3] = [(20.0, 12.0, 0.04, 0.01), (20.0, 8.0, 0.02, 0.02), (10.0, 20.0, 0.01, 0.01)];
 
-/// So many records of each of these kinds, with each correlation and these levels; prints the scores.
+/// Scores `records` of each kind with each correlation and these levels, and prints the scores.
 fn scores(records: u32, kinds: &[(f64, f64, f64, f64)], levels: &[Level]) -> Vec<Score> {
     let mut scores = Vec::new();
     for &(density, periods, damping, noise) in kinds {
@@ -131,7 +131,7 @@ fn intervals_hold_for_correlated_noise_and_drift() {
     intervals_hold(&scores, 52.0, 85.0);
 }
 
-/// The same for many records: takes minutes.
+/// Many records; takes minutes.
 #[test]
 #[ignore = "takes minutes"]
 fn intervals_hold_in_many_records() {
@@ -170,7 +170,7 @@ fn cut_off_values_are_left_out() {
     let mut random = Noise::new(6);
     for density in [16.0, 30.0, 100.0] {
         for (low, high) in [(-9.0, 0.8), (-0.3, 9.0), (-0.3, 0.7)] {
-            // Coarse steps hide the end of the range where a swing has few rows.
+            // Coarse rounding hides the end of the range where a lobe has few rows.
             for rounding in [0.0, 1e-3, 0.02].into_iter().filter(|step| density > 20.0 || *step < 0.01) {
                 let (times, mut values) = swing((14.0 * density) as u32, density);
                 for value in &mut values {

@@ -1,4 +1,4 @@
-//! Cycle by cycle: the truth lies within the stated errors as often as it should.
+//! Cycles: coverage of the stated errors.
 
 use crate::support::{Noise, utube};
 use analysis::cycles::{Cycle, Measured, NoCycles, cycles};
@@ -61,7 +61,7 @@ fn without_noise_the_numbers_are_exact() {
     }
 }
 
-/// Frequency that grows by a tenth and damping that doubles: what a table of cycles is for.
+/// Frequency that grows by a tenth and damping that doubles.
 #[test]
 fn strong_damping_is_right_however_dense_the_rows_are() {
     let mut counted = 0;
@@ -191,7 +191,7 @@ fn the_period_of_a_pendulum_is_right_however_far_it_swings() {
                 cycle.decrement
             );
         }
-        // With the noise of a camera, whichever way it is measured.
+        // With camera noise, the result does not depend on the method.
         let (mut inside, mut all) = (0, 0);
         for _ in 0..30 {
             let values: Vec<f64> = clean.iter().map(|value| value + 0.01 * start * random.normal()).collect();
@@ -236,7 +236,7 @@ fn words_say_a_change_only_where_there_is_one() {
     let values: Vec<f64> = times.iter().map(|time| truth(*time)).collect();
     let found = cycles(&times, &values).expect("it oscillates").cycles;
     let with = |periods: &[f64], error: f64| -> Vec<Cycle> {
-        // Each third row is independent.
+        // Every third row is independent.
         let rows = periods.iter().flat_map(|value| [*value; 3]);
         rows.zip(found.iter().cycle())
             .map(|(value, cycle)| Cycle { period: Measured { value, error }, ..*cycle })
@@ -261,8 +261,8 @@ fn words_say_a_change_only_where_there_is_one() {
     assert!(spanish.contains("0.4911 s en el primer tercio de los ciclos, 0.4905 s en el último"), "{spanish}");
 }
 
-/// A damped cosine of the period 0.65 s in white noise that hides it long before the record ends, or a little: rows a second,
-/// seconds, and the noise. The method stays that of sinusoids, and the table ends where nothing is to be seen.
+/// Damped cosine of the period 0.65 s in white noise that hides it before the end of the record: rows per second, seconds,
+/// and noise. The method remains that of sinusoids, and the table ends where the oscillation is hidden.
 #[test]
 fn a_tail_of_noise_changes_nothing() {
     use analysis::cycles::{Constancy, Quantity};
@@ -275,7 +275,7 @@ fn a_tail_of_noise_changes_nothing() {
             let values: Vec<f64> = times.iter().map(|time| swing(*time) + noise * random.normal()).collect();
             let found = cycles(&times, &values).expect("it oscillates");
             let last = found.cycles.last().expect("a cycle").time.value;
-            // Where the amplitude is a tenth of the noise.
+            // Time at which the amplitude is a tenth of the noise.
             let hidden = libm::log(50.0 / (0.1 * noise)) / damping;
             assert!(found.cycles.len() >= 30 && last < hidden, "{rate}: {} until {last}", found.cycles.len());
             assert!(found.lost.is_some_and(|lost| lost > last) || duration == 20, "{rate}: {:?}", found.lost);

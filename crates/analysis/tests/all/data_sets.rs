@@ -1,4 +1,4 @@
-//! Archives of data sets as phyphox writes them, with known truth.
+//! Archives of data sets as written by phyphox, with known true values.
 
 use crate::support::Noise;
 use crate::support::old_workbook::{Cell, OldWorkbook};
@@ -28,7 +28,7 @@ fn line<S: AsRef<str>>(cells: &[S], separator: &str) -> String {
     cells.iter().map(AsRef::as_ref).collect::<Vec<_>>().join(separator) + "\n"
 }
 
-/// The rows of a set: times with jitter, shorter columns.
+/// Rows of a set: times with jitter, and shorter columns.
 fn rows(count: usize, columns: usize, noise: &mut Noise) -> Vec<Vec<f64>> {
     let mut time = 0.01 * noise.uniform();
     let mut row = |index: usize| {
@@ -146,12 +146,12 @@ fn every_set_is_read_in_every_dialect() {
     }
 }
 
-/// The clock of an experiment stands still in a pause, or goes on; the record has a gap either way.
+/// The clock of an experiment stops in a pause, or continues; the record has a gap in both cases.
 #[test]
 fn pauses_are_gaps() {
     for dialect in DIALECTS {
         for (pause, goes_on) in [(0.5, false), (4.0, false), (4.0, true), (0.0, false)] {
-            // Times of the experiment, and those of a clock on the wall.
+            // Experiment times, and system times.
             let wall: Vec<f64> =
                 (0..300).map(|row| 0.01 + 0.01 * f64::from(row) + if row < 150 { 0.0 } else { pause }).collect();
             let shown = |time: f64| if time > 1.505 && !goes_on { time - pause } else { time };
@@ -240,7 +240,7 @@ fn other_archives_are_read_or_refused_with_what_is_in_them() {
         error.message(Language::English).contains("`b.pdf`") && error.message(Language::Spanish).contains("«b.pdf»")
     );
     assert!(matches!(refused(&[("a.csv".to_owned(), "no table".to_owned())]), ReadingError::File { .. }));
-    // Few bytes that become many.
+    // Few bytes that expand to many.
     let large = "0.1,0.2\n".repeat(500_000);
     let error = refused(&[("a.csv".to_owned(), large.clone()), ("b.csv".to_owned(), large)]);
     assert!(matches!(error, ReadingError::Workbook(WorkbookError::Expands { .. })), "{error:?}");
@@ -269,7 +269,7 @@ fn any_change_of_an_archive_is_read_or_refused() {
             bytes.truncate(at);
         }
         let _ = reading::read(bytes, MOST);
-        // A change of a text itself.
+        // A changed text.
         let (file, with) = ((noise.uniform() * files.len() as f64) as usize, (noise.uniform() * 128.0) as u8);
         let mut changed = files.clone();
         let mut text = changed[file].1.clone().into_bytes();

@@ -44,7 +44,7 @@ fn steps_are_examined() {
     assert_eq!((found.missing.len(), found.rounded_to, found.rate), (0, None, None));
     assert!(found.jitter < 1e-9 && (found.interval - 0.04).abs() < 1e-12);
 
-    // Full precision with noise in the last digit is no jitter, and no rounding.
+    // Rounding errors in the last digit are neither jitter nor rounding.
     let found = examine(&even(100, 0.033_333_333_333_332_12));
     assert_eq!((found.rounded_to, found.rate), (None, None));
     assert_eq!(found.findings(&[], "s"), []);
@@ -102,7 +102,7 @@ fn frames_count_from_time_zero_where_they_can() {
     assert_eq!(found.missing, [Gap { first: 2, last: 3, after: 0.35, before: 0.65 }]);
 }
 
-/// A slip of the finger in one time makes a gap of more frames than a number can count.
+/// A typing error in one time makes a gap of more frames than a number can count.
 #[test]
 fn frames_without_end_are_not_counted() {
     for wild in [1.7e65, -1e300, 1e16] {
@@ -112,7 +112,7 @@ fn frames_without_end_are_not_counted() {
         assert!(found.missing.is_empty() && found.frames.is_empty(), "{wild}: {found:?}");
         assert!(!found.findings(&times, "s").is_empty());
     }
-    // There and back again: such rows have no gaps.
+    // Times that go forth and back have no gaps.
     let times: Vec<f64> = [0.0, 1.0, 2.0, 8e15].repeat(3000);
     let findings = examine(&times).findings(&times, "s");
     assert!(findings[0].text(Language::English).contains("2999 are earlier than the row before"), "{findings:?}");
@@ -212,7 +212,7 @@ fn a_smoothing_polynomial_reproduces_polynomials() {
     }
 }
 
-/// The published coefficients for five points, and what is done at ends and gaps.
+/// Published coefficients for five points, and the treatment of ends and gaps.
 #[test]
 fn a_smoothing_polynomial_has_the_published_coefficients() {
     let times: Vec<f64> = (0..9).map(f64::from).collect();
@@ -233,7 +233,7 @@ fn a_smoothing_polynomial_has_the_published_coefficients() {
     }
 }
 
-/// Even steps share one polynomial; it is the same that rows with hardly uneven steps get one by one.
+/// Even steps share one polynomial; slightly uneven steps, with one polynomial per row, give the same result.
 #[test]
 fn even_steps_are_smoothed_as_uneven_ones() {
     let mut random = Noise::new(9);
@@ -255,7 +255,7 @@ fn even_steps_are_smoothed_as_uneven_ones() {
     }
 }
 
-/// A window as wide as the record would take hours: it is refused at once, as one that is no odd number is.
+/// A window as wide as the record would take hours: it is refused at once, like an even number of rows.
 #[test]
 fn windows_are_bounded() {
     let rows = 100_000;
@@ -266,7 +266,7 @@ fn windows_are_bounded() {
         assert_eq!(Differentiation::from_code(&format!("smooth-{window}-3")), None);
         assert!(savitzky_golay(&times, &values, window, 3, 1).iter().all(|value| value.is_nan()));
     }
-    // The widest one follows what is slower than it.
+    // The widest window follows a slower signal.
     assert!(Differentiation::Smooth { window: WIDEST, degree: 7 }.is_possible());
     let slope = savitzky_golay(&times, &values, WIDEST, 7, 1);
     assert!((slope[50_000] - libm::cos(500.0)).abs() < 1e-4, "{} {}", slope[50_000], libm::cos(500.0));

@@ -1,9 +1,9 @@
-//! The starting estimate of a damped sinusoid, over all that a record may be.
+//! Starting estimate of a damped sinusoid, over the range of possible records.
 
 use crate::support::{Noise, utube};
 use analysis::cycles::{Estimate, estimate};
 
-/// The record of a truth at `rows` times over `span`.
+/// Record of a true curve at `rows` times over `span`.
 fn record(truth: &Estimate, rows: usize, span: f64, noise: f64) -> (Vec<f64>, Vec<f64>) {
     let mut random = Noise::new(7);
     let times: Vec<f64> = (0..rows).map(|row| truth.origin + span * row as f64 / (rows - 1) as f64).collect();

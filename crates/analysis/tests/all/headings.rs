@@ -1,5 +1,5 @@
-//! Files with headings of many kinds, generated with known truth: names, units, signs, powers of ten, errors. Each is read right, or
-//! what differs is said, or it is refused.
+//! Files with headings of many kinds, generated with known truth: names, units, signs, powers of ten, errors. Each must be
+//! read right, or the difference reported, or the file refused.
 
 use crate::support::variants::{Truth, Variant, body, check, column, line, over, rows, truth};
 use analysis::import;
@@ -37,7 +37,7 @@ fn blocks() -> Vec<Variant> {
             let comments = comments[number % comments.len()];
             let (delimiter, comma) = delimiters[number % delimiters.len()];
             let blank = delimiter.trim().is_empty() && delimiter != "\t";
-            // Between blanks there are no empty cells, and no word column tells its place.
+            // With blanks as delimiters there are no empty cells, so that the position of a column of words is not known.
             let words = if blank { None } else { [None, Some(3), Some(1), Some(0)][(number / 2) % 4] };
             let mut text = String::new();
             for part in order.chars() {
@@ -66,7 +66,7 @@ fn blocks() -> Vec<Variant> {
     variants
 }
 
-/// Tables with a name less than columns, as R and pandas write them.
+/// Tables with one name less than columns, as written by R and pandas.
 fn few_names() -> Vec<Variant> {
     let mut variants = Vec::new();
     let index: [fn(usize) -> String; 5] = [
@@ -97,7 +97,7 @@ fn few_names() -> Vec<Variant> {
     variants
 }
 
-/// Powers of ten in headings: the heading, the factor from the number to the SI value, and whether it is clear.
+/// Powers of ten in headings: heading, factor from the number to the SI value, and true if it is clear.
 fn powers() -> Vec<Variant> {
     let mut variants = Vec::new();
     for (shape, sign) in [
@@ -205,7 +205,7 @@ fn units() -> Vec<Variant> {
     push("acidity (pH)", "acidity", None, column(1, 1.0));
     push("V_in", "V_in", None, column(1, 1.0));
     push("x10 (cm)", "x10", Some("cm"), column(1, 0.01));
-    // What is open has no unit, and that is said.
+    // An ambiguous power leaves no unit, and this is reported.
     for heading in ["x (C)", "x (S)", "T (deg)"] {
         let name = if heading.starts_with('x') { "x" } else { "T" };
         push(heading, name, None, column(1, 1.0));
@@ -213,7 +213,7 @@ fn units() -> Vec<Variant> {
     variants
 }
 
-/// Signs in numbers, between each pair of delimiters.
+/// Signs in numbers, with each delimiter.
 fn signs() -> Vec<Variant> {
     let mut variants = Vec::new();
     let large: Vec<f64> = (0..12).map(|row| (1010.0 + 300.0 * libm::cos(0.5 * f64::from(row))).round()).collect();

@@ -1,4 +1,4 @@
-//! What is read from text, with what is expected beside it.
+//! Reading of text, with the expected result.
 
 use analysis::import::{self, Import};
 use units::Language;
@@ -25,7 +25,7 @@ pub fn shown(import: &Import) -> String {
     text
 }
 
-/// A name, the text of a file, and what is read from it.
+/// Name, text of the file, and its reading.
 type Case = (&'static str, &'static str, &'static str);
 
 const CASES: &[Case] = &[
@@ -321,7 +321,7 @@ fn a_column_with_the_standard_errors_of_another_is_found_by_its_name() {
     assert_eq!(table.errors_of(called("y")), Some(called("sigma_y")));
     assert_eq!(table.errors_of(called("x")), Some(called("sigma_x")));
     assert_eq!(table.errors_of(called("sigma_x")), None);
-    // Of several bodies each has its own.
+    // Each body has its own column of errors.
     let table = read(b"t,A.y,A.sigma_y,B.y\n0,1,2,3\n1,2,3,4\n").table;
     assert_eq!(table.errors_of(3), None);
 }

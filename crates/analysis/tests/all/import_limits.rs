@@ -102,7 +102,7 @@ fn a_small_file_cannot_ask_for_much_memory() {
     let import = read(text.as_bytes());
     assert!(import.table.columns.len() * import.table.rows() <= 4_000_000);
     assert!(import.findings.iter().any(|finding| finding.text(Language::English).contains("the first in line 100001")));
-    // Nor with a header that is wider than the table.
+    // Also with a header wider than the table.
     let text = format!("{}\n{}", "t\ty [?]\t".repeat(100_000), "1\t2\n".repeat(10_000));
     let import = read(text.as_bytes());
     assert!(import.table.columns.len() * import.table.rows() <= 4_000_000);

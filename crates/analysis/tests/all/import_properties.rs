@@ -1,11 +1,11 @@
-//! The import under arbitrary tables and arbitrary bytes.
+//! Import of arbitrary tables and arbitrary bytes.
 
 use analysis::import;
 use analysis::inspection::inspect;
 use proptest::prelude::*;
 use units::Language;
 
-/// Numbers as instruments give them: of moderate size, with few or with all digits.
+/// Numbers as written by instruments: of moderate size, with few or with all digits.
 fn value() -> impl Strategy<Value = f64> {
     prop_oneof![
         (-1_000_000_i32..1_000_000).prop_map(|number| f64::from(number) / 1000.0),
@@ -102,7 +102,7 @@ proptest! {
     fn a_table_written_in_any_way_comes_back(rows in table(), how in writing()) {
         let text = written(&rows, how);
         let import = import::text(text.as_bytes()).unwrap_or_else(|error| panic!("{error}\n{text}"));
-        // A column without any number and without a name is none.
+        // A column without numbers and without a name is left out.
         let kept: Vec<usize> = (0..rows[0].len())
             .filter(|column| how.headers > 0 || rows.iter().any(|row| row[*column].is_some()))
             .collect();
@@ -124,7 +124,7 @@ proptest! {
         }
     }
 
-    /// What looks like a table more often than bytes do.
+    /// Texts that resemble tables more often than arbitrary bytes do.
     #[test]
     fn arbitrary_cells_are_a_table_or_refused(text in "([0-9,.eE+\\-\u{2212} \t;\"#|]{0,30}\r?\n){0,12}") {
         if let Ok(import) = import::text(text.as_bytes()) {

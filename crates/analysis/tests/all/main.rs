@@ -1,4 +1,5 @@
-//! Tests of measured data: tables, import, cycles and fits; one program, since linking many takes longer than they do.
+//! Tests of measured data: tables, import, cycles and fits. They are one program, because linking many takes longer than
+//! running them.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 

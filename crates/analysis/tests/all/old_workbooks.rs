@@ -1,4 +1,4 @@
-//! Old workbooks (XLS): what stands in their cells, and what hostile ones cannot do.
+//! Old workbooks (XLS): contents of their cells, and limits for hostile files.
 
 use crate::support::all_sheets;
 use crate::support::old_workbook::{Cell, OldWorkbook, compound};
@@ -9,7 +9,7 @@ use std::io::Cursor;
 use units::Language;
 use units::split_mix::SplitMix64;
 
-/// More than any sheet of these tests needs.
+/// Limit above the size of all sheets of these tests.
 const MOST: usize = 1 << 20;
 
 fn sheets(bytes: Vec<u8>, budget: u64) -> Result<Vec<SheetText>, WorkbookError> {
@@ -60,7 +60,7 @@ fn cells_of_old_workbooks_are_read_as_they_are_shown() {
             "2024-05-01T12:00:00.05\t36:00:00",
         ),
         (vec![(0, 0, Cell::Formatted(45413.0, 2))], "2024-05-01T00:00:00"),
-        // Not in order, and one cell twice: the last is valid.
+        // Records out of order, and two for one cell: the last one holds.
         (
             vec![
                 (1, 1, Cell::Number(4.0)),
@@ -76,7 +76,7 @@ fn cells_of_old_workbooks_are_read_as_they_are_shown() {
         let mut book = one(cells);
         for five in [false, true] {
             book.five = five;
-            // Letters of other alphabets are not in a text of bytes.
+            // Single-byte texts contain no letters of other alphabets.
             if five && expected.contains('Δ') {
                 continue;
             }
@@ -165,7 +165,7 @@ fn what_is_no_old_workbook_is_refused_in_words() {
     }
     assert_eq!(refused(vec![0; (32 << 20) + 1]), WorkbookError::TooLarge { most: 32 });
     assert!(matches!(refused(one(vec![(0, 256, Cell::Number(1.0))]).bytes()), WorkbookError::Place { .. }));
-    // Sheets that share their cells would be read again and again.
+    // Sheets that share their cells would be read repeatedly.
     let mut bytes = table(20, 1).stream();
     let entry = |bytes: &[u8], from: usize| from + bytes[from..].windows(2).position(|pair| pair == [0x85, 0]).unwrap();
     let (first, place) = (entry(&bytes, 0), 4);
@@ -179,7 +179,7 @@ fn what_is_no_old_workbook_is_refused_in_words() {
     }
 }
 
-/// A shared text of 32,000 characters in 20,000 cells is more than there is memory for.
+/// A shared text of 32,000 characters in 20,000 cells exceeds the memory.
 #[test]
 fn text_that_cells_repeat_is_bounded() {
     let long: &'static str = "x".repeat(8000).leak();
@@ -210,7 +210,7 @@ fn any_change_of_an_old_workbook_is_read_or_refused() {
         let mut bytes = seeds[round % seeds.len()].clone();
         for _ in 0..1 + random.bits() % 4 {
             let length = bytes.len() as u64;
-            // Every second change is where the sizes are.
+            // Every second change is among the sizes.
             let at = (random.bits() % if random.bits().is_multiple_of(2) { length.min(1600) } else { length }) as usize;
             match random.bits() % 5 {
                 0 => bytes[at] = random.bits() as u8,

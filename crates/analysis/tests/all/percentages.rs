@@ -1,4 +1,4 @@
-//! Percentages in workbooks: what a cell shows is what it means, whatever the heading says.
+//! Percentages in workbooks: the displayed value is used, whatever the heading.
 
 use crate::support::old_workbook::{Cell, OldWorkbook};
 use crate::support::packed::{ods, xlsx};
@@ -9,10 +9,11 @@ const MOST: usize = 1 << 20;
 /// Headings of a column of percentages, and a factor for plain numbers below them.
 const HEADINGS: [(&str, f64); 6] =
     [("eff (%)", 0.01), ("eff [%]", 0.01), ("eff / %", 0.01), ("eff in %", 0.01), ("eff_%", 0.01), ("eff", 1.0)];
-/// Fractions of one: that of the cells, from a thousandth to a hundredfold.
+/// Fractions of 1 in the cells, from a thousandth to a hundredfold.
 const FRACTIONS: [f64; 5] = [0.05, 0.0525, 0.29, 1.0, 12.5];
 
-/// The file in each of the three forms: a column of times and one of fractions, each shown as a percentage or as it is.
+/// File in each of the three formats: a column of times and one of fractions, each shown as a percentage or as a plain
+/// number.
 fn files(heading: &str, cells: &[(f64, bool)]) -> [Vec<u8>; 3] {
     let text = |reference: &str, text: &str| format!(r#"<c r="{reference}" t="inlineStr"><is><t>{text}</t></is></c>"#);
     let mut rows = format!(r#"<row r="1">{}{}</row>"#, text("A1", "t [s]"), text("B1", heading));
@@ -41,7 +42,7 @@ fn files(heading: &str, cells: &[(f64, bool)]) -> [Vec<u8>; 3] {
     [xlsx(&[("Film", &rows)]), ods(&[("Film", &lines)]), old.bytes()]
 }
 
-/// The second column in SI, and as its text is read again.
+/// Second column in SI, from the file and from its text read again.
 fn values(form: usize, bytes: Vec<u8>) -> (Vec<f64>, Vec<f64>) {
     let contents = if form == 2 {
         Reading::of_old_workbook(bytes, MOST).and_then(Reading::complete)
@@ -86,7 +87,7 @@ fn plain_cells_have_the_unit_of_the_heading() {
 #[test]
 fn cells_of_both_kinds_agree_under_a_heading_with_the_sign() {
     for (heading, factor) in HEADINGS.into_iter().filter(|(_, factor)| *factor < 1.0) {
-        // Most of them with the sign, then most without.
+        // Most of the cells with the sign, then most without.
         for signs in [[true, true, true, false], [true, false, true, false], [false, true, false, false]] {
             let expected = [0.05, 0.06, 0.07, 0.08];
             let cells: Vec<(f64, bool)> = expected

@@ -1,4 +1,4 @@
-//! The roles of columns in generated tables of which the truth is known: each is read right, or asked about.
+//! Roles of columns in generated tables with known truth: each must be read right, or several readings offered.
 
 use analysis::import::{self, Import};
 use analysis::lookup::LookupError;
@@ -6,7 +6,7 @@ use analysis::origin::{Reason, Role};
 use analysis::table::Table;
 use units::{Dimension, Language, Unit};
 
-/// The numbers of a generated column in a row.
+/// Values of a generated column in a row.
 fn number(kind: char, row: usize, rows: usize) -> Option<f64> {
     let at = row as f64;
     let swing = |rate: f64, phase: f64| (libm::sin(rate * at + phase) * 1e4).round() / 1e3;
@@ -48,14 +48,14 @@ fn written(columns: &[(&str, char)], delimiter: &str, rows: usize) -> String {
     text
 }
 
-/// The independent variable of each column, from 0; or the readings, where it is asked.
+/// Independent variable of each column, from 0; or the readings, if there are several.
 enum Truth {
     Read(&'static [usize]),
     Asked(&'static [&'static [usize]]),
 }
 use Truth::{Asked, Read};
 
-/// A name, the headings with the kinds of their numbers, and the truth.
+/// Name, headings with the kinds of their numbers, and true roles.
 type Layout = (&'static str, &'static [(&'static str, char)], Truth);
 
 const LAYOUTS: &[Layout] = &[
@@ -282,10 +282,10 @@ fn a_name_that_is_another_column_s_number_is_refused() {
     assert_eq!(table.column("3"), Ok(2));
     assert_eq!(["#1", "#2", "#3"].map(|which| table.column(which)), [Ok(0), Ok(1), Ok(2)]);
     assert_eq!([0, 1, 2].map(|index| table.typed(index)), ["#1", "#2", "#3"]);
-    // Where both are the same column nothing is open.
+    // If both are the same column, it is not ambiguous.
     let table = import("1,2\n0,5\n1,6\n2,4\n").table;
     assert!(table.column("2") == Ok(1) || table.columns[1].name.is_empty());
-    // Of several bodies it is the first; of one body there is no first.
+    // Of several bodies the first is used; columns of one name in one body are ambiguous.
     let twice = import("t,y,y\n0,5,1\n1,6,2\n2,4,3\n").table;
     assert_eq!(twice.column("y"), Err(LookupError::Several(vec![1, 2])));
 }

@@ -1,4 +1,4 @@
-//! Files with several runs and with clock times: what is understood of them, with what is expected beside it.
+//! Files with several runs and with clock times: their reading, with the expected one.
 
 use crate::understood::{Case, check};
 use analysis::import;

@@ -1,4 +1,4 @@
-//! Workbooks and CSV files: what other programs read in them.
+//! Workbooks and CSV files as read by other programs.
 
 use analysis::csv::{self, Dialect};
 use analysis::import;
@@ -68,7 +68,7 @@ fn libreoffice_opens_a_workbook() {
         Err(error) => eprintln!("skipped: LibreOffice does not run here: {error}"),
         Ok(output) => {
             let text = std::fs::read_to_string(directory.join("book.csv")).unwrap_or_else(|_| panic!("{output:?}"));
-            // How a small number is written differs from one version to the next.
+            // The notation of small numbers depends on the version.
             let text = text.replace("-0.0000000015", "-1.5E-09");
             let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
             assert_eq!(lines, ["t [s],y [cm]", "0,-1.5E-09", "0.1,", "0.3,"]);

@@ -2,7 +2,7 @@
 use crate::support::fitting::{model, observation, record, task};
 use analysis::fit::Fit;
 
-/// A straight line with scatter, read on a scale with a zero of its own.
+/// Straight line with scatter, and an offset.
 #[test]
 fn the_curve_goes_on_between_the_values() {
     let model = model("parameter a = 0 [m]\nparameter b = 0 [m/s]\ny = a + b*t");
@@ -21,7 +21,7 @@ fn the_curve_goes_on_between_the_values() {
         assert!((trace.times[2 * row] - times[row]).abs() < 1e-12);
         assert!((trace.values[2 * row] - fitted).abs() < 1e-12);
     }
-    // By the covariance of a and b the error of a + b t is that of a at t = 0, and least near the middle.
+    // From the covariance of a and b, the error of a + b t is that of a at t = 0, and smallest near the middle.
     let [a, b] = ["a", "b"].map(|name| outcome.estimate(name).unwrap().stderr_hac.unwrap());
     let variance = |time: f64| {
         let row = trace.times.iter().position(|t| (t - time).abs() < 1e-9).unwrap();

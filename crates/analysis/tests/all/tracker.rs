@@ -1,4 +1,4 @@
-//! Projects of Tracker: times, coordinates and masses, and what hostile ones cannot do.
+//! Projects of Tracker: times, coordinates and masses, and limits for hostile files.
 
 use crate::support::packed::{Pack, archive};
 use analysis::import;
@@ -88,7 +88,7 @@ y [m]: 0.20000 0.60000 0.80000 1.00000
         slow.starts_with("t [s]: 0.00000 0.00667 0.01167 0.01500\n") && slow.contains("multiplied by 0.1,"),
         "{slow}"
     );
-    // Times that do not rise are not used.
+    // Decreasing times are not used.
     let still = shown(&read(MOVING.replace("66.7,100.0,150.0,183.3", "0.0,0.0,0.0,0.0").into()), English);
     assert!(still.starts_with("t [s]: 0.00000 0.07500 0.11250 0.15000\n") && still.contains("37.5 ms"), "{still}");
 }
@@ -145,7 +145,7 @@ fn an_archive_is_read_with_its_film() {
     let contents = read(bytes);
     assert!(shown(&contents, Spanish).contains("; el vídeo del archivo, «videos/fall & rise.mp4», tiene"));
     assert_eq!(contents.text, read(FIXED.into()).text);
-    // Of several the first with a mass.
+    // Of several projects the first with a mass is read.
     let unmarked = FIXED.replace("tracker.PointMass\"", "tracker.Vector\"");
     let several = read(zip(&[("a.trk", &unmarked), ("b.TRK", PIXELS)]));
     assert!(shown(&several, English).contains("the first with a marked mass was read: `b.TRK`"));
@@ -153,7 +153,7 @@ fn an_archive_is_read_with_its_film() {
     assert_eq!(none, Err(ReadingError::Project(TrackerError::NoMass { film: true })));
 }
 
-/// What is gathered of an archive, and how many bytes that took.
+/// Archive as gathered from the needed bytes, and their number.
 fn gathered(bytes: &[u8]) -> (Option<Contents>, usize) {
     let mut gathering = tracker::gathering(bytes.len() as u64);
     let mut taken = 0;
@@ -172,7 +172,7 @@ fn gathered(bytes: &[u8]) -> (Option<Contents>, usize) {
 
 #[test]
 fn a_large_archive_is_not_read_whole() {
-    // Bytes that no compression makes smaller.
+    // Incompressible bytes.
     let mut noise = crate::support::Noise::new(5);
     let film: String = (0..1_000_000).map(|_| char::from(32 + (95.0 * noise.uniform()) as u8)).collect();
     for names in [["talk/a.trk", "talk/videos/Fall & rise.mp4"], ["talk/videos/Fall & rise.mp4", "talk/a.trk"]] {
@@ -184,7 +184,7 @@ fn a_large_archive_is_not_read_whole() {
         let packed = whole.project.and_then(|project| project.film).and_then(|film| film.packed).expect("a film");
         assert!(packed.range.end - packed.range.start > 500_000 && taken < 90_000, "{taken} of {}", bytes.len());
     }
-    // What is no archive, or holds no project.
+    // Files that are not archives, or contain no project.
     for bytes in [Vec::new(), b"PK".to_vec(), FIXED.into(), zip(&[("a.txt", "t\ty\n0\t1\n1\t2\n")])] {
         assert_eq!(gathered(&bytes).0, None);
     }
@@ -213,7 +213,7 @@ fn old_texts_in_latin_1_and_byte_order_marks_are_read() {
 #[test]
 fn what_is_no_project_is_refused_with_its_reason() {
     let doctype = |text: &str| PIXELS.replace("?>\n<object", &format!("?>\n{text}\n<object"));
-    // What the library itself writes where it is asked to.
+    // Document type that the library writes on request.
     assert_eq!(read(doctype("<!DOCTYPE object SYSTEM \"osp10.dtd\">").into()).text, read(PIXELS.into()).text);
     let bomb = doctype("<!DOCTYPE object [<!ENTITY a \"&b;&b;\">]>");
     let deep = "<property name=\"a\">".repeat(300);
@@ -246,7 +246,7 @@ fn what_is_no_project_is_refused_with_its_reason() {
         assert_eq!(error, expected);
         assert!(!error.hint(English).is_empty() && !error.hint(Spanish).is_empty());
     }
-    // Tables of masses that are never marked together grow with their square.
+    // The table of masses that are never marked in the same frame grows with the square of their number.
     let item = &PIXELS[PIXELS.find("        <property name=\"item\"").unwrap()
         ..PIXELS.find("    </property>\n    <property name=\"dividers\"").unwrap()];
     assert_eq!(refused(&PIXELS.replace(item, &item.repeat(300))), TrackerError::TooLarge);

@@ -24,12 +24,12 @@ y [px]: 10.00000 20.00000 25.00000
 ";
     let contents = read(uncontrolled.clone().into());
     assert_eq!(shown(&contents, English), expected);
-    // The number of a frame does not pass for seconds.
+    // Frame numbers are not read as seconds.
     assert_eq!(contents.import.table.columns[0].origin.unit.unknown(), Some("frames"));
     for none in [PIXELS.replace("name=\"delta_t\"", "name=\"rate_t\""), PIXELS.replace(">33.333333333333336<", ">0<")] {
         assert_eq!(shown(&read(none.into()), English), expected);
     }
-    // A series of pictures states a duration of its own.
+    // A sequence of pictures states its own frame duration.
     let pictures =
         uncontrolled.replace("a00.jpg</property>", "a00.jpg</property><property name=\"delta_t\">40.0</property>");
     let pictures = shown(&read(pictures.into()), English);
@@ -37,7 +37,7 @@ y [px]: 10.00000 20.00000 25.00000
         pictures.starts_with("t [s]: 0.00000 0.04000 0.08000\n") && pictures.contains("the one of its pictures"),
         "{pictures}"
     );
-    // Listed times are taken as they are; where none are listed, the film has them.
+    // Listed times are used unchanged; without listed times, those of the film are needed.
     let listed = without(MOVING, "clipcontrol");
     let found = shown(&read(listed.clone().into()), Spanish);
     assert!(

@@ -1,10 +1,10 @@
-//! Files as loggers, spreadsheets and people write them: what is understood of each column, with what is expected beside it.
+//! Files as written by loggers, spreadsheets and people: the reading of each column, with the expected one.
 
 use analysis::import::{self, Import};
 use units::Language;
 
-/// Each column in a line, `*` before an independent variable: body, name, unit, where that comes from, the values, and how many
-/// cells are words; then the findings about the file.
+/// One line per column, with `*` before an independent variable: body, name, unit, source of the unit, values, and number
+/// of words; then the findings about the file.
 fn shown(import: &Import) -> String {
     let mut text = String::new();
     for (index, column) in import.table.columns.iter().enumerate() {
@@ -28,7 +28,7 @@ fn shown(import: &Import) -> String {
     text
 }
 
-/// A name, the text of a file, and what is read from it; `refused: ` and the message where it is not.
+/// Name, text of the file, and its reading; `refused: ` and the message if it is refused.
 pub type Case = (&'static str, &'static str, &'static str);
 
 /// Odd cells in the first rows.

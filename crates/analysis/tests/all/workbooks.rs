@@ -1,4 +1,4 @@
-//! Workbooks of other programs: what stands in their cells, and what hostile ones cannot do.
+//! Workbooks of other programs: contents of their cells, and limits for hostile files.
 
 use crate::support::all_sheets;
 use crate::support::packed::{Pack, ods, xlsx, xlsx_with};
@@ -8,10 +8,10 @@ use analysis::workbook::{Progress, SheetText, Workbook, WorkbookError};
 use proptest::prelude::*;
 use units::Language;
 
-/// More than any sheet of these tests needs.
+/// Limit above the size of all sheets of these tests.
 const MOST: usize = 1 << 20;
 
-/// All sheets, read in slices of so many bytes.
+/// All sheets, read in slices of this many bytes.
 fn sheets(bytes: Vec<u8>, budget: u64) -> Result<Vec<SheetText>, WorkbookError> {
     all_sheets(Workbook::open(bytes, MOST)?, budget)
 }
@@ -86,7 +86,7 @@ fn cells_of_open_document_are_read_as_they_are_shown() {
             r#"<table:table-row><table:table-cell office:value-type="percentage" office:value="0.05"/><table:table-cell office:value-type="boolean" office:boolean-value="false"/></table:table-row>"#,
             "5%\tFALSE",
         ),
-        // A remark is no content of its cell, and what a merged cell covers is empty.
+        // A remark is not content of its cell, and cells covered by a merged one are empty.
         (
             r#"<table:table-row><table:table-cell office:value-type="float" office:value="1"><office:annotation><text:p>why?</text:p></office:annotation></table:table-cell><table:covered-table-cell/><table:table-cell office:value-type="float" office:value="3"/></table:table-row>"#,
             "1\t\t3",
@@ -117,7 +117,7 @@ fn the_first_sheet_with_a_table_is_read_and_named() {
     }
     let error = reading::read(xlsx(&[("Notes", WORDS)]), MOST).expect_err("no table");
     assert!(matches!(&error, ReadingError::Sheet { name, .. } if name == "Notes"), "{error:?}");
-    // What was read can be read again from its text.
+    // The text of a sheet can be read again.
     let contents = reading::read(xlsx(&[("Film", TABLE)]), MOST).expect("a table");
     assert_eq!(analysis::import::text(contents.text.as_bytes()).expect("a table").table, contents.import.table);
 }
@@ -132,14 +132,14 @@ fn cells_where_no_sheet_has_any_are_refused_unwritten() {
     for rows in [
         r#"<row r="4294967295"><c><v>1</v></c></row>"#,
         r#"<row r="99999999999999999999"><c r="A1"><v>1</v></c></row>"#,
-        // Not in order: what was written would have to be taken back.
+        // Cells out of order.
         r#"<row r="3"><c><v>1</v></c></row><row r="2"><c><v>1</v></c></row>"#,
         r#"<row r="3"><c r="C3"><v>1</v></c><c r="B3"><v>1</v></c></row>"#,
     ] {
         let refused = sheets(xlsx(&[("Film", rows)]), u64::MAX);
         assert!(matches!(refused, Err(WorkbookError::Place { .. })), "{rows}: {refused:?}");
     }
-    // The last cell that there can be is read, and a sheet of many such rows is too large.
+    // The last possible cell is read, and a sheet of many such rows is too large.
     let mut workbook = Workbook::open(xlsx(&[("Film", &cell("XFD1048576"))]), 2 * MOST).expect("a workbook");
     while workbook.advance(u64::MAX).expect("the last cell of all") == Progress::More {}
     let wide: String = (1..200).map(|row| format!(r#"<row r="{row}"><c r="XFD{row}"><v>1</v></c></row>"#)).collect();
@@ -162,7 +162,7 @@ fn what_would_expand_too_much_is_refused_before_it_is_expanded() {
     assert!(bytes.len() < 100_000, "{}", bytes.len());
     let refused = sheets(bytes, u64::MAX);
     assert!(matches!(refused, Err(WorkbookError::Expands { .. })), "{refused:?}");
-    // And if its directory says something else, expanding ends there.
+    // If the directory states a smaller size, the expansion ends there.
     let understated = xlsx_with("", &[("Film", &bomb)], Pack::Understated);
     assert_eq!(sheets(understated, 1 << 16), Err(WorkbookError::Damaged));
     let kind = |bytes: Vec<u8>| sheets(bytes, u64::MAX).expect_err("refused");
@@ -174,7 +174,7 @@ fn what_would_expand_too_much_is_refused_before_it_is_expanded() {
     assert_eq!(kind(xlsx(&[("Film", &"<x>".repeat(300))])), WorkbookError::Damaged);
     let texts = "<![CDATA[0123456789]]>".repeat(30_000);
     assert_eq!(kind(xlsx(&[("Film", &format!("<row><c><v>{texts}</v></c></row>"))])), WorkbookError::Damaged);
-    // Any part of a file is a workbook or a refusal.
+    // Any truncated file is a workbook or is refused.
     let whole = xlsx(&[("Film", TABLE)]);
     for end in 0..whole.len() {
         assert!(sheets(whole[..end].to_vec(), u64::MAX).is_err(), "{end}");
@@ -206,7 +206,7 @@ proptest! {
         let lines: Vec<String> = rows.iter().enumerate().map(cell).collect();
         let text = format!("t [s]\ty [cm]{ends}{}{ends}", lines.join(ends));
         let bytes = text.into_bytes();
-        // As text: gaps are no number, not even themselves.
+        // Compared as text, because NaN is not equal to itself.
         prop_assert_eq!(format!("{:?}", in_slices(bytes.clone(), budget)), format!("{:?}", reading::read(bytes, MOST)));
         let number = |reference: String, value: f64| format!(r#"<c r="{reference}"><v>{value:?}</v></c>"#);
         let row = |(row, (x, y)): (usize, &(f64, Option<f64>))| {
@@ -216,7 +216,7 @@ proptest! {
         };
         let sheet: String = rows.iter().enumerate().map(row).collect();
         let bytes = xlsx(&[("Notes", WORDS), ("Film", &sheet)]);
-        // As text: gaps are no number, not even themselves.
+        // Compared as text, because NaN is not equal to itself.
         prop_assert_eq!(format!("{:?}", in_slices(bytes.clone(), budget)), format!("{:?}", reading::read(bytes, MOST)));
     }
 

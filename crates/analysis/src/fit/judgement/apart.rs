@@ -1,28 +1,28 @@
-//! Values that lie far from all others, as a number does that stands for a missing measurement, 9999 for instance. A fit
-//! may follow them, so that residuals accuse the others; with a robust loss, too, where one begins or ends a record.
+//! Values far from all others, such as 9999 for a missing measurement. A fit may follow them, so that the other values get
+//! the large residuals. This also happens with a robust loss if such a value begins or ends a record.
 
 use super::outliers::Off;
 use crate::order::median;
 
-/// So many times the range of the others a value has to be away from their median.
+/// Least distance from the median, in ranges of the other values.
 const FAR: f64 = 5.0;
-/// No greater part of the values is apart.
+/// At most one value in this many can be apart.
 const PART: usize = 10;
-/// A curve that leaves less than this part of their scatter describes the others.
+/// A curve whose residuals are below this part of the scatter of the other values describes them.
 const DESCRIBED: f64 = 0.5;
-/// A series of fewer values is not judged.
+/// Least length of a series to be judged.
 const LEAST: usize = 8;
 
-/// A measured value with what the curve leaves of it, both weighted by its error.
+/// Measured value with its residual, both weighted by the error.
 pub(in crate::fit) struct Fitted {
-    /// Its place among the residuals.
+    /// Index among the residuals.
     pub place: usize,
     pub value: f64,
     pub residual: f64,
 }
 
-/// Those values of a series that lie apart, where the curve does not describe the others, with their distances from the median
-/// in standard deviations of these.
+/// Values of a series that are far from all others, if the curve does not describe the others. Distances are from the
+/// median, in standard deviations of the others. Sorts `series` by distance from the median.
 pub(in crate::fit) fn apart(series: &mut [Fitted]) -> Vec<Off> {
     if series.len() < LEAST {
         return Vec::new();

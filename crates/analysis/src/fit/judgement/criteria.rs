@@ -1,5 +1,4 @@
-//! AICc and BIC, from the likelihood of normal residuals, or with a robust loss of residuals of Student's
-//! distribution.
+//! AICc and BIC from the likelihood of normal residuals, or of Student's distribution with a robust loss.
 
 use crate::fit::observed::ObservationFit;
 use crate::fit::search::loss::Loss;
@@ -8,7 +7,7 @@ use crate::fit::search::robust;
 use crate::fit::task::plan::equal;
 use crate::fit::task::weights::EXACT;
 
-/// What a fit costs and gains.
+/// Information criteria of a fit.
 pub(in crate::fit) struct Criteria {
     /// See [`crate::fit::Outcome::aicc`].
     pub aicc: Option<f64>,
@@ -18,9 +17,10 @@ pub(in crate::fit) struct Criteria {
     pub exact: bool,
 }
 
-/// With the given errors, or with a variance of its own for each observation, at its most likely value but not below that of
-/// an exact fit: several exact fits are as good as each other. `determined` are the numbers that the data determine, `chi2`
-/// the weighted sum of squares, `values` the independent values.
+/// Criteria from the given errors, or with a variance of its own for each observation at its maximum of the likelihood.
+/// This variance is bounded from below by that of an exact fit, so that several exact fits are rated equal. `determined` is
+/// the number of parameters that the data determine, `chi2` the weighted sum of squares, `values` the number of independent
+/// values.
 pub(in crate::fit) fn criteria(
     problem: &Problem,
     observations: &[ObservationFit],
@@ -36,7 +36,7 @@ pub(in crate::fit) fn criteria(
         let equal = equal(record, one.observation) as f64;
         let n = one.inside.iter().filter(|inside| **inside).count() as f64;
         if n > 0.0 {
-            // A size whose square is still a number, where all values are 0.
+            // 1e-150: the square of the size stays representable if all values are 0.
             let least = (EXACT * spread[one.record][one.observation]).max(1e-150);
             exact &= one.rmse <= least;
             deviance += match problem.task.loss {

@@ -1,5 +1,5 @@
-//! What the residuals of a fit are like: which values are off the others, and how those others follow each other. One value
-//! that is off decides nothing here: it is named, and left out.
+//! Properties of the residuals of a fit: outliers, and the autocorrelation of the other residuals. Outliers are listed and
+//! left out of the statistics, so that no single value decides the verdict.
 
 pub(in crate::fit) mod apart;
 pub(in crate::fit) mod criteria;
@@ -20,38 +20,38 @@ use apart::{Fitted, apart};
 use outliers::{Judged, Off};
 use statistics::RunsTest;
 
-/// A value far beyond the scatter of the others.
+/// Value far beyond the scatter of the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlier {
-    /// Which record.
+    /// Index in [`super::Task::records`].
     pub record: usize,
-    /// Which of its observations.
+    /// Index of the observation in its record.
     pub observation: usize,
-    /// The row in the columns of its [`ObservationFit`].
+    /// Row in the columns of its [`ObservationFit`].
     pub row: usize,
-    /// Its distance, measured minus what the others let expect, in standard deviations of these. Of a fit that is
-    /// [`super::Outcome::misled`], the others let expect their median.
+    /// Distance, measured minus expected from the other values, in standard deviations of these. If the fit is
+    /// [`super::Outcome::misled`], the expected value is the median of the others.
     pub sigmas: f64,
 }
 
-/// What the residuals of all measured observations say, without outliers.
+/// Statistics of the residuals of all measured observations, without outliers.
 pub(super) struct Judgement {
-    /// The values off the others, in the order of records, observations and rows.
+    /// Outliers, in the order of records, observations and rows.
     pub outliers: Vec<Outlier>,
     /// See [`super::Outcome::misled`].
     pub misled: bool,
-    /// How many values are judged.
+    /// Number of judged values.
     pub count: usize,
-    /// Durbin and Watson's statistic.
+    /// Durbin-Watson statistic.
     pub durbin_watson: f64,
-    /// The correlation of each residual with the one before.
+    /// Correlation of each residual with the one before.
     pub autocorrelation: f64,
-    /// The test of their signs.
+    /// Runs test of the signs.
     pub runs: Option<RunsTest>,
 }
 
 impl Judgement {
-    /// Of the residuals of `plans`, model minus measured, weighted by their errors; `basis` as in [`Judged`].
+    /// Judges the residuals of `plans`, model minus measured, weighted by their errors; `basis` as in [`Judged`].
     pub fn new(
         problem: &Problem,
         plans: &[Plan],
@@ -84,7 +84,7 @@ impl Judgement {
             .map(|places| {
                 let kept = places.iter().filter(|place| off.iter().all(|off| off.place != **place));
                 let mut kept: Vec<f64> = kept.map(|&place| residuals[place]).collect();
-                // Each observation counts by its own scatter.
+                // Each observation in units of its own scatter.
                 let size = norm(&kept) / (kept.len().max(1) as f64).sqrt();
                 kept.iter_mut().filter(|_| size > 0.0).for_each(|residual| *residual /= size);
                 kept
@@ -95,7 +95,7 @@ impl Judgement {
             let (record, point) = points[off.place];
             let observation = point.observation;
             let fit = observations.iter().find(|one| one.record == record && one.observation == observation)?;
-            // Both hold the values of an observation in the same order; the plan those of the fitted part alone.
+            // Both hold the values of an observation in the same order; the plan holds only those of the fitted part.
             let own = points[..off.place].iter().filter(|(of, one)| *of == record && one.observation == observation);
             let (row, _) = fit.inside.iter().enumerate().filter(|(_, inside)| **inside).nth(own.count())?;
             Some(Outlier { record, observation, row, sigmas: -off.sigmas })

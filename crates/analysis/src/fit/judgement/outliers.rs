@@ -1,49 +1,49 @@
-//! Values that do not belong to the others: residuals far beyond the scatter of the rest.
+//! Outliers: residuals far beyond the scatter of the rest.
 //!
-//! One value that is off pulls the fit towards itself, so that its own residual shrinks and those of its neighbours become
-//! systematic. So the most conspicuous value is taken out, the fit without it follows (exactly, where the curve is linear in
-//! what is varied; Cook & Weisberg, Residuals and Influence in Regression, 1982, section 2.2), and the rest is judged
-//! again.
+//! An outlier pulls the fit towards itself, so that its own residual shrinks and those of its neighbours become systematic.
+//! So the most conspicuous value is removed, the residuals of the fit without it are computed (exactly, if the curve is
+//! linear in the varied numbers; Cook & Weisberg, Residuals and Influence in Regression, 1982, section 2.2), and the rest
+//! is judged again.
 
 use crate::fit::uncertainty::student::student;
 use crate::order::median;
 
-/// How probable it is that a record whose errors are normal gets a value named.
+/// Probability that any value of a record with normal errors is reported as an outlier.
 const BY_CHANCE: f64 = 0.005;
-/// No more values than this are named.
+/// Upper bound of the number of outliers.
 const MOST: usize = 50;
-/// A series of fewer values is not judged.
+/// Least length of a series to be judged.
 const LEAST: usize = 8;
-/// Makes a standard deviation of the median of absolute normal values.
+/// Standard deviation of normal values divided by the median of their absolute values.
 pub(crate) const NORMAL: f64 = 1.482_602_218_505_602;
-/// A scale from n values, the greater one of that of all and that of the rows nearby, is known as well as a standard deviation
-/// from this part of them. Found by trial: of clean records of 12 to 1,000 values, with the noise of an autoregressive process
-/// of -0.5 to 0.95, 0 to 0.6 per cent get a value named.
+/// Effective share of the values in the scale. The greater one of the scales of all n values and of the rows nearby is as
+/// uncertain as a standard deviation from this share of n. Found by trial: in 0 to 0.6 per cent of clean records of 12 to
+/// 1,000 values, with autoregressive noise of -0.5 to 0.95, a value is reported.
 const EFFICIENCY: f64 = 0.7;
-/// Rows to either side whose scatter is what a value is compared with, if it is greater than that of all.
+/// Rows to either side for the local scatter, which is used if it is greater than that of all.
 const NEAR: usize = 15;
 
-/// A value that is off.
+/// Outlier among the residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Off {
-    /// Its place among the residuals.
+    /// Index among the residuals.
     pub place: usize,
-    /// Its distance from where the others leave it, in standard deviations, with the sign of its residual.
+    /// Distance from the value expected from the others, in standard deviations, with the sign of its residual.
     pub sigmas: f64,
 }
 
 /// Residuals to be judged.
 pub(crate) struct Judged<'a> {
-    /// The places of each series, in the order of time.
+    /// Indices of the residuals of each series, in the order of time.
     pub series: &'a [Vec<usize>],
-    /// An orthonormal basis of the columns of the Jacobian, column by column; empty where the fit was not pulled.
+    /// Orthonormal basis of the columns of the Jacobian; empty for a robust loss, where outliers do not pull the fit.
     pub basis: &'a [Vec<f64>],
-    /// By series: scatter below this is rounding.
+    /// One per series: scatter below this is rounding.
     pub floors: &'a [f64],
 }
 
 impl Judged<'_> {
-    /// Finds the values that are off. `residuals` become those of the fit without them.
+    /// Finds the outliers. `residuals` become those of the fit without them.
     pub fn outliers(&self, residuals: &mut [f64]) -> Vec<Off> {
         let mut removal = Removal::new(self.basis, residuals.len());
         let mut off = Vec::new();
@@ -57,7 +57,7 @@ impl Judged<'_> {
             }
             off.push(place);
         }
-        // What was taken out because of another one's pull is put back by its distance from the final fit.
+        // A value removed only because another one pulled the fit is restored if it is close to the final fit.
         let mut found = Vec::new();
         for (series, floor) in self.series.iter().zip(self.floors) {
             let judge = Judge::new(series, *floor, residuals, &removal);
@@ -74,14 +74,14 @@ impl Judged<'_> {
     }
 }
 
-/// The fit without some of its values.
+/// Fit without some of its values.
 struct Removal<'a> {
     basis: &'a [Vec<f64>],
-    /// By place.
+    /// One per residual: true if removed.
     removed: Vec<bool>,
-    /// How much of its own error each value takes out of its residual.
+    /// Leverage of each value: the part of its own error that the fit absorbs.
     leverage: Vec<f64>,
-    /// The inverse of the normal matrix of what is left, in the basis, row by row.
+    /// Inverse of the normal matrix of the remaining values in the basis, row by row.
     inverse: Vec<f64>,
 }
 
@@ -94,7 +94,7 @@ impl<'a> Removal<'a> {
         Self { basis, removed: vec![false; rows], leverage, inverse }
     }
 
-    /// Takes a value out; false where nothing else determines what it determines.
+    /// Removes a value. Returns false if its leverage is so large that the fit would be undetermined without it.
     fn remove(&mut self, place: usize, residuals: &mut [f64]) -> bool {
         let size = self.basis.len();
         let left = 1.0 - self.leverage[place];
@@ -118,14 +118,14 @@ impl<'a> Removal<'a> {
         true
     }
 
-    /// The standard deviation of a residual, over that of the errors.
+    /// Standard deviation of a residual relative to that of the errors.
     fn spread(&self, place: usize) -> f64 {
         let leverage = self.leverage[place];
         if self.removed[place] { (1.0 + leverage).sqrt() } else { (1.0 - leverage).max(1e-3).sqrt() }
     }
 }
 
-/// The value of a series that is most off, and its distance over the threshold.
+/// Index of the value of a series farthest from the others, and its distance divided by the threshold.
 fn conspicuous(series: &[usize], floor: f64, residuals: &[f64], removal: &Removal) -> Option<(usize, f64)> {
     if series.len() < LEAST {
         return None;
@@ -136,16 +136,16 @@ fn conspicuous(series: &[usize], floor: f64, residuals: &[f64], removal: &Remova
     Some((series[row], judge.distance(row, residuals, removal).abs() / judge.threshold))
 }
 
-/// What the values of a series are compared with.
+/// Reference for the values of a series.
 struct Judge<'a> {
     series: &'a [usize],
-    /// The correlation of neighbours, 0 unless it is beyond doubt.
+    /// Correlation of neighbours, 0 unless significant.
     rho: f64,
-    /// By row: the distance from what the neighbours and the fit let expect, in units of the errors.
+    /// One per row: distance from the value expected from the neighbours and the fit, in units of the errors.
     distances: Vec<f64>,
-    /// Their standard deviation.
+    /// Standard deviation of the distances.
     scale: f64,
-    /// So many standard deviations are beyond chance.
+    /// Distance beyond chance, in standard deviations.
     threshold: f64,
 }
 
@@ -159,7 +159,7 @@ impl<'a> Judge<'a> {
         let kept = (0..series.len()).filter(|row| !removal.removed[series[*row]]);
         let sizes: Vec<f64> = kept.map(|row| judge.distances[row].abs()).collect();
         let count = sizes.len() as f64;
-        // What the fit has adjusted to, each value in part.
+        // Number of parameters that the fit adjusts to these values: the sum of their leverages.
         let used: f64 =
             series.iter().filter(|place| !removal.removed[**place]).map(|place| removal.leverage[*place]).sum();
         judge.scale = (NORMAL * median(sizes)).max(floor);
@@ -168,8 +168,8 @@ impl<'a> Judge<'a> {
         judge
     }
 
-    /// A residual less what its neighbours, so far as they resemble it, let expect of it (the interpolation of an
-    /// autoregressive process of order one), over its standard deviation relative to that of the errors.
+    /// Residual minus the value expected from its correlated neighbours (interpolation of a first-order autoregressive
+    /// process), divided by its standard deviation relative to that of the errors.
     fn expected_distance(&self, row: usize, residuals: &[f64], removal: &Removal) -> f64 {
         let place = self.series[row];
         let neighbour = |row: Option<usize>| {
@@ -188,7 +188,7 @@ impl<'a> Judge<'a> {
         (residuals[place] - expected) / (variance.sqrt() * removal.spread(place))
     }
 
-    /// The distance of a row in standard deviations: of the scatter of all, or of the rows about it where these scatter more.
+    /// Distance of a row in standard deviations: of all rows, or of the rows nearby if these scatter more.
     fn distance(&self, row: usize, residuals: &[f64], removal: &Removal) -> f64 {
         let near = row.saturating_sub(NEAR)..(row + NEAR + 1).min(self.series.len());
         let others = near.filter(|other| *other != row && !removal.removed[self.series[*other]]);
@@ -197,8 +197,8 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The correlation of each value with the one before, by their signs alone (the quadrant correlation: Blomqvist, Ann. Math.
-/// Statist. 21 (1950) 593): no single value can change it. 0 unless it is positive beyond doubt.
+/// Correlation of each value with the one before, from their signs alone (quadrant correlation: Blomqvist, Ann. Math. Statist.
+/// 21 (1950) 593), so that no single value can change it much. 0 unless significantly positive.
 fn resemblance(values: &[f64]) -> f64 {
     let pairs = values.windows(2).filter(|pair| pair[0] * pair[1] != 0.0);
     let (count, sum) = pairs.fold((0.0, 0.0), |(count, sum), pair| (count + 1.0, sum + (pair[0] * pair[1]).signum()));

@@ -1,36 +1,35 @@
-//! Several theories of the same data, best first.
+//! Ranking of several theories of the same data.
 
 use crate::fit::observed::ObservationFit;
 use crate::fit::outcome::Outcome;
 use units::Language;
 
-/// A theory's place among others.
+/// Rank of a theory among others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ranked {
-    /// Which of the given ones.
+    /// Index among the given theories.
     pub index: usize,
-    /// Its place, from 1 on. Theories that give the same curve share a place.
+    /// Rank, from 1. Theories that give the same curve share a rank.
     pub place: usize,
-    /// How much larger its AICc is than the best one's, in values that are independent: each value counts for [`worth`]. 0 for
-    /// all that are as good, infinite where it has none.
+    /// AICc minus that of the best theory, multiplied by [`worth`]: in units of independent values. 0 for equally good
+    /// theories, infinite without an AICc.
     pub difference: f64,
-    /// Its share of the evidence among the given theories: Akaike's weight of this difference.
+    /// Akaike weight from this difference; the weights of all theories add up to 1.
     pub weight: f64,
 }
 
-/// Two curves are the same if the root of the mean square of their difference is below this part of the residuals': sums of
-/// squares then differ by a millionth, which is less than the searches and the integration can tell.
+/// Two curves are the same if the root mean square of their difference is below this part of the residuals'. Sums of
+/// squares then differ by 1e-6, less than the accuracy of search and integration.
 const SAME: f64 = 1e-3;
 
-/// For how much of a value each one counts, where residuals are correlated: the part of them that is independent.
+/// Effective share of independent information per value, allowing for autocorrelated residuals: 0 to 1.
 pub fn worth(outcome: &Outcome) -> f64 {
     (outcome.independent / outcome.n.max(1) as f64).clamp(0.0, 1.0)
 }
 
-/// Orders theories by AICc, the smallest first; those without one come last, in their order. The log-likelihood of correlated
-/// residuals adds up less than AICc supposes: where each of the best theory's values counts for the part [`worth`], so do
-/// the differences and the weights that are made of them. Theories that give the same curve share a place, and of these the
-/// one that varies fewest numbers stands first.
+/// Orders theories by AICc, the smallest first; those without one come last, in their order. AICc overestimates the
+/// information in correlated residuals, so differences and weights are multiplied by the [`worth`] of the best theory.
+/// Theories that give the same curve share a rank; among them the one with the fewest varied numbers comes first.
 pub fn rank(outcomes: &[&Outcome]) -> Vec<Ranked> {
     let aicc: Vec<Option<f64>> = outcomes.iter().map(|outcome| outcome.aicc).collect();
     let ranked = ordered(&aicc);
@@ -43,7 +42,7 @@ pub fn rank(outcomes: &[&Outcome]) -> Vec<Ranked> {
     ranked
 }
 
-/// For each place that several theories share, a sentence that says so; `title` gets the index of a theory.
+/// For each rank shared by several theories, the rank and a sentence about it. `title` takes the index of a theory.
 pub fn ties(
     ranked: &[Ranked],
     outcomes: &[&Outcome],
@@ -74,8 +73,8 @@ pub fn ties(
     tied.map(|tied| (tied[0].place, sentence(tied))).collect()
 }
 
-/// Whether two fits of the same values give the same curve with as many determined numbers, so that nothing but rounding tells
-/// them apart.
+/// True if two fits of the same values give the same curve with as many determined numbers, so that they differ only by
+/// rounding.
 fn same_curve(one: &Outcome, other: &Outcome) -> bool {
     let same = |one: &ObservationFit, other: &ObservationFit| {
         let both = || one.fitted.iter().zip(&other.fitted).zip(&one.inside).filter(|(_, inside)| **inside);
@@ -101,7 +100,7 @@ fn ordered(aicc: &[Option<f64>]) -> Vec<Ranked> {
     ranked
 }
 
-/// Puts what is the `same` at one place, the simplest first.
+/// Groups theories that are the `same` at one rank, the simplest first.
 fn shared(
     ranked: Vec<Ranked>,
     same: impl Fn(&Ranked, &Ranked) -> bool,
@@ -124,7 +123,7 @@ fn shared(
 }
 
 fn weigh(ranked: &mut [Ranked], worth: f64) {
-    // Infinity times 0 is no number.
+    // Infinity times 0 would be NaN.
     for one in ranked.iter_mut().filter(|one| one.difference.is_finite()) {
         one.difference *= worth;
         one.weight = libm::exp(-0.5 * one.difference);

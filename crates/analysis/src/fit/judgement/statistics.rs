@@ -1,7 +1,7 @@
-//! What residuals say by themselves: autocorrelation, runs of equal sign.
+//! Statistics of residuals: autocorrelation, runs of equal sign.
 
-/// The statistic of Durbin & Watson (Biometrika 37 (1950) 409): about 2 for residuals that know nothing of each other, near
-/// 0 where each is like the one before. `series` are stretches without gaps.
+/// Statistic of Durbin & Watson (Biometrika 37 (1950) 409): about 2 for independent residuals, near 0 for strong positive
+/// autocorrelation. `series` are stretches without gaps.
 pub fn durbin_watson(series: &[&[f64]]) -> f64 {
     let (mut differences, mut squares) = (0.0, 0.0);
     for residuals in series {
@@ -11,7 +11,7 @@ pub fn durbin_watson(series: &[&[f64]]) -> f64 {
     if squares > 0.0 { differences / squares } else { 2.0 }
 }
 
-/// The correlation of each residual with the one before.
+/// Correlation of each residual with the one before.
 pub fn autocorrelation(series: &[&[f64]]) -> f64 {
     let (mut products, mut squares) = (0.0, 0.0);
     for residuals in series {
@@ -21,20 +21,20 @@ pub fn autocorrelation(series: &[&[f64]]) -> f64 {
     if squares > 0.0 { products / squares } else { 0.0 }
 }
 
-/// The runs test of Wald & Wolfowitz (Ann. Math. Statist. 11 (1940) 147) on the signs of residuals.
+/// Runs test of Wald & Wolfowitz (Ann. Math. Statist. 11 (1940) 147) on the signs of residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunsTest {
-    /// How many runs of equal sign there are.
+    /// Number of runs of equal sign.
     pub runs: usize,
-    /// How many there would be by chance.
+    /// Expected number of runs for independent residuals.
     pub expected: f64,
-    /// The difference in standard deviations; negative where there are too few.
+    /// Difference in standard deviations; negative for too few runs.
     pub z: f64,
-    /// The probability of a difference at least as large by chance.
+    /// Probability of a difference at least as large by chance.
     pub p: f64,
 }
 
-/// Counts the runs in each series; `None` with fewer than ten residuals or all of one sign.
+/// Counts the runs in each series. `None` for fewer than ten residuals or all of one sign.
 pub fn runs_test(series: &[&[f64]]) -> Option<RunsTest> {
     let (mut runs, mut expected, mut variance, mut count) = (0_usize, 0.0, 0.0, 0.0);
     for residuals in series {
@@ -67,13 +67,13 @@ pub fn runs_test(series: &[&[f64]]) -> Option<RunsTest> {
     Some(RunsTest { runs, expected, z, p: libm::erfc(z.abs() / std::f64::consts::SQRT_2) })
 }
 
-/// How many lags of the products of scores are counted, for a series of `count` scores by each parameter: Andrews'
-/// choice for the kernel of Bartlett, from the autocorrelation of order one (Econometrica 59 (1991) 817, eq. 6.2 and 6.4).
-/// Parameters without a score have no part in it.
+/// Number of lags in the sum of products of scores: the choice of Andrews for the Bartlett kernel, from the first-order
+/// autocorrelation (Econometrica 59 (1991) 817, eq. 6.2 and 6.4). `scores` holds one series per parameter, of `count`
+/// scores; parameters without a score are ignored.
 pub(crate) fn lags(scores: &[&[f64]], count: usize) -> usize {
     let (mut numerator, mut denominator) = (0.0, 0.0);
     for series in scores.iter().filter(|series| series.iter().any(|score| *score != 0.0)) {
-        // Beyond this the formula has no meaning any more.
+        // The formula is not valid beyond this.
         let rho = autocorrelation(&[series]).clamp(-0.97, 0.97);
         let (minus, plus) = (1.0 - rho, 1.0 + rho);
         let minus_4 = minus * minus * minus * minus;

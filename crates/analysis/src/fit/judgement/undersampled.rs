@@ -1,5 +1,5 @@
-//! Records whose samples are too far apart for the fitted curve. Evenly spaced samples of an oscillation above half the sampling rate
-//! are those of a slower one, too, so that a fit that ended there looks perfect and is wrong.
+//! Records sampled too slowly for the fitted curve. Evenly spaced samples of an oscillation above half the sample rate are
+//! also those of a slower one (aliasing). A fit that found the fast one looks perfect and is wrong.
 
 use crate::fit::search::Search;
 use crate::fit::search::problem::Problem;
@@ -8,18 +8,18 @@ use crate::fit::task::plan::Plan;
 use crate::fit::trace::values_at;
 use crate::sampling;
 
-/// Points of the curve between two samples.
+/// Points of the curve per sample interval.
 const BETWEEN: usize = 8;
-/// No more intervals are examined, from the first sample on.
+/// Upper bound of the number of examined intervals, from the first sample on.
 const MOST: usize = 2_000;
-/// The greatest standard deviation of the times from an even step, in steps: beyond it, an alias leaves residuals.
+/// Greatest standard deviation of the times from even spacing, in sample intervals: beyond it, an alias leaves residuals.
 const EVEN: f64 = 0.05;
-/// A turn by less than this part of the curve's range may be one of rounding.
+/// Turning points smaller than this part of the range of the curve may be rounding.
 const VISIBLE: f64 = 0.01;
-/// Fewer turning points are no oscillation.
+/// Least number of turning points of an oscillation.
 const LEAST: usize = 4;
 
-/// The records whose fitted curve oscillates faster than their samples can show.
+/// Records whose fitted curve oscillates faster than their samples can show.
 pub(in crate::fit) fn undersampled(problem: &mut Problem, best: &Search) -> Vec<usize> {
     let plans = problem.plans.clone();
     let is_undersampled =
@@ -27,7 +27,8 @@ pub(in crate::fit) fn undersampled(problem: &mut Problem, best: &Search) -> Vec<
     plans.iter().enumerate().filter(is_undersampled).map(|(record, _)| record).collect()
 }
 
-/// `None` for a record without an even step.
+/// True if the curve of an observation has a turning point more often than once per sample interval. `None` for a record
+/// without even spacing.
 fn is_undersampled(problem: &mut Problem, (record, plan): (usize, &Plan), best: &Search) -> Option<bool> {
     let sampling = sampling::examine(&plan.times);
     if sampling.frames.is_empty() || sampling.jitter > EVEN {
@@ -36,25 +37,25 @@ fn is_undersampled(problem: &mut Problem, (record, plan): (usize, &Plan), best: 
     let (first, last) = (plan.times.first()?, plan.times.last()?);
     let interval = sampling.interval;
     let intervals = ((last - first) / interval) as usize;
-    // At uneven times, an oscillation that is faster than these, too, is not taken for a slow one.
+    // Irregular times, so that an oscillation faster than these points is not taken for a slow one.
     let time = |number: usize| first + interval * (number as f64 + halton(number, 1)) / BETWEEN as f64;
     let times: Vec<f64> = (0..intervals.min(MOST) * BETWEEN).map(time).collect();
     Some((0..plan.expressions.len()).any(|observation| {
         let (values, _) = values_at(problem, (record, plan), observation, &best.x, &times);
         let turns = turns(&values);
         let (Some(&begin), Some(&end)) = (turns.first(), turns.last()) else { return false };
-        // Each turn is known to a step between two points.
+        // Each turning point is known to one step between two points.
         let lasts = times[end] - times[begin] + 2.0 * interval / BETWEEN as f64;
         turns.len() >= LEAST && lasts < (turns.len() - 1) as f64 * interval
     }))
 }
 
-/// The places of the turning points of a curve.
+/// Indices of the turning points of a curve.
 fn turns(values: &[f64]) -> Vec<usize> {
     let finite = || values.iter().copied().filter(|value| value.is_finite());
     let least = VISIBLE * (finite().fold(f64::NEG_INFINITY, f64::max) - finite().fold(f64::INFINITY, f64::min));
     let mut turns = Vec::new();
-    // The farthest point since the last turn, and whether the curve rises to it.
+    // Farthest point since the last turning point, and true if the curve rises to it.
     let (mut farthest, mut rises) = (0, None);
     for (place, value) in values.iter().enumerate() {
         let change = value - values[farthest];

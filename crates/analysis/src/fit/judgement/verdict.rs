@@ -1,18 +1,18 @@
-//! What a fit says of its model, by the residuals.
+//! Verdict on the model of a fit, from the residuals.
 
 use super::Outlier;
 use crate::fit::observed::ObservationFit;
 use crate::fit::outcome::Outcome;
 
-/// Fewer independent values than this make standard errors that are uncertain by a quarter and more.
+/// Number of independent values below which standard errors are uncertain by a quarter and more.
 const FEW: f64 = 15.0;
 
-/// Whether the model is compatible with the data.
+/// Compatibility of the model with the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// There are as many values as numbers that they determine.
+    /// There are as many values as determined numbers.
     Saturated,
-    /// Nothing is left over but rounding.
+    /// The residuals are rounding errors.
     Exact,
     /// Values far from all others have decided the fit.
     Misled,
@@ -24,7 +24,7 @@ pub enum Verdict {
     TooSmall,
     /// Residuals are autocorrelated: the model misses something, or the measurement does.
     Structured,
-    /// Residuals are autocorrelated, and more is left over than the curve explains: the fit misses what the data show.
+    /// Residuals are autocorrelated, and larger than the part that the curve explains: the fit misses what the data show.
     Missed,
     /// Neighbouring residuals have opposite signs more often than by chance.
     Alternating,
@@ -34,26 +34,26 @@ pub enum Verdict {
     Unknown,
 }
 
-/// How the residuals compare with the given errors.
+/// Comparison of the residuals with the given errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::fit) enum Size {
-    /// They are larger than by chance.
+    /// The residuals are larger than by chance.
     Larger,
-    /// They are smaller than by chance.
+    /// The residuals are smaller than by chance.
     Smaller,
 }
 
-/// Standard deviations: one in a hundred by chance.
+/// Critical value in standard deviations: one in a hundred by chance.
 const BY_CHANCE: f64 = 2.6;
 
-/// The share of the variance below which more is left over than a curve explains.
+/// Coefficient of determination below which the curve explains less than it leaves.
 const EXPLAINED: f64 = 0.5;
 
-/// Of fewer values neither signs nor neighbours are judged.
+/// Least number of values for a judgement of signs and neighbours.
 const LEAST: usize = 10;
 
 impl Outcome {
-    /// What the residuals say.
+    /// Verdict from the residuals.
     pub fn verdict(&self) -> Verdict {
         if self.dof == 0 {
             return Verdict::Saturated;
@@ -69,7 +69,7 @@ impl Outcome {
         if known && (self.runs.is_some_and(|runs| runs.z < -BY_CHANCE) || self.autocorrelation > correlation) {
             return if self.r2 < EXPLAINED { Verdict::Missed } else { Verdict::Structured };
         }
-        // Each number that is adjusted makes neighbouring residuals differ a little more.
+        // Each fitted number makes the correlation of neighbouring residuals a little more negative.
         let adjusted = self.determined() / self.judged as f64;
         if known && self.autocorrelation < -correlation - adjusted {
             return Verdict::Alternating;
@@ -83,9 +83,9 @@ impl Outcome {
         }
     }
 
-    /// How the residuals compare with the given errors; `None` where they agree, and where no errors were given.
+    /// Comparison of the residuals with the given errors; `None` if they agree or no errors were given.
     pub(in crate::fit) fn size(&self) -> Option<Size> {
-        // Chi-square has the variance of twice its degrees of freedom.
+        // The variance of chi-square is twice its degrees of freedom.
         let by_chance = BY_CHANCE * (2.0 / self.dof as f64).sqrt();
         let off = self.chi2_reduced? - 1.0;
         match off.abs() > by_chance {
@@ -95,15 +95,15 @@ impl Outcome {
         }
     }
 
-    /// How many numbers the data determine.
+    /// Number of values that the data determine.
     fn determined(&self) -> f64 {
         self.n.saturating_sub(self.dof) as f64
     }
 
-    /// Whether a curve that has nothing to do with the values would explain as much of their scatter, after it was adjusted as
-    /// this one was: chi-square of the numbers beyond the mean of each observation, and besides, as in a periodogram, the greatest
-    /// of as many chances as there are values (J. D. Scargle, Astrophys. J. 263 (1982) 835), because a search may choose among
-    /// as many frequencies.
+    /// True if a curve unrelated to the values, fitted in the same way, would explain as much of their scatter. Reference:
+    /// chi-square of the numbers beyond the mean of each observation, plus, as in a periodogram, the greatest of as many
+    /// chances as there are values (J. D. Scargle, Astrophys. J. 263 (1982) 835), because a search can choose among as many
+    /// frequencies.
     fn explains_nothing(&self) -> bool {
         let means = self.observations.iter().filter(|one| !one.derived && one.inside.contains(&true)).count();
         let free = self.determined() - means as f64;
@@ -111,14 +111,14 @@ impl Outcome {
         free > 0.0 && explained < free + BY_CHANCE * (2.0 * free).sqrt() + 2.0 * libm::log(self.n as f64)
     }
 
-    /// Whether the record is short for the correlation of its errors: it is worth fewer than 15 independent values, and
-    /// would be worth more without it.
+    /// True if the record is short for the correlation of its errors: its effective number of independent values is below
+    /// 15 and less than half of the values, or the errors cannot be distinguished from a random walk.
     pub fn is_short(&self) -> bool {
         let correlated = self.independent < 0.5 * self.judged as f64;
         self.wanders || (correlated && self.independent < FEW)
     }
 
-    /// The row of an outlier among its observation's columns.
+    /// Fit of the observation that an outlier belongs to.
     pub fn outlying(&self, outlier: &Outlier) -> Option<&ObservationFit> {
         self.observations.iter().find(|one| one.record == outlier.record && one.observation == outlier.observation)
     }

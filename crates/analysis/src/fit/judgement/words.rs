@@ -1,4 +1,4 @@
-//! What a fit says, in words.
+//! Sentences about the result of a fit.
 
 use super::verdict::{Size, Verdict};
 use crate::fit::outcome::Outcome;
@@ -6,7 +6,7 @@ use crate::fit::uncertainty::estimate::Estimate;
 use units::Language::{self, English, Spanish};
 
 impl Outcome {
-    /// What the residuals say of the model, in some sentences.
+    /// Verdict on the model, in a few sentences.
     pub fn verdict_text(&self, language: Language) -> String {
         let verdict = self.verdict();
         let text = match (verdict, language) {
@@ -83,7 +83,7 @@ impl Outcome {
             (Verdict::Unknown, English) => "There are too few values to judge the residuals.",
             (Verdict::Unknown, Spanish) => "Hay muy pocos valores para juzgar los residuos.",
         };
-        // Where the verdict itself is not about their size.
+        // Added if the verdict itself is not about the size of the residuals.
         let size = match verdict {
             Verdict::Structured | Verdict::Alternating | Verdict::Nothing => self.size(),
             _ => None,
@@ -100,8 +100,7 @@ impl Outcome {
 }
 
 impl Outcome {
-    /// From how many starts was searched, where it was more than one, and whether a profile has led to a lower minimum, in
-    /// sentences.
+    /// Sentences about the number of starts, if more than one, and about a lower minimum found by a profile.
     pub fn search_texts(&self, language: Language) -> Vec<String> {
         let mut texts = Vec::new();
         if self.starts > 1 {
@@ -126,8 +125,8 @@ impl Outcome {
         texts
     }
 
-    /// That other values fit as well within the noise, if a search has found such. `quantity` writes an SI value of an
-    /// estimate with its unit.
+    /// Sentence about another minimum that fits as well within the noise, if there is one. `quantity` formats a value in SI
+    /// of an estimate with its unit.
     pub fn rival_text(&self, language: Language, quantity: impl Fn(&Estimate, f64) -> String) -> Option<String> {
         let rival = self.rival.as_ref()?;
         let values = self.parameters.iter().zip(&rival.values);
@@ -142,7 +141,7 @@ impl Outcome {
 }
 
 impl Estimate {
-    /// Why it has no standard error, where the end of a range has stopped it or all that it follows from.
+    /// Reason for a missing standard error, if the estimate or all that it depends on is stopped at a bound of its range.
     pub fn stopped_text(&self, language: Language) -> Option<&'static str> {
         self.at_bound.then_some(match (self.target, language) {
             (Some(_), English) => "at the end of its range",

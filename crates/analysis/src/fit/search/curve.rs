@@ -1,17 +1,17 @@
-//! The model's curve at measured times, with its derivatives by what is varied.
+//! Curve of the model at measured times, with its derivatives with respect to the varied numbers.
 
 use crate::fit::task::Target;
 use engine::{Method, Routine, Setup, Stepper};
 use program::{Kind, Model, Node, NodeId};
 use units::{Words, words};
 
-/// The errors of a step of equations of motion, relative to the greatest value of each state: while the answer is still far
-/// away, when it is near, and in the end. All steps together then stay below 1e-9.
+/// Error tolerances of a step of equations of motion, relative to the greatest value of each state: far from the answer,
+/// near it, and at the end. The last one keeps the error of all steps together below 1e-9.
 pub(crate) const TOLERANCES: [f64; 3] = [1e-6, 1e-8, 1e-10];
-/// A solution that needs more evaluations of the equations is given up.
+/// Upper bound of the evaluations of the equations for one solution.
 const MOST_EVALUATIONS: u64 = 2_000_000;
 
-/// A copy of a model without what only its author reads.
+/// Copy of a model without tables, buttons, texts and sizes.
 pub(crate) fn bare(model: &Model) -> Model {
     Model {
         independent: model.independent.clone(),
@@ -20,7 +20,7 @@ pub(crate) fn bare(model: &Model) -> Model {
         quantities: model.quantities.clone(),
         tables: Vec::new(),
         events: model.events.clone(),
-        // A fit has no presses of buttons.
+        // No buttons are pressed in a fit.
         buttons: Vec::new(),
         graph: model.graph.clone(),
         texts: Vec::new(),
@@ -29,17 +29,18 @@ pub(crate) fn bare(model: &Model) -> Model {
     }
 }
 
-/// Gives the model's values of all that is observed, with derivatives, at any ascending times.
+/// Values of the observed expressions, with derivatives, at any ascending times.
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
-    /// How many states the model has without sensitivities.
+    /// Number of states without sensitivities.
     states: usize,
-    /// The parameters of the model among the targets, in order.
+    /// Indices of the varied parameters, in the order of the targets.
     varied: Vec<usize>,
     observed: usize,
-    /// By varied parameter: whether all that is observed is linear in it and the others that are marked, all together.
+    /// One per varied parameter: true if all observed expressions are linear in all marked parameters together.
     linear: Vec<bool>,
-    /// For each observed expression: its value, its derivatives by each of `varied`, and by the independent variable.
+    /// For each observed expression: its value, its derivatives with respect to each of `varied`, and to the independent
+    /// variable.
     routine: Routine,
     initial: Routine,
     stepper: Option<Stepper>,
@@ -50,9 +51,9 @@ pub(crate) struct Curve {
 }
 
 impl Curve {
-    /// Compiles `observed` expressions of `model` with derivatives by those of `targets` that are parameters, for runs that
-    /// last about `duration`. Of the methods, the one for stiff equations is kept; all others give way to Dormand and
-    /// Prince's, which reaches all [`TOLERANCES`].
+    /// Compiles the `observed` expressions of `model` with derivatives with respect to the parameters among `targets`.
+    /// `duration` is the approximate length of a run, SI. A method for stiff equations is kept; all others are replaced by
+    /// that of Dormand and Prince, which reaches all [`TOLERANCES`].
     pub fn new(
         model: &Model,
         observed: &[NodeId],
@@ -80,7 +81,7 @@ impl Curve {
             .enumerate()
             .map(|(place, &parameter)| extended.sensitivities(observed, parameter, place, states))
             .collect();
-        // One after the other joins those before it, if no derivative by one of them depends on any other.
+        // Each parameter is added to the marked ones if no derivative with respect to one of them depends on any of them.
         let mut linear = vec![false; varied.len()];
         for place in 0..varied.len() {
             linear[place] = states == 0;
@@ -92,7 +93,7 @@ impl Curve {
         }
         let rates = match targets.contains(&Target::Origin) {
             true => extended.rates_of(observed),
-            // They are not needed.
+            // The rates are not needed.
             false => vec![extended.graph.constant(0.0); observed.len()],
         };
         let mut roots = Vec::new();
@@ -133,37 +134,38 @@ impl Curve {
         Ok(curve)
     }
 
-    /// Integrates to `tolerance` from here on.
+    /// Sets the error tolerance of later integrations, relative to the greatest value of each state.
     pub fn set_tolerance(&mut self, tolerance: f64) {
         if let Some(stepper) = &mut self.stepper {
             stepper.allow_of_peak(tolerance);
         }
     }
 
-    /// How many columns of [`Curve::values`] belong to one observed expression: its value, its derivatives by each varied
-    /// parameter in the order of the targets, and its derivative by the independent variable.
+    /// Number of columns of [`Curve::values`] per observed expression: its value, its derivatives with respect to each
+    /// varied parameter in the order of the targets, and that with respect to the independent variable.
     pub fn stride(&self) -> usize {
         self.varied.len() + 2
     }
 
-    /// Which of these columns holds the derivative by a varied parameter of the model.
+    /// Column, within one observed expression, of the derivative with respect to a varied parameter of the model.
     pub fn place(&self, parameter: usize) -> usize {
         1 + self.varied.iter().position(|varied| *varied == parameter).unwrap_or(0)
     }
 
-    /// Whether all that is observed is linear in this parameter of the model, together with all others of which this says so;
-    /// never for equations of motion.
+    /// True if all observed expressions are linear in this parameter of the model, together with all others for which this
+    /// is true; false for equations of motion.
     pub fn is_linear_in(&self, parameter: usize) -> bool {
         self.varied.iter().zip(&self.linear).any(|(&varied, &linear)| varied == parameter && linear)
     }
 
-    /// Whether there are equations of motion.
+    /// True for equations of motion, false for a formula.
     pub fn has_states(&self) -> bool {
         self.states > 0
     }
 
-    /// Computes the observed expressions, [`Curve::stride`] columns for each, at the model's `times`, ascending and not before
-    /// 0 where there are states; [`Curve::values`] holds them. The result is how many rows the solution reaches.
+    /// Computes the observed expressions, [`Curve::stride`] columns for each, into [`Curve::values`]. `times` are those of
+    /// the model, SI, ascending and not before 0 for equations of motion. Returns the number of rows that the solution
+    /// reaches.
     pub fn follow(&mut self, parameters: &[f64], times: &[f64]) -> usize {
         let rows = times.len();
         self.values.resize(self.observed * self.stride() * rows, 0.0);
@@ -194,16 +196,16 @@ impl Curve {
         rows
     }
 
-    /// The columns that the last [`Curve::follow`] computed, one after the other.
+    /// Columns computed by the last [`Curve::follow`], one after the other.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 }
 
-/// The derived quantities of a model that hold for a whole run, with their derivatives by parameters.
+/// Derived quantities of a model that are constant in a run, with their derivatives with respect to parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct Derived {
-    /// Which of the model's quantities.
+    /// Indices of the quantities in the model.
     pub quantities: Vec<usize>,
     routine: Routine,
     varied: usize,
@@ -211,7 +213,7 @@ pub(crate) struct Derived {
 }
 
 impl Derived {
-    /// Those that depend on any of `varied` parameters.
+    /// Selects the quantities that depend on any of the `varied` parameters.
     pub fn new(model: &Model, varied: &[usize]) -> Self {
         let depends = |node: NodeId| {
             let mut dependence = model.depends(node);
@@ -229,7 +231,7 @@ impl Derived {
             .collect();
         let mut graph = model.graph.clone();
         let states = model.states.len();
-        // In what holds for a whole run, an initial value is its expression.
+        // In a quantity constant in a run, an initial value is replaced by its expression.
         let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
         let nodes: Vec<NodeId> = quantities.iter().map(|&number| model.quantities[number].value.node).collect();
         let nodes = graph.substitute(&nodes, |_, node| match node {
@@ -245,7 +247,7 @@ impl Derived {
         Self { quantities, routine, varied: varied.len(), states }
     }
 
-    /// The values, and for each its derivatives by the varied parameters.
+    /// Values, SI, and for each its derivatives with respect to the varied parameters.
     pub fn evaluate(&mut self, parameters: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
         let zeros = vec![0.0; self.states];
         let count = self.quantities.len();

@@ -1,7 +1,7 @@
-//! Searches from elsewhere. Where a model has events or branches, the sum of squares has kinks and steps, and a search by
-//! derivatives can stop at one of them far above the least value. Such a fit is therefore tried again from starts around its
-//! answer, some standard deviations away, where the other minima lie that fit nearly as well. Whatever ends lower becomes the
-//! answer, and is tried in the same way.
+//! Further searches around the answer. For a model with events or branches, the sum of squares has kinks and steps, and a
+//! search by derivatives can stop at one of them far above the minimum. So further searches start around the answer, some
+//! standard deviations away, where other minima that fit nearly as well lie. A lower result becomes the answer, and is
+//! tested in the same way.
 
 use super::Search;
 use super::problem::Problem;
@@ -11,10 +11,10 @@ use crate::fit::linear::{Decomposition, dot, norm};
 use crate::fit::task::Target;
 use program::{Binary, Node, NodeId, Unary};
 
-/// How the sum of squares depends on the numbers of the search.
+/// Smoothness of the sum of squares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Texture {
-    /// Smoothly.
+    /// Smooth.
     Smooth,
     /// With branches (`if`, `abs`, `sign` ...), which often make no kinks in the curve.
     Branches,
@@ -22,107 +22,106 @@ enum Texture {
     Events,
 }
 
-/// A walk away from an answer, along one number that has a part in the events.
+/// Walk away from an answer, along one number that acts on the events.
 #[derive(Clone, Debug)]
 struct Walk {
-    /// Which number of the search.
+    /// Column of the number in the search.
     column: usize,
-    /// Its values still to be visited, the last one first: to one side, and to the other.
+    /// Values still to be visited, the last one first: below and above the answer.
     values: [Vec<f64>; 2],
-    /// By side: the numbers where it has come to.
+    /// One per side: the numbers at the end of the last search.
     at: [Vec<f64>; 2],
-    /// The side to which it goes at present.
+    /// Side of the present step.
     side: usize,
 }
 
 /// Starts around an answer.
 #[derive(Clone, Debug)]
 struct Around {
-    /// Walked first.
+    /// Walk, made before the starts.
     walk: Option<Walk>,
-    /// Still to be tried, the last one first.
+    /// Starts still to be tried, the last one first.
     starts: Vec<Vec<f64>>,
-    /// The sum of squares of the answer around which they lie.
+    /// Sum of squares of the answer around which they lie.
     centre: f64,
-    /// How many searches have come back to the best answer.
+    /// Number of searches that returned to the best answer.
     returned: usize,
 }
 
-/// A search from elsewhere.
+/// Search around the answer.
 #[derive(Clone, Debug)]
 pub(in crate::fit) struct Beginning {
-    /// The search.
+    /// Search at its start.
     pub search: Search,
-    /// Whether one number is held; where the search has ended, [`Elsewhere::release`] goes on from there.
+    /// True if one number is held; after the search, [`Elsewhere::release`] continues without holding it.
     pub held: bool,
 }
 
-/// What was tried elsewhere, and is to be tried.
+/// State of the searches around the answer.
 #[derive(Clone, Debug)]
 pub(in crate::fit) struct Elsewhere {
-    /// How smooth the sum of squares is.
+    /// Smoothness of the sum of squares.
     texture: Texture,
     /// Starts around the best answer.
     around: Option<Around>,
-    /// How many of them have been tried.
+    /// Number of searches so far.
     tried: usize,
-    /// Where the searches from all starts have ended, and how high.
+    /// Numbers and sum of squares at the end of each search.
     ends: Vec<(Vec<f64>, f64)>,
 }
 
 /// Another minimum that fits as well within the noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rival {
-    /// By how much its sum of squares is larger, in variances of a residual.
+    /// Sum of squares minus that of the best answer, in variances of a residual.
     pub growth: f64,
-    /// What was varied, in the order of [`crate::fit::Outcome::parameters`].
+    /// Values of the varied numbers, SI, in the order of [`crate::fit::Outcome::parameters`].
     pub values: Vec<f64>,
 }
 
 impl Elsewhere {
-    /// Searches from elsewhere, at most: without events, and with them.
+    /// Upper bound of the searches: without events, and with them.
     const MOST: [usize; 2] = [30, 60];
-    /// How far a number is walked to either side, in standard errors. Where the number of swings is another one, the derivatives
-    /// tell little of the way there.
+    /// Distances of the walk to either side, in standard errors. Far apart, because a minimum with another number of
+    /// oscillations can lie far away, and derivatives do not show the way there.
     const STEPS: [f64; 5] = [3.0, 6.0, 12.0, 24.0, 48.0];
-    /// Trials with that number held.
+    /// Upper bound of the trials with the number held.
     const TRIALS_HELD: usize = 10;
     /// Starts spread over a box around an answer.
     const BOX: usize = 16;
     /// Half the side of the box, in standard errors of each number.
     const BOX_SIZE: f64 = 6.0;
-    /// And at most so many of the whole record times its values.
+    /// Upper bound of the number of searches times the number of residuals.
     const VALUES: usize = 100_000;
-    /// Trials of one of them, for equations of motion: one that takes longer creeps along a kink.
+    /// Upper bound of the trials of one search for equations of motion: a longer search creeps along a kink.
     const TRIALS_OF_MOTION: usize = 20;
-    /// If so many of them have come back to the best answer, there is hardly a better one: without events, and with them.
+    /// Number of returns to the best answer after which no better one is expected: without events, and with them.
     const RETURNED: [usize; 2] = [4, 6];
-    /// Where a search ends lower by this part of the sum of squares, starts around the new answer are tried.
+    /// Relative decrease of the sum of squares from which on starts around the new answer are tried.
     const MOVED: f64 = 1e-4;
-    /// Sums of squares that differ by less than this part are those of one answer, or of one curve.
+    /// Sums of squares that differ by less than this part belong to the same answer or the same curve.
     const EQUAL: f64 = 1e-5;
-    /// A direction in which the curve changes by less than this part of the greatest change is no direction to try.
+    /// Directions in which the curve changes by less than this part of the greatest change are not tried.
     const VAGUE: f64 = 1e-8;
-    /// A start that explains all but this part of the scatter leaves nothing to be found.
+    /// A sum of squares below this part of the scatter cannot be improved.
     const NOTHING: f64 = 1e-12;
-    /// Another minimum fits as well if its sum of squares is larger by less than this many variances: two standard
-    /// deviations of one number.
+    /// Greatest growth of the sum of squares of a rival, in variances: two standard deviations of one number.
     const AS_WELL: f64 = 4.0;
-    /// It is another one if the sum of squares would have to be larger by more than this many variances where it lies, were
-    /// there only one: three standard deviations of one number.
+    /// Least growth predicted by the linearised curve at a separate minimum, in variances: three standard deviations of one
+    /// number.
     const APART: f64 = 9.0;
 
-    /// Nothing was tried yet.
+    /// State before the first search.
     pub fn new(problem: &Problem) -> Self {
         Self { texture: texture(problem), around: None, tried: 0, ends: Vec::new() }
     }
 
-    /// Whether the model has events.
+    /// True if the model has events.
     pub fn has_events(&self) -> bool {
         self.texture == Texture::Events
     }
 
-    /// The next search from elsewhere, if one is to be tried.
+    /// Next search around the answer, `None` after the last one.
     pub fn next(&mut self, problem: &mut Problem, best: &Search) -> Option<Beginning> {
         let most = Self::VALUES / best.residuals.len().max(1);
         let nothing = best.sum <= Self::NOTHING * problem.total;
@@ -146,7 +145,7 @@ impl Elsewhere {
         beginning
     }
 
-    /// Goes on from where a search with a held number has ended, without holding it.
+    /// Continues from the end of a search with a held number, without holding it.
     pub fn release(&mut self, problem: &mut Problem, ended: &Search) -> Search {
         if let Some(walk) = self.around.as_mut().and_then(|known| known.walk.as_mut()).filter(|_| ended.sum.is_finite())
         {
@@ -155,7 +154,7 @@ impl Elsewhere {
         free(problem, &ended.x)
     }
 
-    /// Remembers where a search of the whole has ended, before its answer is taken as the best or not.
+    /// Records the end of a search over the whole fitted part. Call it before the best answer is updated.
     pub fn remember_end(&mut self, search: &Search, best: Option<&Search>) {
         if let (Some(best), Some(known)) = (best, &mut self.around) {
             let same = (search.sum - best.sum).abs() <= Self::EQUAL * best.sum;
@@ -166,14 +165,14 @@ impl Elsewhere {
         }
     }
 
-    /// Of all searches so far, the one that has ended lowest in another minimum that fits as well within the noise.
+    /// Lowest end of all searches so far in another minimum that fits as well within the noise.
     pub fn rival(&self, problem: &Problem, best: &Search) -> Option<Rival> {
         let variance = variance(problem, best);
-        // Scales come last.
+        // Film scales are the last columns.
         let numbers = best.x.len() - problem.scales();
         let rival = |(x, sum): &(Vec<f64>, f64)| {
             let growth = (sum - best.sum) / variance;
-            // The same curve from other numbers is no other minimum: terms of a sum have changed places.
+            // The same curve from other numbers is not another minimum: terms of a sum have changed places.
             let same = *sum <= best.sum * (1.0 + Self::EQUAL);
             (growth <= Self::AS_WELL && !same && growth_at(best, x) > Self::APART * variance)
                 .then(|| Rival { growth, values: x[..numbers].to_vec() })
@@ -181,9 +180,9 @@ impl Elsewhere {
         self.ends.iter().filter_map(rival).min_by(|one, other| one.growth.total_cmp(&other.growth))
     }
 
-    /// What is to be tried around an answer: a walk along the worst determined of the numbers that have a part in the events, then
-    /// starts along the direction that the data determine worst, then starts spread over a box of some standard errors of each
-    /// number. Beside a kink the derivatives do not tell where the valleys lead, so that the box finds what no direction does.
+    /// Searches around an answer, in this order: a walk along the worst determined of the numbers that act on the events;
+    /// starts along the direction that the data determine worst; starts spread over a box of some standard errors of each
+    /// number. The box is needed because derivatives beside a kink do not show the directions of the valleys.
     fn around(problem: &Problem, best: &Search) -> Around {
         let scale: Vec<f64> = (0..best.x.len()).map(|column| norm(best.jacobian.column(column))).collect();
         let free = |column: &usize| scale[*column] > 0.0 && problem.bounds[*column].0 < problem.bounds[*column].1;
@@ -192,7 +191,7 @@ impl Elsewhere {
         let least = Self::VAGUE * decomposition.greatest();
         let determined: Vec<usize> = (0..columns.len()).filter(|&k| decomposition.singular[k] > least).collect();
         let deviation = variance(problem, best).sqrt();
-        // One standard deviation along direction k, in the number of this place.
+        // Change of the number at `place` for one standard deviation along direction k.
         let along = |k: usize, place: usize| {
             let size = scale[columns[place]] * decomposition.singular[k];
             deviation * decomposition.right[k * columns.len() + place] / size
@@ -233,7 +232,7 @@ impl Elsewhere {
 }
 
 impl Walk {
-    /// The next value, all other numbers following from where they have come to on this side; `None` at the end.
+    /// Search at the next value, starting from the other numbers reached on this side; `None` at the end.
     fn step(&mut self, problem: &mut Problem) -> Option<Beginning> {
         self.side = usize::from(self.values[0].len() < self.values[1].len());
         let value = self.values[self.side].pop()?;
@@ -247,13 +246,13 @@ impl Walk {
     }
 }
 
-/// A search without anything held.
+/// Search with no number held.
 fn free(problem: &mut Problem, start: &[f64]) -> Search {
     let limit = if problem.curve.has_states() { Elsewhere::TRIALS_OF_MOTION } else { TRIALS };
     window::search(problem, start, limit)
 }
 
-/// By number of the search: whether the conditions of events, or what they set, depend on it.
+/// One per column: true if the condition of an event, or a value it sets, depends on it.
 fn kinks(problem: &Problem) -> Vec<bool> {
     let model = &problem.model;
     let nodes = model.events.iter().flat_map(|event| {
@@ -265,15 +264,14 @@ fn kinks(problem: &Problem) -> Vec<bool> {
     problem.columns.iter().map(|column| has_part(column.target())).collect()
 }
 
-/// The variance of a residual: as given, or as the residuals show it where that is larger.
+/// Variance of a residual: as given, or from the residuals if that is larger.
 pub(in crate::fit) fn variance(problem: &Problem, best: &Search) -> f64 {
     let dof = (problem.independent_values() + problem.scales() as f64 - best.x.len() as f64).max(1.0);
     let shown = best.sum / dof;
     if problem.task.errors_given() { shown.max(1.0) } else { shown }
 }
 
-/// How much larger the sum of squares would be at `x` than at the end of a search if the curve changed in proportion to the
-/// numbers.
+/// Growth of the sum of squares from the end of a search to `x`, predicted by the linearised curve.
 pub(in crate::fit) fn growth_at(best: &Search, x: &[f64]) -> f64 {
     let mut change = vec![0.0; best.residuals.len()];
     for (column, (to, from)) in x.iter().zip(&best.x).enumerate() {
@@ -282,7 +280,7 @@ pub(in crate::fit) fn growth_at(best: &Search, x: &[f64]) -> f64 {
     dot(&change, &change)
 }
 
-/// How the sum of squares depends on the numbers of the search, as far as the model's text tells.
+/// Smoothness of the sum of squares, from the expressions of the model.
 fn texture(problem: &Problem) -> Texture {
     let model = &problem.model;
     if !model.events.is_empty() {
@@ -301,7 +299,7 @@ fn texture(problem: &Problem) -> Texture {
     if model.graph.reachable(&roots).iter().any(branches) { Texture::Branches } else { Texture::Smooth }
 }
 
-/// Whether a function has a kink or a step, or takes one of several values.
+/// True if a function has a kink or a step, or takes one of several values.
 fn is_branch(node: Node) -> bool {
     node.is_switch()
         || matches!(node, Node::Select(..) | Node::Unary(Unary::Not, _) | Node::Binary(Binary::And | Binary::Or, ..))

@@ -1,26 +1,26 @@
-//! What a residual costs: its square, or with a robust loss less where it is large.
+//! Loss functions of a residual: the square, or a robust loss that grows more slowly for large residuals.
 
 use units::Language;
 
-/// What a residual costs.
+/// Loss function of a residual.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Loss {
-    /// Its square.
+    /// Square.
     #[default]
     Squares,
-    /// Its square up to 1.345 standard deviations, beyond it a straight line (P. J. Huber, Ann. Math. Statist. 35 (1964) 73): as
-    /// good as 95 % of the values with least squares, where these are normal.
+    /// Square up to 1.345 standard deviations, linear beyond (P. J. Huber, Ann. Math. Statist. 35 (1964) 73): 95 %
+    /// efficiency for normal errors.
     Huber,
-    /// The biweight (A. E. Beaton & J. W. Tukey, Technometrics 16 (1974) 147): what is beyond 4.685 standard deviations counts
-    /// nothing; 95 % as well.
+    /// Biweight (A. E. Beaton & J. W. Tukey, Technometrics 16 (1974) 147): residuals beyond 4.685 standard deviations have
+    /// no weight; 95 % efficiency for normal errors.
     Tukey,
 }
 
 impl Loss {
-    /// All of them, the usual one first.
+    /// All loss functions, the usual one first.
     pub const ALL: [Self; 3] = [Self::Squares, Self::Huber, Self::Tukey];
 
-    /// Where it leaves the square, in standard deviations.
+    /// Tuning constant, in standard deviations.
     const fn tuning(self) -> f64 {
         match self {
             Self::Squares => f64::INFINITY,
@@ -29,7 +29,7 @@ impl Loss {
         }
     }
 
-    /// A short name that [`Loss::from_code`] reads.
+    /// Short name, read by [`Loss::from_code`].
     pub const fn code(self) -> &'static str {
         match self {
             Self::Squares => "least-squares",
@@ -38,12 +38,12 @@ impl Loss {
         }
     }
 
-    /// What [`Loss::code`] has written.
+    /// Loss with this [`Loss::code`].
     pub fn from_code(code: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|loss| loss.code() == code)
     }
 
-    /// What it is called.
+    /// Name shown to users.
     pub const fn name(self, language: Language) -> &'static str {
         match (self, language) {
             (Self::Squares, Language::English) => "least squares",
@@ -55,7 +55,7 @@ impl Loss {
         }
     }
 
-    /// How much a residual of so many standard deviations counts, beside its square.
+    /// Weight of the square of a residual of `z` standard deviations, 0 to 1.
     pub(in crate::fit) fn weight(self, z: f64) -> f64 {
         let part = z.abs() / self.tuning();
         match self {
@@ -66,7 +66,7 @@ impl Loss {
         }
     }
 
-    /// The derivative of the residual times its weight.
+    /// Derivative of the residual times its weight.
     pub(in crate::fit) fn slope(self, z: f64) -> f64 {
         let square = (z / self.tuning()) * (z / self.tuning());
         match self {

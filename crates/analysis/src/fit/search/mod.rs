@@ -1,14 +1,14 @@
-//! Levenberg and Marquardt's search for the least sum of squares, as a thing that goes on one trial at a time.
+//! Levenberg-Marquardt search for the least sum of squares, advanced one trial at a time.
 //!
-//! A trust region bounds the step in variables scaled by the greatest length that each column of the Jacobian has had
-//! (More, Lecture Notes in Mathematics 630 (1978) 105). The step inside it comes from singular values, which also show
-//! what the residuals do not depend on. Bounds are kept by projection: a variable that stands at its bound and wants to
-//! leave is held for this step.
+//! A trust region bounds the step in scaled variables; the scale is the greatest norm that each column of the Jacobian has
+//! had (More, Lecture Notes in Mathematics 630 (1978) 105). The step inside it comes from singular values, which also show
+//! directions without effect. Bounds are kept by projection: a variable at its bound whose step would leave the range is
+//! held for this step.
 //!
-//! Variables in which the residuals are linear follow the others: after every step they are set where linear least squares
-//! wants them, if that is worth it. So the step of the others is that of Kaufman's variable projection, which needs no starting
-//! values for what is linear and leaves long curved valleys in few steps (Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413;
-//! Ruhe & Wedin, SIAM Review 22 (1980) 318, algorithm 2).
+//! Variables in which the residuals are linear are eliminated: after a step they are set to their values of linear least
+//! squares, if that lowers the sum enough. The step of the others is then that of Kaufman's variable projection, which
+//! needs no starting values for the linear variables and follows long curved valleys in few steps (Golub & Pereyra, SIAM J.
+//! Numer. Anal. 10 (1973) 413; Ruhe & Wedin, SIAM Review 22 (1980) 318, algorithm 2).
 
 pub(in crate::fit) mod curve;
 pub(in crate::fit) mod elsewhere;
@@ -23,19 +23,19 @@ pub(in crate::fit) mod window;
 
 use super::linear::{Decomposition, Jacobian, Split, norm};
 
-/// What is minimised.
+/// Residuals to be minimised.
 pub(crate) trait Residuals {
-    /// Computes residuals and their derivatives at `x`; false if there are none.
+    /// Computes residuals and their derivatives at `x`. Returns false if there are none.
     fn evaluate(&mut self, x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool;
 
-    /// The variables in which the residuals are linear, all of them together.
+    /// Variables in which the residuals are linear, all of them together.
     fn linear(&self) -> Vec<usize>;
 }
 
-/// How a search stands.
+/// State of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Status {
-    /// It goes on.
+    /// The search continues.
     Searching,
     /// The residuals are orthogonal to all directions in which they can be changed, or no step is left.
     Converged,
@@ -43,28 +43,28 @@ pub(crate) enum Status {
     Failed,
 }
 
-/// A search.
+/// Search for the least sum of squares.
 #[derive(Clone, Debug)]
 pub(crate) struct Search {
-    /// Where the least sum of squares so far was found.
+    /// Variables at the least sum of squares so far.
     pub x: Vec<f64>,
-    /// Least and greatest value of each variable.
+    /// Lower and upper bound of each variable.
     bounds: Vec<(f64, f64)>,
-    /// The sum of squares there.
+    /// Sum of squares at `x`.
     pub sum: f64,
-    /// The residuals there.
+    /// Residuals at `x`.
     pub residuals: Vec<f64>,
-    /// Their derivatives there.
+    /// Derivatives of the residuals at `x`.
     pub jacobian: Jacobian,
-    /// How it stands.
+    /// State of the search.
     pub status: Status,
-    /// How many trials were made.
+    /// Number of trials made.
     pub trials: usize,
-    /// The variables in which the residuals are linear.
+    /// Variables in which the residuals are linear.
     linear: Vec<usize>,
     scale: Vec<f64>,
     radius: f64,
-    /// The part of the sum of squares that may be left to gain when the search ends.
+    /// Relative decrease of the sum of squares below which the search has converged.
     tolerance: f64,
     limit: usize,
     trial_residuals: Vec<f64>,
@@ -72,7 +72,7 @@ pub(crate) struct Search {
     step: Option<Step>,
 }
 
-/// The columns that are free to move, and what a step of them needs.
+/// Free columns and their decomposition.
 #[derive(Clone, Debug)]
 struct Step {
     linear: Vec<usize>,
@@ -81,18 +81,18 @@ struct Step {
 }
 
 impl Search {
-    /// The first step is no longer than the way to the start from zero, times this.
+    /// Initial trust radius in multiples of the scaled norm of the start (MINPACK's `factor`).
     const FIRST_RADIUS: f64 = 10.0;
-    /// Below this part of the greatest singular value, a direction changes nothing but by rounding.
+    /// Singular values below this part of the greatest are rounding.
     const FLAT: f64 = 1e-14;
-    /// The same where what is linear is set to its best values.
+    /// Tolerance like `FLAT` for the values of the linear variables.
     const FLAT_LINEAR: f64 = 1e-12;
-    /// Sums of squares are not compared where less than this part of them is left to be gained.
+    /// If the predicted decrease is below this part of the sum, sums of squares are not compared.
     const ROUNDING: f64 = 1e-12;
-    /// Setting what is linear to its best values must take away this part of the sum of squares.
+    /// Least relative decrease of the sum of squares for which the linear variables are set to their best values.
     const WORTH: f64 = 1e-2;
 
-    /// Begins at `start`, moved into the bounds. `rows` is the number of residuals.
+    /// Begins at `start`, moved into the bounds. `rows` is the number of residuals, `limit` that of trials.
     pub fn new(
         problem: &mut impl Residuals,
         start: &[f64],
@@ -129,7 +129,7 @@ impl Search {
         search
     }
 
-    /// Sets what is linear to its best values where the search begins, if that is worth it.
+    /// Sets the linear variables to their best values at the start, if that is worthwhile.
     pub fn set_linear(&mut self, problem: &mut impl Residuals) {
         let Some(better) = self.projected(&self.x, &self.residuals, &self.jacobian, self.sum) else { return };
         let sum = self.evaluate_at(problem, &better);
@@ -139,7 +139,7 @@ impl Search {
         }
     }
 
-    /// Makes one trial.
+    /// Makes one trial and returns the state after it.
     pub fn advance(&mut self, problem: &mut impl Residuals) -> Status {
         if self.status != Status::Searching {
             return self.status;
@@ -175,7 +175,7 @@ impl Search {
         }
         let gain = if sum.is_finite() { self.sum - sum } else { f64::NEG_INFINITY };
         let ratio = if predicted > 0.0 { gain / predicted } else { -1.0 };
-        // The radius follows how well the linear prediction held.
+        // The radius grows or shrinks with the ratio of actual and predicted decrease.
         if ratio < 0.25 {
             let shrink = if sum < 100.0 * self.sum { 0.25 } else { 0.1 };
             self.radius = shrink * self.radius.min(2.0 * length);
@@ -195,8 +195,8 @@ impl Search {
         self.status
     }
 
-    /// So near to the end that sums of squares differ by little more than rounding, a trial is judged by what it leaves to be
-    /// gained.
+    /// Accepts or rejects a trial so close to the minimum that sums of squares differ only by rounding: it is accepted if
+    /// it lowers the predicted decrease.
     fn polish(&mut self, trial: Vec<f64>, sum: f64, promised: f64) {
         self.status = Status::Converged;
         if sum <= self.sum * (1.0 + Self::ROUNDING) {
@@ -213,7 +213,7 @@ impl Search {
         }
     }
 
-    /// Goes on from a trial.
+    /// Accepts a trial.
     fn accept(&mut self, trial: Vec<f64>, sum: f64) {
         self.x = trial;
         self.sum = sum;
@@ -227,8 +227,8 @@ impl Search {
         std::mem::swap(&mut self.jacobian, &mut self.trial_jacobian);
     }
 
-    /// The sum of squares at `x`, infinite if there is none, after what is linear was set to its best values where that takes
-    /// away much. Residuals and derivatives are left in those of the trial.
+    /// Sum of squares at `x`, infinite if there is none. The linear variables are set to their best values if that is
+    /// worthwhile. Residuals and derivatives are stored as those of the trial.
     fn evaluate(&mut self, problem: &mut impl Residuals, x: &mut Vec<f64>) -> f64 {
         let sum = self.evaluate_at(problem, x);
         if sum < f64::INFINITY
@@ -254,7 +254,7 @@ impl Search {
         if sum.is_finite() { sum } else { f64::INFINITY }
     }
 
-    /// `x` with the best values of what is linear, if that takes away a good part of `sum` and stays within the bounds.
+    /// `x` with the best values of the linear variables, if that lowers `sum` enough and stays within the bounds.
     fn projected(&self, x: &[f64], residuals: &[f64], jacobian: &Jacobian, sum: f64) -> Option<Vec<f64>> {
         let mut scale = vec![0.0; x.len()];
         self.linear.iter().for_each(|&column| scale[column] = norm(jacobian.column(column)));
@@ -280,13 +280,13 @@ impl Search {
         Some(better)
     }
 
-    /// Whether a variable stands at one of its bounds.
+    /// True if a variable is at one of its bounds.
     pub fn at_bound(&self, column: usize) -> bool {
         let (low, high) = self.bounds[column];
         self.x[column] <= low || self.x[column] >= high
     }
 
-    /// Takes scales and the first radius from where the search stands.
+    /// Sets scales and initial trust radius from the present point.
     fn measure(&mut self) {
         self.scale.fill(0.0);
         self.rescale();
@@ -299,20 +299,20 @@ impl Search {
             let length = norm(self.jacobian.column(column));
             *scale = scale.max(length);
             if *scale == 0.0 {
-                // It changes nothing here; any scale will do.
+                // A zero column has no effect here; any scale will do.
                 *scale = f64::MIN_POSITIVE.sqrt();
             }
         }
     }
 
-    /// The length of a way in scaled variables; what is linear does not count.
+    /// Norm of a change in scaled variables, without the linear ones.
     fn length(&self, way: &[f64]) -> f64 {
         let counts = |column: &usize| !self.linear.contains(column);
         let scaled: Vec<f64> = (0..way.len()).filter(counts).map(|column| way[column] * self.scale[column]).collect();
         norm(&scaled)
     }
 
-    /// The columns that are free to move, decomposed.
+    /// Decomposition of the free columns.
     fn decompose(&self) -> Step {
         let gradient = |column| super::linear::dot(self.jacobian.column(column), &self.residuals);
         let free = |column: &usize| {
@@ -327,7 +327,7 @@ impl Search {
         Step { linear, others, split }
     }
 
-    /// The sum of squares that the linear prediction gives after `change`.
+    /// Sum of squares after `change`, predicted by the linearised residuals.
     fn linear_sum(&self, change: &[f64]) -> f64 {
         let mut predicted = self.residuals.clone();
         for (column, &change) in change.iter().enumerate().filter(|(_, change)| **change != 0.0) {
@@ -339,8 +339,8 @@ impl Search {
     }
 }
 
-/// The step (to be subtracted, in scaled variables) that is best within the radius, and whether the radius bounds it: the
-/// damping that makes its length equal to the radius is found by Newton's method on the reciprocal length.
+/// Best step within the radius (to be subtracted, in scaled variables), and true if the radius bounds it. The damping for
+/// which the length of the step equals the radius is found by Newton's method on the reciprocal length.
 fn restricted(decomposition: &Decomposition, radius: f64) -> (Vec<f64>, bool) {
     let flat = Search::FLAT * decomposition.greatest();
     let free = decomposition.combine(|value| if value > flat { 1.0 / value } else { 0.0 });
@@ -363,7 +363,7 @@ fn restricted(decomposition: &Decomposition, radius: f64) -> (Vec<f64>, bool) {
         if (length - radius).abs() <= 0.1 * radius || slope == 0.0 {
             break;
         }
-        // phi = 1/length - 1/radius is nearly straight in the damping.
+        // phi = 1/length - 1/radius is nearly linear in the damping.
         damping = (damping + (length / radius - 1.0) * square / -slope).max(0.0);
     }
     (decomposition.combine(|value| if value > flat { value / (value * value + damping) } else { 0.0 }), true)

@@ -1,5 +1,5 @@
-//! What a fit is asked, and how that is computed: measured values beside the model's, weighted, with derivatives by every
-//! varied number.
+//! Residuals of a task: weighted differences of the values of the model and the measured ones, with derivatives with
+//! respect to every varied number.
 
 use super::curve::{self, Curve};
 use crate::fit::linear::Jacobian;
@@ -16,45 +16,46 @@ use program::{Model, NodeId};
 use std::sync::Arc;
 use units::words;
 
-/// A task made ready: what is asked, and how it is computed.
+/// Task with everything needed to compute its residuals.
 #[derive(Clone, Debug)]
 pub(crate) struct Problem {
-    /// The model, without what only its author reads.
+    /// Model without tables, buttons, texts and sizes.
     pub model: Model,
-    /// The model's curve.
+    /// Curve of the model.
     pub curve: Curve,
-    /// The task.
+    /// Task of the fit.
     pub task: Task,
-    /// The numbers of the search.
+    /// Numbers of the search.
     pub columns: Vec<Column>,
-    /// Least and greatest value of each: given, else the parameter's own range, else none.
+    /// Bounds of each column, SI: given, else the range of the parameter, else infinite.
     pub bounds: Vec<(f64, f64)>,
-    /// Where the search begins: the given starts, else the parameters' own values, 0 for offsets.
+    /// Start of each column, SI: given, else the value of the parameter, the origin of the plan, 0 for offsets, 1 for film
+    /// scales.
     pub own: Vec<f64>,
-    /// Which values are fitted.
+    /// Assignment of measured values to the curve.
     pub layout: Layout,
-    /// What is fitted, by record.
+    /// Fitted values, one plan per record.
     pub plans: Arc<Vec<Plan>>,
-    /// The weighted sum of squares about the mean of each observation.
+    /// Weighted sum of squares about the mean of each observation.
     pub total: f64,
-    /// The standard deviation of a weighted residual, by which the priors of scales are weighed; 1 where errors are given.
+    /// Standard deviation of a weighted residual, the weight of the priors of scales; 1 where errors are given.
     pub deviation: f64,
-    /// Which of [`curve::TOLERANCES`] holds for equations of motion.
+    /// Index in [`curve::TOLERANCES`], for equations of motion.
     precision: usize,
-    /// Whether searches need not find the last digits.
+    /// True if searches may stop at a coarser tolerance.
     rough: bool,
-    /// Model times are computed here.
+    /// Buffer for the times of the model.
     clock: Vec<f64>,
 }
 
 impl Problem {
-    /// The part of the sum of squares that may be left to gain, for formulas.
+    /// Convergence tolerance for formulas: relative decrease of the sum of squares.
     const TOLERANCE: f64 = 1e-18;
-    /// The same for equations of motion, whose solutions carry the error of the integration: with each of the tolerances of the
-    /// curve.
+    /// Convergence tolerances for equations of motion, one per tolerance of the curve: their solutions carry the error of
+    /// the integration.
     const TOLERANCES_OF_MOTION: [f64; curve::TOLERANCES.len()] = [1e-8, 1e-10, 1e-12];
 
-    /// Checks a task and makes it ready.
+    /// Checks and prepares a task.
     pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
         check::task(&task)?;
         if model.is_random() {
@@ -103,17 +104,17 @@ impl Problem {
         Ok(problem)
     }
 
-    /// The points of all records whose times are `inside`.
+    /// Points of all records whose times are `inside`.
     pub fn plans_where(&self, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
         self.layout.plans(&self.task, inside)
     }
 
-    /// How many values are fitted that no other one repeats.
+    /// Number of independent fitted values.
     pub fn independent_values(&self) -> f64 {
         plan::independent_values(&self.plans)
     }
 
-    /// By record and observation: the scatter of the fitted values.
+    /// Scatter of the fitted values by record and observation, SI.
     pub fn spread(&self) -> Vec<Vec<f64>> {
         weights::spread(&self.plans)
     }
@@ -124,7 +125,8 @@ impl Problem {
         self.total = weights::spread_sum(&self.plans);
     }
 
-    /// Weighs several observations, and the priors of scales, by the scatter of the `residuals`; whether that changes the weights.
+    /// Updates the weights of several observations and of the priors of scales from the scatter of the `residuals`. Returns
+    /// true if they changed.
     pub fn reweigh(&mut self, residuals: &[f64]) -> bool {
         let sizes = weights::sizes(&self.plans, &self.task, residuals);
         if let Some(sizes) = &sizes {
@@ -139,18 +141,18 @@ impl Problem {
         changed
     }
 
-    /// How many of the numbers of the search, the last ones, are scales of films. Each has a prior, which adds a row below the
+    /// Number of film scales; these are the last columns of the search. Each has a prior, which adds a row below the
     /// residuals of the values.
     pub fn scales(&self) -> usize {
         self.columns.iter().filter(|column| column.is_scale()).count()
     }
 
-    /// All fitted points, to be trusted more or less.
+    /// All fitted points, to change their trust.
     pub fn points_mut(&mut self) -> impl Iterator<Item = &mut Point> {
         Arc::make_mut(&mut self.plans).iter_mut().flat_map(|plan| &mut plan.points)
     }
 
-    /// The part of the sum of squares that a search may leave to be gained.
+    /// Convergence tolerance: relative decrease of the sum of squares.
     pub fn tolerance(&self) -> f64 {
         match self.curve.has_states() {
             true => Self::TOLERANCES_OF_MOTION[if self.rough { 0 } else { self.precision }],
@@ -158,13 +160,13 @@ impl Problem {
         }
     }
 
-    /// Searches of equations of motion need not find the last digits from here on: weights that follow the residuals are settled
-    /// in many rounds.
+    /// Makes later searches of equations of motion stop at the coarsest tolerance: weights that follow the residuals need
+    /// many rounds.
     pub fn search_roughly(&mut self) {
         self.rough = true;
     }
 
-    /// Integrates equations of motion more exactly from here on, if that is possible.
+    /// Integrates equations of motion more accurately from here on. Returns false if that is not possible.
     pub fn refine(&mut self) -> bool {
         let possible = self.curve.has_states() && self.precision + 1 < curve::TOLERANCES.len();
         if possible {
@@ -173,7 +175,7 @@ impl Problem {
         possible
     }
 
-    /// Integrates equations of motion as exactly as in the end.
+    /// Integrates equations of motion with the final accuracy from here on.
     pub fn refine_fully(&mut self) {
         self.integrate_to(curve::TOLERANCES.len() - 1);
     }
@@ -183,7 +185,7 @@ impl Problem {
         self.curve.set_tolerance(curve::TOLERANCES[precision]);
     }
 
-    /// All parameters of the model in a record, with the varied ones from `x`.
+    /// Values of all parameters of the model in a record, SI, with the varied ones from `x`.
     pub fn parameters(&self, record: usize, x: &[f64]) -> Vec<f64> {
         let mut parameters = self.task.parameters.clone();
         for &(index, value) in &self.task.records[record].fixed {
@@ -202,8 +204,8 @@ impl Problem {
         parameters
     }
 
-    /// The residuals of all points of `plans`, model minus measured, times weight, and below them one for the prior of each scale,
-    /// with their derivatives.
+    /// Residuals of all points of `plans`, (model minus measured) times weight, and below them one for the prior of each
+    /// scale, with their derivatives. Returns false if the curve does not reach all points or a residual is not finite.
     pub fn residuals(&mut self, plans: &[Plan], x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
         let mut base = 0;
         for (record, plan) in plans.iter().enumerate() {
@@ -216,8 +218,8 @@ impl Problem {
         residuals.iter().all(|value| value.is_finite())
     }
 
-    /// Those of one record, from row `base` on. False if the solution does not reach all points; only those that it reaches
-    /// are then set.
+    /// Residuals and derivatives of one record, from row `base` on. Returns false if the solution does not reach all
+    /// points; then only the rows that it reaches are set.
     pub fn record_residuals(
         &mut self,
         record: usize,
@@ -230,7 +232,7 @@ impl Problem {
         let stride = self.curve.stride();
         let parameters = self.parameters(record, x);
         let origin = self.origin(record, plan, x);
-        // Where the origin is varied, nothing has moved before it.
+        // With a varied origin, the system is at rest before it.
         let earliest = if self.curve.has_states() { 0.0 } else { f64::NEG_INFINITY };
         self.clock.clear();
         self.clock.extend(plan.times.iter().map(|time| (time - origin).max(earliest)));
@@ -253,7 +255,7 @@ impl Problem {
                     rows.for_each(|(slope, point)| *slope = point.factor() * values[place(point, of_parameter)]);
                 }
                 Some(Target::Origin) => {
-                    // What has not moved yet does not begin to move where the origin does.
+                    // Points at rest before the origin do not depend on it.
                     let moves = |point: &Point| plan.times[point.row] - origin >= earliest;
                     rows.for_each(|(slope, point)| {
                         *slope = if moves(point) { point.factor() * -values[place(point, stride - 1)] } else { 0.0 };
@@ -266,7 +268,7 @@ impl Problem {
                         *residual += if own { x[number] } else { 0.0 };
                     }
                 }
-                // It follows when all terms are together.
+                // Film scales are applied after all other terms.
                 None => {}
             }
         }
@@ -281,7 +283,8 @@ impl Problem {
         known == rows
     }
 
-    /// By number of the search: its size at the start or at `x`; where it starts at 0, how far its range lets it go, or at least 1.
+    /// Typical size of each number: the absolute value at the start or at `x`, whichever is greater. If it starts at 0: the
+    /// width of its range, or without one its absolute value, at least 1.
     pub fn reach(&self, x: &[f64]) -> Vec<f64> {
         let numbers = self.bounds.iter().zip(self.own.iter().zip(x));
         let of_number = |(&(low, high), (own, x)): (&(f64, f64), (&f64, &f64))| match high - low {
@@ -292,7 +295,7 @@ impl Problem {
         numbers.map(of_number).collect()
     }
 
-    /// The priors of the scales, in the order of their columns.
+    /// Priors of the scales, in the order of their columns.
     pub fn priors(&self) -> Vec<Prior> {
         let prior = |(number, column): (usize, &Column)| {
             let record = column.record.filter(|_| column.is_scale())?;
@@ -301,8 +304,8 @@ impl Problem {
         self.columns.iter().enumerate().filter_map(prior).collect()
     }
 
-    /// The standard deviation of a weighted residual: 1 where errors are given or nothing has a prior, else by the `residuals` at the
-    /// end of a search, but not below that of an exact fit.
+    /// Standard deviation of a weighted residual: 1 if errors are given or there is no prior, else from the `residuals` at
+    /// the end of a search, bounded from below by that of an exact fit.
     fn deviation_of(&self, residuals: &[f64]) -> f64 {
         let scales = self.scales();
         if scales == 0 || self.task.errors_given() {
@@ -315,7 +318,7 @@ impl Problem {
         (squares / freedom.max(1.0)).sqrt().max(least).max(f64::MIN_POSITIVE)
     }
 
-    /// The columns in which the residuals are linear, all of them together.
+    /// Columns in which the residuals are linear, all of them together.
     pub fn linear_columns(&self) -> Vec<usize> {
         let linear = |target| match target {
             Some(Target::Parameter(index)) => self.curve.is_linear_in(index),
@@ -325,7 +328,7 @@ impl Problem {
         (0..self.columns.len()).filter(|&number| linear(self.columns[number].target())).collect()
     }
 
-    /// The clock's reading at the model's 0.
+    /// Reading of the clock at the model's 0, SI.
     pub fn origin(&self, record: usize, plan: &Plan, x: &[f64]) -> f64 {
         let varied = self
             .columns

@@ -1,45 +1,44 @@
-//! How the best answer of all starts is gone on with: with equations of motion integrated more exactly, with several
-//! observations weighted again by their own scatter, and with the weights of a robust loss.
+//! Refinement of the best answer of all starts: equations of motion are integrated more accurately, several observations
+//! are reweighted by their own scatter, and the weights of a robust loss are iterated.
 
 use super::Search;
 use super::problem::Problem;
 use super::robust::{Continuation, Reweighting};
 use super::symmetry;
 
-/// How far that is.
+/// State of the refinement.
 #[derive(Clone, Debug, Default)]
 pub(in crate::fit) struct Refinement {
-    /// Whether all starts have been tried.
+    /// True if all starts have been tried.
     begun: bool,
-    /// How often several observations were weighted again.
+    /// Number of reweightings of several observations.
     weighings: usize,
-    /// The weights of a robust loss.
+    /// Weights of a robust loss.
     reweighting: Reweighting,
 }
 
 impl Refinement {
-    /// How often several observations are weighted again by their own scatter, at most.
+    /// Upper bound of the reweightings of several observations by their own scatter.
     const WEIGHINGS: usize = 12;
 
-    /// Of an answer that is known already.
+    /// Refinement of a known answer.
     pub fn of_known(problem: &mut Problem) -> Self {
         problem.refine_fully();
         Self { begun: true, ..Self::default() }
     }
 
-    /// Whether all starts have been tried, and the best one is gone on with.
+    /// True if all starts have been tried and the best one is being refined.
     pub fn has_begun(&self) -> bool {
         self.begun
     }
 
-    /// The weights of a robust loss.
+    /// Weights of a robust loss.
     pub fn reweighting(&self) -> &Reweighting {
         &self.reweighting
     }
 
-    /// Where to search once more: from the best itself where equations are now integrated more exactly, or several
-    /// observations weighted again by their own scatter, until that no longer changes; or from its like among those that fit
-    /// as well.
+    /// Start of the next search: the best answer itself if the accuracy of integration or the weights have changed, or an
+    /// equivalent answer with signs and order like those of the start.
     pub fn next(&mut self, problem: &mut Problem, best: &Search) -> Continuation {
         let first = !std::mem::replace(&mut self.begun, true);
         if problem.refine() {

@@ -1,10 +1,10 @@
-//! M-estimation: a loss that grows more slowly than the square, so that values far from the curve pull it less (P. J. Huber,
-//! Robust Statistics, 1981, chapter 7).
+//! M-estimation: a loss that grows more slowly than the square, so that values far from the curve pull it less (P. J.
+//! Huber, Robust Statistics, 1981, chapter 7).
 //!
-//! It is least squares with weights that follow the residuals. The scale of these is their median absolute value, made that
-//! of a normal distribution. First Huber's loss with the scale that least squares leaves; its minimum is the only one
-//! where the curve is linear in what is varied, and from there the chosen loss, with the scale computed again in every round,
-//! until neither changes. Tukey's loss has several minima: so it begins where Huber's ends.
+//! It is iteratively reweighted least squares. The scale of the residuals is their median absolute value, converted to a
+//! standard deviation of a normal distribution. The first pass uses Huber's loss with the scale from least squares; its
+//! minimum is unique if the curve is linear in the varied numbers. From there the chosen loss is used, with the scale
+//! updated in every round, until neither changes. Tukey's loss has several minima, so it begins at that of Huber's.
 
 use super::Search;
 use super::loss::Loss;
@@ -15,64 +15,66 @@ use crate::fit::task::weights::EXACT;
 use crate::fit::uncertainty::covariance::{Covariance, series};
 use crate::order::median;
 
-/// What a robust loss has changed.
+/// Effect of a robust loss.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reweighted {
-    /// The loss.
+    /// Loss function.
     pub loss: Loss,
-    /// The standard deviation of the residuals of the first observation of the first record, from their median size, SI.
+    /// Standard deviation of the residuals of the first observation of the first record, from their median absolute value,
+    /// SI.
     pub scale: f64,
-    /// How many values there are.
+    /// Number of values.
     pub count: usize,
-    /// How many count less than fully. With Huber's loss these are 18 % of normal residuals, with Tukey's all.
+    /// Number of values with a weight below 1. For normal residuals these are 18 % with Huber's loss, all with Tukey's.
     pub less: usize,
-    /// How many count less than half.
+    /// Number of values with a weight below 0.5.
     pub half: usize,
-    /// What least squares finds for each of [`crate::fit::Outcome::parameters`], SI.
+    /// Least-squares estimate of each of [`crate::fit::Outcome::parameters`], SI.
     pub least_squares: Vec<f64>,
 }
 
-/// What follows where a search of the whole has ended.
+/// Next step after a search over the whole fitted part.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::fit) enum Continuation {
-    /// Another one from here.
+    /// Another search from here.
     From(Vec<f64>),
-    /// Nothing.
+    /// The refinement is finished.
     End {
-        /// Whether weights that follow the residuals no longer change, if there are any.
+        /// True if the weights have converged, or none depend on the residuals.
         settled: bool,
     },
 }
 
-/// How far the weights are.
+/// State of the iteration of the weights.
 #[derive(Clone, Debug, Default)]
 pub(in crate::fit) struct Reweighting {
-    /// What least squares has found, where it is finished, and the part of the scatter that it explains.
+    /// Numbers found by least squares, and their coefficient of determination; `None` until least squares is finished.
     least_squares: Option<(Vec<f64>, f64)>,
-    /// By series: the scale of the weighted residuals.
+    /// One per series: scale of the weighted residuals.
     scales: Vec<f64>,
-    /// Rounds with this loss so far.
+    /// Rounds with the present loss so far.
     rounds: usize,
-    /// Whether Huber's loss with the first scale is done with.
+    /// True after the first pass with Huber's loss.
     begun: bool,
     settled: bool,
 }
 
 impl Reweighting {
-    /// Rounds with a loss, at most.
+    /// Upper bound of the rounds with one loss.
     const ROUNDS: usize = 100;
-    /// The scale is kept after so many: the median may jump to and fro between two residuals.
+    /// Rounds after which the scale is kept: the median may alternate between two residuals.
     const SCALES: usize = 50;
-    /// Weights that change less than this are settled, in the first pass and in the end.
+    /// Change of weights below which they have converged: in the first pass, and at the end.
     const FIRST: f64 = 1e-2;
     const LAST: f64 = 1e-5;
 
-    /// What least squares has found, where it is finished, and the part of the scatter that it explains.
+    /// Numbers found by least squares, and their coefficient of determination; `None` until least squares is finished.
     pub fn least_squares(&self) -> Option<&(Vec<f64>, f64)> {
         self.least_squares.as_ref()
     }
 
-    /// Weighs all values by their residuals; where to search with these weights, or nothing where they no longer change.
+    /// Updates the weights of all values from their residuals. Returns the start of the next search, or the end if they
+    /// have converged.
     pub fn next(&mut self, problem: &mut Problem, best: &Search) -> Continuation {
         let loss = problem.task.loss;
         if loss == Loss::Squares || self.settled {
@@ -93,7 +95,7 @@ impl Reweighting {
         for (places, scale) in series.iter().zip(&self.scales) {
             for &place in places {
                 let weight = present.weight(raw.residuals[place] / scale);
-                // Each series in units of its own scatter, unless its errors are given.
+                // Each series in units of its own scatter.
                 let trust = weight.sqrt() / scale;
                 changed = changed.max((trust * scale - points[place].trust * scale).abs());
                 points[place].trust = trust;
@@ -110,7 +112,7 @@ impl Reweighting {
         Continuation::From(best.x.clone())
     }
 
-    /// What is known of the uncertainties at the end of a search of the whole.
+    /// Covariance at the end of a search over the whole fitted part.
     pub fn covariance(&self, problem: &mut Problem, best: &Search) -> Covariance {
         let best = self.linearised(problem, best);
         let errors_given = problem.task.errors_given() && problem.task.loss == Loss::Squares;
@@ -119,8 +121,9 @@ impl Reweighting {
         Covariance::new(&best, &problem.plans, values, prior, &problem.reach(&best.x))
     }
 
-    /// A search of the whole as the statistics need it: of a robust loss with pseudo-residuals s psi(r/s)/mean(psi') instead
-    /// of residuals, whose covariance is that of the estimate (Huber 1981, section 7.6, with the correction K of (6.5)).
+    /// Search with the residuals that the statistics need. For a robust loss these are the pseudo-residuals s
+    /// psi(r/s)/mean(psi'), whose covariance is that of the estimate (Huber 1981, section 7.6, with the correction K of
+    /// (6.5)).
     fn linearised(&self, problem: &mut Problem, best: &Search) -> Search {
         let loss = problem.task.loss;
         if loss == Loss::Squares || self.scales.is_empty() {
@@ -149,12 +152,12 @@ impl Reweighting {
         raw
     }
 
-    /// What priors are multiplied by where values are not divided by the scale of their series.
+    /// Factor of the priors where values are not divided by the scale of their series.
     fn scale_of_priors(&self, problem: &Problem) -> f64 {
         if problem.task.loss == Loss::Squares { 1.0 } else { self.scales.first().copied().unwrap_or(1.0) }
     }
 
-    /// What the loss has changed, once a fit is finished.
+    /// Effect of the loss, after a fit is finished; `None` for least squares.
     pub fn reweighted(&self, problem: &Problem) -> Option<Reweighted> {
         let (mut least_squares, _) = self.least_squares.clone()?;
         least_squares.truncate(least_squares.len() - problem.scales());
@@ -178,7 +181,7 @@ impl Reweighting {
     }
 }
 
-/// The residuals of a search of the whole and their derivatives as if all values counted fully.
+/// Search with residuals and derivatives recomputed at full weight of all values.
 fn unweighted(problem: &mut Problem, best: &Search) -> Search {
     let mut plans = (*problem.plans).clone();
     plans.iter_mut().flat_map(|plan| &mut plan.points).for_each(|point| point.trust = 1.0);
@@ -188,7 +191,7 @@ fn unweighted(problem: &mut Problem, best: &Search) -> Search {
     raw
 }
 
-/// The scale of each series of weighted residuals, not below that of rounding.
+/// Scale of each series of weighted residuals, bounded from below by rounding.
 fn scales(problem: &Problem, raw: &Search, series: &[Vec<usize>]) -> Vec<f64> {
     let spread = problem.spread();
     let plans = || problem.plans.iter().zip(0..);
@@ -203,17 +206,17 @@ fn scales(problem: &Problem, raw: &Search, series: &[Vec<usize>]) -> Vec<f64> {
     series.iter().map(scale).collect()
 }
 
-/// The residuals of a search of the whole as they are, weighted by their errors alone.
+/// Residuals at the end of a search, weighted by their errors alone.
 pub(in crate::fit) fn plain_residuals(problem: &mut Problem, best: &Search) -> Vec<f64> {
     if problem.task.loss == Loss::Squares { best.residuals.clone() } else { unweighted(problem, best).residuals }
 }
 
-/// The degrees of freedom of the distribution by whose likelihood theories with outliers are compared.
+/// Degrees of freedom of the Student distribution in the likelihood of [`deviance`].
 const TAILS: f64 = 4.0;
 
-/// Twice the negative logarithm of the likelihood of residuals of Student's distribution with four degrees of freedom, at its
-/// most likely scale (K. L. Lange, R. J. A. Little & J. M. G. Taylor, J. Am. Stat. Assoc. 84 (1989) 881), but for a constant: an
-/// outlier costs all theories nearly the same. `least` bounds the scale from below.
+/// -2 log likelihood of residuals of Student's distribution with four degrees of freedom, at its most likely scale (K. L.
+/// Lange, R. J. A. Little & J. M. G. Taylor, J. Am. Stat. Assoc. 84 (1989) 881), up to a constant. An outlier adds nearly
+/// the same amount for all theories. `least` bounds the scale from below.
 pub(in crate::fit) fn deviance(residuals: &[f64], least: f64) -> f64 {
     let count = residuals.len() as f64;
     let mut scale = (NORMAL * median(residuals.iter().map(|residual| residual.abs()).collect())).max(least);

@@ -1,4 +1,4 @@
-//! From where a fit searches, one start after the other.
+//! Sequence of the starts of a fit.
 
 use super::problem::Problem;
 use super::start;
@@ -10,45 +10,45 @@ use crate::fit::task::Target;
 use crate::fit::task::plan::Plan;
 use std::sync::Arc;
 
-/// From where a fit searches.
+/// Start of a search.
 #[derive(Clone, Debug)]
 enum Stage {
-    /// The given or the parameters' own values, where a search stands ready.
+    /// Given starts or the parameters' own values, with a search ready to run.
     Own(Box<Search>),
-    /// The frequency and the damping that the data show.
+    /// Frequency and damping estimated from the data.
     Estimated,
     /// Windows that grow from the beginning of the record.
     Windows,
     /// Starts spread over the ranges, still to be chosen.
     Spread,
-    /// One of those.
+    /// One of the spread starts.
     From(Vec<f64>),
 }
 
-/// A part of the records, from the beginning.
+/// Part of the records, from the beginning of each.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::fit) struct Span {
-    /// How long it is.
+    /// Duration, SI; infinite for the whole record.
     pub duration: f64,
-    /// Whether what the motion itself depends on is held meanwhile, and only initial values and scales are searched.
+    /// True if numbers that act on the motion itself are held, and only initial values and scales are searched.
     pub held: bool,
 }
 
-/// A search that goes on.
+/// Search in progress.
 #[derive(Clone, Debug)]
 pub(in crate::fit) struct Current {
     /// The search.
     pub search: Search,
-    /// What it searches over.
+    /// Points that it fits.
     plans: Arc<Vec<Plan>>,
-    /// Windows still to come, the last one first; the search is of the whole where there are none.
+    /// Windows still to come, the last one first; if empty, the search covers the whole fitted part.
     pub windows: Vec<Span>,
-    /// Whether a number is held that is let free when the search has ended.
+    /// True if a number is held that is released when the search has ended.
     pub held: bool,
 }
 
 impl Current {
-    /// A search of all that is fitted; whether a number is `held` in it.
+    /// Search over the whole fitted part; `held` is true if a number is held in it.
     pub fn whole(problem: &Problem, search: Search, held: bool) -> Self {
         Self { search, plans: problem.plans.clone(), windows: Vec::new(), held }
     }
@@ -59,34 +59,34 @@ impl Current {
     }
 }
 
-/// What is still to be tried.
+/// Stages still to be tried.
 #[derive(Clone, Debug, Default)]
 pub(in crate::fit) struct Stages {
-    /// The last one first.
+    /// Pending stages, the last one first.
     pending: Vec<Stage>,
-    /// By record: the oscillation that the data show.
+    /// One per record: oscillation estimated from the data.
     estimates: Vec<Option<Estimate>>,
-    /// By number of the search: whether equations of motion themselves depend on it, not only how they begin.
+    /// One per column: true if the equations of motion depend on it, not only their initial values.
     moving: Vec<bool>,
-    /// In how many directions the curve does not change at the own values.
+    /// Number of directions without effect on the curve at the own values.
     flat: usize,
 }
 
 impl Stages {
-    /// Windows in which only the beginning of a motion is searched.
+    /// Number of windows in which only the beginning of a motion is searched.
     const HELD: usize = 2;
-    /// Trials in a window that is not yet the whole.
+    /// Upper bound of the trials in a window that is not the whole.
     const WINDOW_TRIALS: usize = 15;
-    /// Starts spread over the ranges.
+    /// Starts spread over the ranges, for equations of motion.
     const SPREAD: usize = 12;
-    /// Trials from each of them, for equations of motion: what has not found its way by then does not.
+    /// Upper bound of the trials from each of them: a search that needs more does not succeed.
     const SPREAD_TRIALS: usize = 40;
-    /// Starts that are looked at, for formulas.
+    /// Spread starts that are evaluated, for formulas.
     const SCREENED: usize = 240;
-    /// How many of these are searched from.
+    /// Number of these from which a search is made.
     const CHOSEN: usize = 10;
 
-    /// All of them: the own values first, unless they explain nothing while the data show an oscillation.
+    /// All stages: the own values first, unless they explain nothing while the data show an oscillation.
     pub fn new(problem: &mut Problem) -> Self {
         let estimates = start::estimates(problem);
         let own = window::search(problem, &problem.own.clone(), TRIALS);
@@ -101,23 +101,23 @@ impl Stages {
         Self { pending, estimates, moving: moving(problem), flat }
     }
 
-    /// Whether nothing is left to be tried.
+    /// True if nothing is left to be tried.
     pub fn is_empty(&self) -> bool {
         self.pending.is_empty()
     }
 
-    /// Tries nothing more, except the windows where they are `wanted`.
+    /// Removes all stages, except the windows if these are `wanted`.
     pub fn skip(&mut self, wanted: bool) {
         self.pending.retain(|stage| wanted && matches!(stage, Stage::Windows));
     }
 
-    /// Whether a search stands in a place as definite as the own values. Where terms have become one, or a number has run away
-    /// to the end of its range, it does not.
+    /// True if the answer of a search is as definite as the own values. It is not if terms have become equal, or a number
+    /// is at a bound of its range.
     pub fn is_definite(&self, search: &Search) -> bool {
         flat(search) <= self.flat && (0..search.x.len()).all(|column| !search.at_bound(column))
     }
 
-    /// The search of the next stage, if it has one.
+    /// Search of the next stage; `None` if it has none.
     pub fn next(&mut self, problem: &mut Problem) -> Option<Current> {
         let (start, limit) = match self.pending.pop()? {
             Stage::Own(search) => return Some(Current::whole(problem, *search, false)),
@@ -139,7 +139,7 @@ impl Stages {
         Some(Current::whole(problem, search, false))
     }
 
-    /// A search of a part of the records.
+    /// Search over a part of the records; `windows` follow it.
     pub fn window(&self, problem: &mut Problem, start: &[f64], span: Span, windows: Vec<Span>) -> Current {
         let plans = Arc::new(start::cut(&problem.plans, span.duration));
         let limit = if windows.is_empty() { TRIALS } else { Self::WINDOW_TRIALS };
@@ -153,8 +153,8 @@ impl Stages {
         Current { search, plans, windows, held: false }
     }
 
-    /// The windows of the records, the last one first. In the first ones the motion is held: as long as it is not known where
-    /// it began, it would be bent to make up for that.
+    /// Windows of the records, the last one first. The motion is held in the first ones: while its initial values are
+    /// wrong, its parameters would be changed to compensate.
     fn windows(&self, problem: &Problem) -> Vec<Span> {
         let held = if self.moving.contains(&false) { Self::HELD } else { 0 };
         let durations = start::windows(problem, &self.estimates);
@@ -162,9 +162,9 @@ impl Stages {
         spans.map(|(place, duration)| Span { duration, held: place < held && duration.is_finite() }).rev().collect()
     }
 
-    /// Starts spread over the ranges. Those of a formula are cheap enough to look at many, and to begin with the best.
+    /// Starts spread over the ranges. For a formula, many starts are evaluated and the best are chosen.
     fn spread(problem: &mut Problem) -> Vec<Vec<f64>> {
-        // The scales of films stay where their priors are.
+        // Film scales start at their priors.
         let numbers = problem.own.len() - problem.scales();
         let (own, scales) = problem.own.split_at(numbers);
         let start = |index| [start::spread(own, &problem.bounds, index), scales.to_vec()].concat();
@@ -173,7 +173,7 @@ impl Stages {
         }
         let plans: Vec<Plan> = problem.plans.iter().map(start::thinned).collect();
         let points: usize = plans.iter().map(|plan| plan.points.len()).sum();
-        // The more points, the fewer: nothing else goes on meanwhile.
+        // Fewer starts for more points, because this is done in a single trial.
         let count = (Self::SCREENED * start::ROWS / points.max(start::ROWS)).max(Self::CHOSEN);
         let candidates: Vec<Vec<f64>> = (0..count).map(start).collect();
         let mut window = Window { problem, plans: &plans };
@@ -183,10 +183,10 @@ impl Stages {
     }
 }
 
-/// A direction in which the curve changes by less than this part of the greatest change is no direction to search in.
+/// Directions in which the curve changes by less than this part of the greatest change are not searched.
 const FLAT: f64 = 1e-8;
 
-/// In how many directions the curve does not change where a search is.
+/// Number of directions without effect on the curve at the end of a search.
 fn flat(search: &Search) -> usize {
     let scale: Vec<f64> = (0..search.x.len()).map(|column| norm(search.jacobian.column(column))).collect();
     let moving: Vec<usize> = (0..scale.len()).filter(|&column| scale[column] > 0.0).collect();
@@ -195,8 +195,8 @@ fn flat(search: &Search) -> usize {
     scale.len() - decomposition.singular.iter().filter(|value| **value > least).count()
 }
 
-/// Whether equations of motion, their events or the observed expressions depend on a parameter in another way than through
-/// initial values and scales; for formulas, never.
+/// One per column: true if a derivative of a state or the condition of an event depends on the parameter. False for the
+/// origin and offsets, true for film scales.
 pub(in crate::fit) fn moving(problem: &Problem) -> Vec<bool> {
     let model = &problem.model;
     let mut parameters = Vec::new();

@@ -1,8 +1,8 @@
-//! Where to begin, found from the data.
+//! Starts estimated from the data.
 //!
-//! For formulas: rates and times among what is varied get the frequency and the damping that the data show, in every
-//! order; what the formula is linear in, and the phase, then follow from linear least squares. For any model: the record is
-//! fitted from its beginning in windows that grow, so that the frequency is never wrong by half a period.
+//! For formulas: varied rates and times get the frequency and the damping of the data, in every order. The linear
+//! parameters and the phase then follow from linear least squares. For any model: the record is fitted in windows that grow
+//! from its beginning, so that the phase error at the end of a window stays below half a period.
 
 use super::problem::Problem;
 use crate::cycles::{Estimate, estimate};
@@ -11,25 +11,25 @@ use crate::fit::task::Target;
 use crate::fit::task::plan::{Plan, Point};
 use units::Dimension;
 
-/// What a varied parameter does in a formula.
+/// Role of a varied parameter in a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
     /// The formula is linear in it.
     Linear,
-    /// 1/time.
+    /// Rate, 1/time.
     Rate,
-    /// A time.
+    /// Time.
     Time,
-    /// A pure number, perhaps a phase.
+    /// Pure number, perhaps a phase.
     Number,
-    /// Anything else; it keeps its value.
+    /// Any other parameter; it keeps its value.
     Other,
 }
 
-/// How many rows are looked at to find a start.
+/// Number of rows used to find a start.
 pub(crate) const ROWS: usize = 64;
 
-/// The damped oscillation that each record's first observation shows.
+/// Damped oscillation estimated from the first observation of each record.
 pub(crate) fn estimates(problem: &Problem) -> Vec<Option<Estimate>> {
     problem
         .plans
@@ -44,18 +44,18 @@ pub(crate) fn estimates(problem: &Problem) -> Vec<Option<Estimate>> {
         .collect()
 }
 
-/// A start for a formula, from the estimated oscillation of each record; `None` for equations of motion, or where nothing
-/// varied is a rate or a time.
+/// Start for a formula, from the estimated oscillation of each record. `None` for equations of motion, or if the start does
+/// not differ from the own values.
 pub(crate) fn from_estimates(problem: &mut Problem, estimates: &[Option<Estimate>]) -> Option<Vec<f64>> {
     if problem.curve.has_states() {
         return None;
     }
     let roles = roles(problem);
     let mut start = problem.own.clone();
-    // A shared number comes from the first record; those of each record from its own.
+    // A shared number comes from the first record; a number of one record from its own.
     for (record, estimate) in estimates.iter().enumerate() {
         let Some(estimate) = estimate else { continue };
-        // A reciprocal of no damping would be no time.
+        // Without damping the time constant would be infinite.
         let damping = estimate.damping.max(1e-3 * estimate.angular_frequency);
         let plan = thinned(&problem.plans[record]);
         let mine: Vec<usize> = (0..problem.columns.len())
@@ -86,7 +86,7 @@ pub(crate) fn from_estimates(problem: &mut Problem, estimates: &[Option<Estimate
     (start != problem.own).then_some(start)
 }
 
-/// What the data show of an oscillation.
+/// Property of an oscillation assigned to a rate.
 #[derive(Clone, Copy, Debug)]
 enum Shown {
     Frequency,
@@ -94,9 +94,9 @@ enum Shown {
     Own,
 }
 
-/// The ways to give the frequency and the damping to so many rates.
+/// Assignments of the frequency and the damping to `rates` rates.
 fn orders(rates: usize) -> Vec<Vec<Shown>> {
-    // Of more than four rates, the last ones keep their values.
+    // Of more than four rates, the others keep their values.
     let few = rates.min(4);
     let mut orders = Vec::new();
     for frequency in 0..few {
@@ -141,7 +141,7 @@ fn roles(problem: &Problem) -> Vec<Role> {
         .collect()
 }
 
-/// A part of the rows of a plan, evenly taken.
+/// Evenly thinned rows of a plan, about [`ROWS`].
 pub(crate) fn thinned(plan: &Plan) -> Plan {
     let every = plan.times.len().div_ceil(ROWS).max(1);
     let kept: Vec<Point> = plan
@@ -153,10 +153,10 @@ pub(crate) fn thinned(plan: &Plan) -> Plan {
     Plan { times: plan.times.iter().copied().step_by(every).collect(), points: kept, ..plan.clone() }
 }
 
-/// Finds what the formula is linear in, and the phase, for the rates in `trial`; the sum of squares reached.
+/// Sets the linear parameters and the phase in `trial` for its rates. Returns the sum of squares reached.
 ///
-/// A sinusoid of any phase is a sum of those of phase 0 and of a quarter turn: f(phi) = f(0) cos phi + f(pi/2) sin phi. So
-/// both are offered to linear least squares, and the amplitude and the phase follow from the two coefficients.
+/// A sinusoid of any phase is a sum of those of phase 0 and of a quarter turn: f(phi) = f(0) cos phi + f(pi/2) sin phi.
+/// Linear least squares gets both columns, and the amplitude and the phase follow from the two coefficients.
 fn complete(
     problem: &mut Problem,
     record: usize,
@@ -173,7 +173,7 @@ fn complete(
         let mut jacobian = Jacobian::new(rows, x.len());
         problem.record_residuals(record, plan, x, 0, &mut residuals, &mut jacobian).then_some((residuals, jacobian))
     };
-    // With nothing but the linear part at zero, the residuals are what the linear part has to explain.
+    // With the linear part at zero, the residuals are what the linear part has to explain.
     let mut bare = trial.to_vec();
     linear.iter().for_each(|&number| bare[number] = 0.0);
     if let Some(phase) = phase {
@@ -191,7 +191,7 @@ fn complete(
     let (_, second) = at(problem, &turned)?;
     let mut best: Option<(f64, Vec<f64>)> = None;
     for &amplitude in &linear {
-        // The basis: every linear column at phase 0, and this one's at a quarter turn besides.
+        // Basis: every linear column at phase 0, and that of this amplitude also at a quarter turn.
         let mut basis = Jacobian::new(rows, linear.len() + 1);
         for (place, &number) in linear.iter().enumerate() {
             basis.column_mut(place).copy_from_slice(first.column(number));
@@ -214,8 +214,8 @@ fn complete(
     Some(sum)
 }
 
-/// Linear least squares: the values that make `residuals` plus the columns times the values smallest, and the sum of
-/// squares that is left.
+/// Linear least squares: returns the values that minimise `residuals` plus the columns times the values, and the remaining
+/// sum of squares.
 fn solve(columns: &Jacobian, chosen: &[usize], residuals: &[f64]) -> Option<(Vec<f64>, f64)> {
     let scale: Vec<f64> = (0..columns.columns)
         .map(|column| {
@@ -236,7 +236,7 @@ fn solve(columns: &Jacobian, chosen: &[usize], residuals: &[f64]) -> Option<(Vec
     (sum.is_finite() && values.iter().all(|value| value.is_finite())).then_some((values, sum))
 }
 
-/// Windows that grow from the beginning of each record: the durations, the last of which takes in everything.
+/// Durations of windows that grow from the beginning of each record, SI; the last one is infinite.
 pub(crate) fn windows(problem: &Problem, estimates: &[Option<Estimate>]) -> Vec<f64> {
     let mut duration: f64 = 0.0;
     let mut first: f64 = f64::INFINITY;
@@ -259,7 +259,7 @@ pub(crate) fn windows(problem: &Problem, estimates: &[Option<Estimate>]) -> Vec<
     windows
 }
 
-/// The plans cut to a duration, each from its own beginning.
+/// Plans cut to a duration, each from its own beginning.
 pub(crate) fn cut(plans: &[Plan], duration: f64) -> Vec<Plan> {
     plans
         .iter()
@@ -275,9 +275,8 @@ pub(crate) fn cut(plans: &[Plan], duration: f64) -> Vec<Plan> {
         .collect()
 }
 
-/// Starts spread over the ranges, evenly however many there are (Halton, Numer. Math. 2 (1960) 84): the one of number
-/// `index`. Without a range, from a fifth of the start to five times it, and every other time from a three-hundredth to three
-/// hundred times.
+/// Start number `index` of a low-discrepancy sequence over the ranges (Halton, Numer. Math. 2 (1960) 84). Without a range
+/// it lies between 1/5 and 5 times the own value for an even `index`, between 1/300 and 300 times for an odd one.
 pub(crate) fn spread(own: &[f64], bounds: &[(f64, f64)], index: usize) -> Vec<f64> {
     own.iter()
         .zip(bounds)
@@ -285,7 +284,7 @@ pub(crate) fn spread(own: &[f64], bounds: &[(f64, f64)], index: usize) -> Vec<f6
         .map(|(place, (&value, &(low, high)))| {
             let part = halton(index, place);
             if low.is_finite() && high.is_finite() {
-                // Small values are as likely as large ones where the range reaches over decades.
+                // Logarithmic over a range of more than a factor of 20.
                 if low > 0.0 && high > 20.0 * low {
                     low * libm::exp(part * libm::log(high / low))
                 } else {
@@ -300,7 +299,7 @@ pub(crate) fn spread(own: &[f64], bounds: &[(f64, f64)], index: usize) -> Vec<f6
         .collect()
 }
 
-/// Number `place` of the point of number `index` in the unit cube.
+/// Coordinate `place` of the point number `index` of the Halton sequence in the unit cube.
 pub(crate) fn halton(index: usize, place: usize) -> f64 {
     const PRIMES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
     radical_inverse(index + 1, PRIMES[place % PRIMES.len()])

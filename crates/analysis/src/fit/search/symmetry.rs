@@ -1,5 +1,5 @@
-//! Answers that fit equally well, because the formula is symmetric: two terms of a sum may change places, a width may be
-//! negative. Of these the one is given that is like the start: its signs, its order.
+//! Equivalent answers of a symmetric formula: two terms of a sum may change places, a width may be negative. The answer
+//! with signs and order like those of the start is returned.
 
 use super::Search;
 use super::problem::Problem;
@@ -9,17 +9,16 @@ use units::Dimension;
 
 /// Sums of squares that differ by less than this part are equal.
 const EQUAL: f64 = 1e-6;
-/// And so are those below this part of the scatter of the data.
+/// Sums of squares below this part of the scatter of the data are equal.
 const NOTHING: f64 = 1e-20;
-/// Exchanges that are tried, at most.
+/// Upper bound of the exchanges tried.
 const TRIES: usize = 60;
 
-/// The numbers of a search that is at its end, with signs and order more like those of the start than they are, if that fits as
-/// well.
+/// Numbers that fit as well as `best`, with signs and order more like those of the start; `None` if these do not differ.
 pub(crate) fn like_start(problem: &mut Problem, best: &Search) -> Option<Vec<f64>> {
     let own = problem.own.clone();
     let linear = problem.linear_columns();
-    // Scales come last.
+    // Film scales are the last columns.
     let numbers = own.len() - problem.scales();
     let others: Vec<usize> = (0..numbers).filter(|column| !linear.contains(column)).collect();
     let mut x = best.x.clone();
@@ -30,7 +29,7 @@ pub(crate) fn like_start(problem: &mut Problem, best: &Search) -> Option<Vec<f64
             x = equal(problem, best, turned).unwrap_or(x);
         }
     }
-    // Terms may have more than one number each, which stand together.
+    // A term may have several numbers, which are adjacent and exchanged together.
     let mut tries = 0;
     for length in 1..=others.len() / 2 {
         for first in 0..others.len() {
@@ -55,14 +54,14 @@ pub(crate) fn like_start(problem: &mut Problem, best: &Search) -> Option<Vec<f64
     (x != best.x).then_some(x)
 }
 
-/// These numbers, with what is linear at its best values, if they fit as well as the best.
+/// `x` with the linear numbers at their best values, if it fits as well as `best`.
 fn equal(problem: &mut Problem, best: &Search, x: Vec<f64>) -> Option<Vec<f64>> {
     let search = window::look(problem, &x);
     let as_good = search.sum <= best.sum * (1.0 + EQUAL) || search.sum <= NOTHING * problem.total;
     as_good.then_some(search.x)
 }
 
-/// What must be the same of two numbers that may change places: the unit's dimension, and the record they belong to.
+/// Key that must be equal for two numbers that may change places: the dimension of the unit, and the record.
 pub(in crate::fit) fn sort(problem: &Problem, column: usize) -> (Option<Dimension>, Option<usize>) {
     let column = problem.columns[column];
     let dimension = match column.target() {

@@ -1,18 +1,18 @@
-//! Searches over a problem, or over a part of what is fitted.
+//! Searches over the whole fitted part or a part of it.
 
 use super::problem::Problem;
 use super::{Residuals, Search};
 use crate::fit::linear::Jacobian;
 use crate::fit::task::plan::Plan;
 
-/// Trials of one search.
+/// Upper bound of the trials of one search.
 pub(in crate::fit) const TRIALS: usize = 400;
 
-/// The part of a problem that a search works on.
+/// Part of a problem for one search.
 pub(in crate::fit) struct Window<'a> {
     /// The problem.
     pub problem: &'a mut Problem,
-    /// What is fitted.
+    /// Fitted points, one plan per record.
     pub plans: &'a [Plan],
 }
 
@@ -27,12 +27,12 @@ impl Residuals for Window<'_> {
 }
 
 impl Window<'_> {
-    /// A search from `start`, of no more than `limit` trials.
+    /// Search from `start`, of at most `limit` trials.
     pub fn search(&mut self, start: &[f64], limit: usize) -> Search {
         self.search_within(start, self.problem.bounds.clone(), limit)
     }
 
-    /// The same between other bounds than the problem's.
+    /// Search from `start` with the given bounds.
     pub fn search_within(&mut self, start: &[f64], bounds: Vec<(f64, f64)>, limit: usize) -> Search {
         let points: usize = self.plans.iter().map(|plan| plan.points.len()).sum();
         let rows = points + self.problem.scales();
@@ -40,7 +40,7 @@ impl Window<'_> {
         Search::new(self, start, bounds, rows, tolerance, limit)
     }
 
-    /// How well these numbers fit, what is linear being at its best values.
+    /// Evaluates `start` with the linear numbers at their best values, without further trials.
     pub fn look(&mut self, start: &[f64]) -> Search {
         let mut search = self.search(start, 1);
         search.set_linear(self);
@@ -48,13 +48,13 @@ impl Window<'_> {
     }
 }
 
-/// A search of all that is fitted.
+/// Search over the whole fitted part.
 pub(in crate::fit) fn search(problem: &mut Problem, start: &[f64], limit: usize) -> Search {
     let plans = problem.plans.clone();
     Window { problem, plans: &plans }.search(start, limit)
 }
 
-/// How well these numbers fit all of it, what is linear being at its best values.
+/// Evaluates `start` on the whole fitted part, with the linear numbers at their best values.
 pub(in crate::fit) fn look(problem: &mut Problem, start: &[f64]) -> Search {
     let plans = problem.plans.clone();
     Window { problem, plans: &plans }.look(start)

@@ -1,20 +1,20 @@
-//! From a column of a table to an observation of a model.
+//! Binds a column of a table to an observation of a model.
 
 use super::Observation;
 use crate::table::Table;
 use program::{Compiled, Model};
 use units::{Dimension, Unit};
 
-/// Why a column cannot be what is observed: a unit of another dimension.
+/// Error for a column that cannot be bound: its unit has another dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BindError {
-    /// The column, by its label.
+    /// Label of the column.
     pub column: String,
-    /// The unit that its header gives.
+    /// Unit in its header.
     pub found: String,
-    /// The dimension it must have.
+    /// Required dimension.
     pub expected: Dimension,
-    /// Whether it is the position in a film that has no scale.
+    /// True if the column is the position in a film without a scale.
     pub lacks_scale: bool,
 }
 
@@ -27,11 +27,12 @@ impl std::fmt::Display for BindError {
 
 impl std::error::Error for BindError {}
 
-/// Takes a column as a measurement of `observed`, called `name`. A column without a unit has that of what is observed, and
-/// times without one have the model's. Rows without a time or a value are left out.
+/// Takes a column as a measurement of `observed`, with the name `name`. A column without a unit has the unit of `observed`;
+/// times without a unit have that of the model. Rows without a time or a value are left out. Times and values are returned
+/// in SI.
 ///
 /// # Errors
-/// The column's unit, or that of its times, has another dimension.
+/// The unit of the column, or that of its times, has another dimension.
 pub fn observation(
     model: &Model,
     table: &Table,
@@ -51,7 +52,7 @@ fn in_si(table: &Table, index: usize, unit: &Unit) -> Result<Vec<f64>, BindError
     let Some(column) = table.columns.get(index) else { return Ok(Vec::new()) };
     let level = column.origin.conversion.filter(|conversion| conversion.is_level() && unit.dimension.is_none());
     match (&column.unit, level) {
-        // A model whose temperatures are bare numbers has them in degrees, as the file.
+        // A model with dimensionless temperatures has them in degrees, like the file.
         (Some(_), Some(degrees)) => Ok(column.values.iter().map(|value| degrees.number(*value)).collect()),
         (Some(own), None) if own.dimension != unit.dimension => Err(BindError {
             column: table.label(index),

@@ -1,9 +1,9 @@
-//! Whether a task can be fitted.
+//! Checks of a task before its fit.
 
 use super::plan::{Layout, Plan, independent_values};
 use super::{FitError, Record, Target, Task};
 
-/// Checks what is varied and the values of parameters.
+/// Checks the varied numbers, their bounds and starts, and the values of parameters.
 pub(in crate::fit) fn task(task: &Task) -> Result<(), FitError> {
     if task.varied.is_empty() {
         return Err(FitError::NothingVaried);
@@ -33,7 +33,7 @@ pub(in crate::fit) fn task(task: &Task) -> Result<(), FitError> {
     Ok(())
 }
 
-/// Checks that there is enough to be fitted.
+/// Checks that there are enough independent values for the varied numbers.
 pub(in crate::fit) fn points(layout: &Layout, task: &Task, plans: &[Plan], varied: usize) -> Result<(), FitError> {
     if plans.iter().all(|plan| plan.points.is_empty()) {
         return Err(FitError::NothingObserved);

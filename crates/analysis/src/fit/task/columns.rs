@@ -1,36 +1,36 @@
-//! The numbers of a search, one for each column of its Jacobian: which they are, where they begin, and between what they stay.
+//! Numbers of a search, one per column of its Jacobian: list, starts and bounds.
 
 use super::plan::Plan;
 use super::{Observation, Record, Target, Task};
 use program::Model;
 
-/// One number of the search: a target, in one record or in all.
+/// One number of the search: a target, in one record or shared by all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Column {
-    /// Which of [`Task::varied`], and what that is; `None` for the scale of a record's film.
+    /// Index in [`Task::varied`] and its target; `None` for the scale of a record's film.
     pub varied: Option<(usize, Target)>,
-    /// The record it belongs to; `None` if it is shared.
+    /// Index of its record; `None` if it is shared.
     pub record: Option<usize>,
 }
 
 impl Column {
-    /// What is varied, unless it is the scale of a film.
+    /// Target; `None` for the scale of a film.
     pub fn target(&self) -> Option<Target> {
         self.varied.map(|(_, target)| target)
     }
 
-    /// Whether it is the scale of a film.
+    /// True for the scale of a film.
     pub fn is_scale(&self) -> bool {
         self.varied.is_none()
     }
 
-    /// Whether it counts in this record.
+    /// True if the number acts in this record.
     pub fn belongs_to(&self, record: usize) -> bool {
         self.record.is_none_or(|own| own == record)
     }
 }
 
-/// The numbers that a task asks for.
+/// Columns of a task: its varied numbers, then the scales of films.
 pub(in crate::fit) fn of(task: &Task) -> Vec<Column> {
     let mut columns = Vec::new();
     for (varied, wanted) in task.varied.iter().enumerate() {
@@ -45,7 +45,7 @@ pub(in crate::fit) fn of(task: &Task) -> Vec<Column> {
     columns
 }
 
-/// The scales of films: one for each record in which lengths have a known error.
+/// Scales of films: one for each record in which lengths have a known error.
 fn scales(task: &Task) -> impl Iterator<Item = Column> + '_ {
     let scaled = |(_, record): &(usize, &Record)| {
         record.scale_error.is_some() && record.observations.iter().any(|one| power_of_length(one) != 0.0)
@@ -53,13 +53,13 @@ fn scales(task: &Task) -> impl Iterator<Item = Column> + '_ {
     task.records.iter().enumerate().filter(scaled).map(|(record, _)| Column { varied: None, record: Some(record) })
 }
 
-/// The exponent of the length in the dimension of what is observed.
+/// Exponent of the length in the dimension of an observation.
 pub(in crate::fit) fn power_of_length(observation: &Observation) -> f64 {
     let dimension = observation.observed.unit.dimension;
     dimension.base().find(|(symbol, _)| *symbol == "m").map_or(0.0, |(_, exponent)| exponent.to_number())
 }
 
-/// Least and greatest value of each: given, else the parameter's own range, else none.
+/// Bounds of each column, SI: given, else the range of the parameter, else infinite.
 pub(in crate::fit) fn bounds(model: &Model, task: &Task, columns: &[Column]) -> Vec<(f64, f64)> {
     let free = (f64::NEG_INFINITY, f64::INFINITY);
     let of_column = |column: &Column| {
@@ -73,7 +73,8 @@ pub(in crate::fit) fn bounds(model: &Model, task: &Task, columns: &[Column]) -> 
     columns.iter().map(of_column).collect()
 }
 
-/// Where the search begins: the given starts, else the parameters' own values, 0 for offsets, 1 for scales.
+/// Start of each column, SI: given, else the value of the parameter, the origin of the plan, 0 for offsets, 1 for film
+/// scales.
 pub(in crate::fit) fn own_start(task: &Task, columns: &[Column], plans: &[Plan]) -> Vec<f64> {
     let given = |column: &Column| task.varied[column.varied?.0].start;
     let of_column = |column: &Column| match (given(column), column.target()) {

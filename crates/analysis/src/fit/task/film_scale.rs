@@ -1,24 +1,24 @@
-//! The scales of films that a fit has found.
+//! Fitted scales of films.
 
 use super::scale::Prior;
 use crate::fit::search::Search;
 use crate::fit::search::problem::Problem;
 use crate::fit::uncertainty::covariance::Covariance;
 
-/// The scale of a record's film, as a fit has found it.
+/// Fitted scale of the film of a record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilmScale {
-    /// Which record.
+    /// Index in [`Task::records`](super::Task::records).
     pub record: usize,
-    /// By which factor its measured lengths are too large.
+    /// Factor by which its measured lengths are too large.
     pub value: f64,
-    /// The standard error of the factor; `None` where the fit leaves no degree of freedom.
+    /// Standard error of the factor; `None` where the fit leaves no degree of freedom.
     pub stderr: Option<f64>,
-    /// The standard error that it had before the fit.
+    /// Standard error before the fit.
     pub prior: f64,
 }
 
-/// The scales at the end of a search.
+/// Scales at the end of a search.
 pub(in crate::fit) fn found(problem: &Problem, best: &Search, covariance: &Covariance) -> Vec<FilmScale> {
     let scale = |Prior { number, record, error }: Prior| {
         let mut gradient = vec![0.0; best.x.len()];

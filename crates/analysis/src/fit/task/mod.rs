@@ -1,4 +1,4 @@
-//! What is to be fitted. All numbers are SI.
+//! Task of a fit: measurements, varied numbers and loss. All numbers are SI.
 
 pub(in crate::fit) mod bind;
 pub(in crate::fit) mod check;
@@ -12,146 +12,146 @@ use super::search::loss::Loss;
 use engine::Method;
 use program::Compiled;
 
-/// One measured column, bound to what it is a measurement of.
+/// One measured column, bound to an expression of the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observation {
-    /// What it is called, `y'`.
+    /// Name, for example `y'`.
     pub name: String,
-    /// What is observed: an expression of the model.
+    /// Expression of the model that was measured.
     pub observed: Compiled,
-    /// The independent variable.
+    /// Values of the independent variable, SI.
     pub times: Vec<f64>,
-    /// The measured values; NaN for a gap.
+    /// Measured values, SI; NaN for a gap.
     pub values: Vec<f64>,
-    /// The standard error of each value, where it is known.
+    /// Standard error of each value, SI; `None` if unknown.
     pub errors: Option<Vec<f64>>,
-    /// Which observation of the same record this one was computed from (a velocity by finite differences): it adds no
-    /// independent information.
+    /// Index of the observation of the same record from which this one was computed, such as a velocity by finite
+    /// differences. It then adds no independent information.
     pub derived_from: Option<usize>,
 }
 
 /// One run of the experiment.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// What it is called: its file's name.
+    /// Name: that of its file.
     pub name: String,
-    /// What was measured.
+    /// Measured columns.
     pub observations: Vec<Observation>,
-    /// Parameters that have a value of their own in this run: which of the model's, and the value.
+    /// Parameters with a value of their own in this run: index in the model, and value in SI.
     pub fixed: Vec<(usize, f64)>,
-    /// The reading of its clock at which the model's independent variable is 0, where it is not varied. Without it: for
-    /// equations of motion in which the independent variable does not occur, the first measured value of the fitted part, so
-    /// that initial values hold there; otherwise 0.
+    /// Reading of the clock at which the model's independent variable is 0, where it is not varied, SI. `None`: for
+    /// equations of motion in which the independent variable does not occur, the time of the first measured value of the
+    /// fitted part, so that initial values hold there; otherwise 0.
     pub origin: Option<f64>,
-    /// The relative standard error that all its lengths share, where it is known: that of the ruler in a film. The fit then takes
-    /// in a factor of all lengths, [`super::Outcome::scales`].
+    /// Relative standard error common to all lengths of the record, such as that of the ruler in a film; `None` if unknown.
+    /// If given, a factor of all lengths is fitted: [`super::Outcome::scales`].
     pub scale_error: Option<f64>,
 }
 
-/// What a varied number is.
+/// Kind of a varied number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// A parameter of the model.
+    /// Parameter of the model, by its index.
     Parameter(usize),
-    /// The reading of the clock at which the model's independent variable is 0.
+    /// Reading of the clock at which the model's independent variable is 0, SI.
     Origin,
-    /// The zero of a scale: what is added to the model's value of the observation of this number (in each record) before
-    /// it is compared.
+    /// Offset of the observation of this index, in each record: it is added to the value of the model before the
+    /// comparison. SI.
     Offset(usize),
 }
 
-/// A number to be varied.
+/// Number to be varied.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
-    /// What it is.
+    /// Parameter, origin or offset.
     pub target: Target,
     /// One value for all records, instead of one for each.
     pub shared: bool,
-    /// Where to begin; without it the parameter's own value, and 0 for an offset.
+    /// Start, SI. `None`: the parameter's own value, 0 for an offset, and for the origin that of the record.
     pub start: Option<f64>,
-    /// Least and greatest value; without them the parameter's own range, if it has one.
+    /// Lower and upper bound, SI. `None`: the range of the parameter, if it has one.
     pub bounds: Option<(f64, f64)>,
 }
 
 impl Varied {
-    /// A parameter of the model, from its own value within its own range; in several records each with its own value.
+    /// Varies a parameter of the model from its own value within its own range; in several records each has its own value.
     pub fn parameter(index: usize) -> Self {
         Self { target: Target::Parameter(index), shared: false, start: None, bounds: None }
     }
 }
 
-/// What is to be fitted.
+/// Task of a fit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Task {
-    /// The values of all the model's parameters where they are not varied.
+    /// Values of all parameters of the model, SI, used where they are not varied.
     pub parameters: Vec<f64>,
-    /// The document's method; equations of motion are integrated to 1e-9 with a method for stiff equations if it is one, and
-    /// with Dormand and Prince's otherwise.
+    /// Method of the document. Equations of motion are integrated to 1e-9: with a stiff method if this is one, otherwise
+    /// with that of Dormand and Prince.
     pub method: Method,
-    /// The measurements.
+    /// Measurements, one entry per run.
     pub records: Vec<Record>,
-    /// What is varied.
+    /// Varied numbers.
     pub varied: Vec<Varied>,
-    /// The fitted part begins here.
+    /// Begin of the fitted part, a reading of the clock in SI; `None`: from the first value.
     pub from: Option<f64>,
-    /// The fitted part ends here.
+    /// End of the fitted part, inclusive; `None`: to the last value.
     pub until: Option<f64>,
-    /// What residuals cost.
+    /// Loss function of the residuals.
     pub loss: Loss,
 }
 
 impl Task {
-    /// Whether the clock's reading `time` lies in the fitted part.
+    /// True if the reading `time` of the clock, SI, lies in the fitted part.
     pub fn covers(&self, time: f64) -> bool {
         self.from.is_none_or(|from| time >= from) && self.until.is_none_or(|until| time <= until)
     }
 
-    /// Whether every observation has errors of its own, so that they are taken at their word.
+    /// True if every observation has given errors, which are then taken as absolute.
     pub fn errors_given(&self) -> bool {
         self.records.iter().flat_map(|record| &record.observations).all(|one| one.errors.is_some())
     }
 }
 
-/// Why a fit cannot be made.
+/// Reason why a fit cannot be made.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FitError {
-    /// Nothing is to be varied.
+    /// No number is varied.
     NothingVaried,
-    /// Nothing was observed, or no value of it lies in the fitted part.
+    /// No measured value lies in the fitted part.
     NothingObserved,
-    /// Fewer independent values than varied numbers: how many there are of each.
+    /// Fewer independent values than varied numbers.
     TooFew {
-        /// Values.
+        /// Number of independent values.
         values: usize,
-        /// Varied numbers.
+        /// Number of varied numbers.
         varied: usize,
     },
-    /// The same number is varied twice, or one is both varied and fixed: its place in [`Task::varied`].
+    /// A number is varied twice, or both varied and fixed: its index in [`Task::varied`].
     VariedTwice(usize),
-    /// The error of the lengths of a record that is not finite or not greater than 0: which of [`Task::records`].
+    /// The relative error of the lengths of a record is not finite or not greater than 0: index in [`Task::records`].
     BadScaleError(usize),
-    /// Bounds without room between them: the place in [`Task::varied`].
+    /// The lower bound is not below the upper one: index in [`Task::varied`].
     BadBounds(usize),
-    /// A start that is no finite number: the place in [`Task::varied`].
+    /// A start is not finite: index in [`Task::varied`].
     BadStart(usize),
-    /// A value of a parameter that is no finite number: which of the model's.
+    /// The value of a parameter is not finite: its index in the model.
     BadValue(usize),
-    /// Given errors in the fitted part that are missing, not finite or not greater than 0.
+    /// Given errors in the fitted part are missing, not finite or not greater than 0.
     BadErrors {
-        /// Which of [`Task::records`].
+        /// Index in [`Task::records`].
         record: usize,
-        /// Which of its observations.
+        /// Index of the observation in its record.
         observation: usize,
-        /// How many of its values have such an error.
+        /// Number of values with such an error.
         count: usize,
-        /// The clock's reading at the first of them.
+        /// Reading of the clock at the first of them, SI.
         first: f64,
     },
-    /// One of several records has no value in the fitted part: which.
+    /// One of several records has no value in the fitted part: its index.
     RecordEmpty(usize),
     /// More than [`super::MOST_VARIED`] numbers or [`super::MOST_VALUES`] values.
     TooLarge,
-    /// The model with its sensitivities is too large, or its method cannot treat it.
+    /// The model with its sensitivities is too large, or the method cannot integrate it.
     Model(units::Words),
 }
 

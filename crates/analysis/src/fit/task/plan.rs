@@ -1,76 +1,77 @@
-//! The measured values of a record in the order in which the model's curve meets them.
+//! Measured values of a record, sorted by time for the comparison with the model's curve.
 
 use super::{FitError, Observation, Record, Task};
 use program::NodeId;
 
-/// A measured value.
+/// Measured value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point {
-    /// Its row among the times of the record.
+    /// Index of its time in [`Plan::times`].
     pub row: usize,
-    /// Which observation of the record.
+    /// Index of the observation in its record.
     pub observation: usize,
-    /// The value.
+    /// Measured value, SI.
     pub value: f64,
-    /// What its residual is multiplied by, by its error.
+    /// Weight of the residual from its error.
     pub weight: f64,
-    /// The same by its size, with a robust loss; else 1.
+    /// Weight of the residual from a robust loss; else 1.
     pub trust: f64,
-    /// How much of an independent value it is: 1/m if m columns tell the same.
+    /// Share of an independent value: 1/m if m columns hold the same information.
     pub share: f64,
-    /// Whether it was measured, and not computed from another column.
+    /// True if it was measured, false if it was computed from another column.
     pub measured: bool,
 }
 
 impl Point {
-    /// What its residual is multiplied by.
+    /// Total weight of the residual.
     pub fn factor(&self) -> f64 {
         self.weight * self.trust
     }
 }
 
-/// The points of one record, ordered by time.
+/// Points of one record, ordered by time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Plan {
-    /// The clock's readings, ascending, each once.
+    /// Readings of the clock, SI, ascending and distinct.
     pub times: Vec<f64>,
     /// Ordered by row, then by observation.
     pub points: Vec<Point>,
-    /// For each observation of the record: where among the curve's expressions it is.
+    /// For each observation of the record, its index among the expressions of the curve.
     pub expressions: Vec<usize>,
-    /// The clock's reading at the model's 0, where it is not varied.
+    /// Reading of the clock at the model's 0, where it is not varied.
     pub origin: f64,
 }
 
 impl Observation {
-    /// Times and values without gaps, each with its place.
+    /// Times and values without gaps, each with its index.
     fn rows(&self) -> impl Iterator<Item = (usize, f64, f64)> {
         let rows = self.times.iter().copied().zip(self.values.iter().copied()).enumerate();
         rows.map(|(place, (time, value))| (place, time, value))
             .filter(|(_, time, value)| time.is_finite() && value.is_finite())
     }
 
-    /// The given error of a value, if it can be used as one.
+    /// Given error of a value; `None` if it is missing, not finite or not greater than 0.
     fn error(&self, place: usize) -> Option<f64> {
         let error = self.errors.as_ref()?.get(place).copied();
         error.filter(|error| error.is_finite() && *error > 0.0)
     }
 }
 
-/// Which of the measured values are fitted, and where the model's 0 lies on their clock.
+/// Assignment of measured values to the curve: its expressions, and the position of the model's 0 on the clock.
 #[derive(Clone, Debug)]
 pub(crate) struct Layout {
-    /// The expressions that the curve gives.
+    /// Expressions that the curve evaluates.
     pub expressions: Vec<NodeId>,
-    /// Whether records may begin at any reading of the clock.
+    /// True if the model's 0 may lie at any reading of the clock.
     pub autonomous: bool,
-    /// Whether the model has no values before its 0: equations of motion are not followed to times before their initial values,
-    /// except where the origin is varied, and nothing has moved before it.
+    /// True if the model has no values before its 0: equations of motion are not integrated back from their initial values.
+    /// Exception: the origin is varied, and the system is at rest before it.
     pub forwards: bool,
 }
 
 impl Layout {
-    /// The points whose times are `inside`, each with the weight of its given error, or 1, by the root of its share.
+    /// Plans of all records with the points whose times are `inside`. The weight is 1/error, or 1, times the square root of
+    /// the share.
     pub fn plans(&self, task: &Task, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
         let plan = |record| {
             let origin = self.fixed_origin(task, record);
@@ -80,12 +81,12 @@ impl Layout {
         task.records.iter().map(plan).collect()
     }
 
-    /// The first reading of a record's clock at which the model has values, where its 0 is at `origin`.
+    /// First reading of a record's clock at which the model has values, if its 0 is at `origin`.
     fn earliest(&self, origin: f64) -> f64 {
         if self.forwards { origin } else { f64::NEG_INFINITY }
     }
 
-    /// The clock's reading at the model's 0, where it is not varied.
+    /// Reading of the clock at the model's 0, where it is not varied.
     fn fixed_origin(&self, task: &Task, record: &Record) -> f64 {
         let times = record.observations.iter().flat_map(|one| one.rows().map(|(_, time, _)| time));
         let first = times.filter(|time| task.covers(*time)).fold(f64::INFINITY, f64::min);
@@ -96,8 +97,7 @@ impl Layout {
         }
     }
 
-    /// The measured values of an observation that are too early for the model to have a value beside them: times and values,
-    /// in the order of time.
+    /// Measured values of an observation before the model has values, as (time, value), in the order of time.
     pub fn too_early(&self, task: &Task, record: usize, observation: usize) -> Vec<(f64, f64)> {
         let record = &task.records[record];
         let earliest = self.earliest(self.fixed_origin(task, record));
@@ -107,7 +107,7 @@ impl Layout {
         early
     }
 
-    /// Checks that all values in the fitted part have errors where errors are given.
+    /// Checks that where errors are given, all values in the fitted part have one.
     pub fn check_errors(&self, task: &Task) -> Result<(), FitError> {
         for (record, of_record) in task.records.iter().enumerate() {
             let earliest = self.earliest(self.fixed_origin(task, of_record));
@@ -135,7 +135,7 @@ impl Layout {
             let measured = independent(record, index) == index;
             let share = 1.0 / equal(record, index) as f64;
             for (place, time, value) in observation.rows().filter(|(_, time, _)| usable(*time)) {
-                // Without an error it is outside the fitted part, where weights do not count.
+                // A value without an error lies outside the fitted part, where weights do not count.
                 let weight = 1.0 / observation.error(place).unwrap_or(1.0);
                 let row = plan.times.partition_point(|known| *known < time);
                 let weight = weight * share.sqrt();
@@ -147,9 +147,9 @@ impl Layout {
     }
 }
 
-/// The observation in the end of the chain of those from which each is computed.
+/// Source of an observation: follows `derived_from` to its end.
 pub(crate) fn independent(record: &Record, mut index: usize) -> usize {
-    // A chain that leads in a circle ends somewhere.
+    // Bounded, because the chain may be circular.
     for _ in 0..record.observations.len() {
         match record.observations[index].derived_from {
             Some(source) if source < record.observations.len() && source != index => index = source,
@@ -159,13 +159,13 @@ pub(crate) fn independent(record: &Record, mut index: usize) -> usize {
     index
 }
 
-/// How many observations of a record tell the same as this one, itself among them.
+/// Number of observations of a record with the same source as this one, itself included.
 pub(crate) fn equal(record: &Record, index: usize) -> usize {
     let root = independent(record, index);
     (0..record.observations.len()).filter(|&other| independent(record, other) == root).count()
 }
 
-/// How many of the points no other one repeats.
+/// Number of independent values among the points.
 pub(crate) fn independent_values(plans: &[Plan]) -> f64 {
     let shares = plans.iter().flat_map(|plan| &plan.points).map(|point| point.share);
     shares.sum::<f64>().round()

@@ -1,27 +1,28 @@
-//! How several observations are weighed against each other where their errors are not given: by their own scatter.
+//! Weights of several observations whose errors are not given: by their own scatter.
 
 use super::Task;
 use super::plan::Plan;
 
-/// Residuals below this part of the scatter of the values are rounding and the error of the integration: the fit is exact.
+/// Residuals below this part of the scatter of the values are rounding and integration errors: the fit is exact.
 pub(in crate::fit) const EXACT: f64 = 1e-9;
 
-/// Values that scatter by less than this part of their mean are equal.
+/// Values that scatter by less than this part of their mean are taken as equal.
 const ROUNDING: f64 = 1e-14;
 
-/// By record and observation: the root of the mean square of the fitted values about their mean; 1 where all are equal.
+/// By record and observation: root mean square deviation of the fitted values from their mean; the absolute mean if all are
+/// equal.
 pub(in crate::fit) fn spread(plans: &[Plan]) -> Vec<Vec<f64>> {
     by_observation(plans, |plan, observation| {
         let values = || plan.points.iter().filter(|point| point.observation == observation).map(|point| point.value);
         let count = values().count().max(1) as f64;
         let mean = values().sum::<f64>() / count;
         let square = values().fold(0.0, |sum, value| sum + (value - mean) * (value - mean)) / count;
-        // Equal values have no scatter but their size; their mean is rounded.
+        // Equal values have no scatter beyond the rounding of their mean, so their magnitude is used.
         if square.sqrt() > ROUNDING * mean.abs() { square.sqrt() } else { mean.abs() }
     })
 }
 
-/// Sets the weights of all points to the reciprocals of these sizes, by record and observation; given errors are kept.
+/// Sets the weights of all points to the reciprocals of `sizes`, given by record and observation; given errors are kept.
 pub(in crate::fit) fn weigh(plans: &mut [Plan], task: &Task, sizes: &[Vec<f64>]) {
     for ((plan, record), sizes) in plans.iter_mut().zip(&task.records).zip(sizes) {
         for point in &mut plan.points {
@@ -34,8 +35,8 @@ pub(in crate::fit) fn weigh(plans: &mut [Plan], task: &Task, sizes: &[Vec<f64>])
     }
 }
 
-/// The sizes to weigh by, from the scatter of `residuals` (weighted as the points now are), if that changes the weights by more
-/// than a ten-thousandth. With one observation there is nothing to be weighed.
+/// Sizes for [`weigh`], from the scatter of `residuals` with the present weights. `None` if they change no weight by more
+/// than 1e-4, or if at most one observation has no given errors.
 pub(in crate::fit) fn sizes(plans: &[Plan], task: &Task, residuals: &[f64]) -> Option<Vec<Vec<f64>>> {
     let weighed = |record: usize, observation: usize| task.records[record].observations[observation].errors.is_none();
     let spread = spread(plans);
@@ -59,7 +60,7 @@ pub(in crate::fit) fn sizes(plans: &[Plan], task: &Task, residuals: &[f64]) -> O
                 continue;
             }
             several += 1;
-            // A perfect observation must not outweigh all others without end.
+            // Limits the weight of an exact observation relative to the others.
             *size = (square / count).sqrt().max(1e-9 * spread[number][observation]);
             changed |= (*size * weight - 1.0).abs() > 1e-4;
         }
@@ -68,7 +69,7 @@ pub(in crate::fit) fn sizes(plans: &[Plan], task: &Task, residuals: &[f64]) -> O
     (several > 1 && changed).then_some(sizes)
 }
 
-/// The weighted sum of squares of all fitted values about the mean of their observation.
+/// Weighted sum of squares of all fitted values about the mean of their observation; never 0.
 pub(in crate::fit) fn spread_sum(plans: &[Plan]) -> f64 {
     let mut sum = 0.0;
     for plan in plans {

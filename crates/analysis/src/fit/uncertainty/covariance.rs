@@ -1,5 +1,4 @@
-//! How well a fit determines what was varied: the textbook covariance, and one for residuals as they are, correlated in time
-//! and of uneven size.
+//! Covariance of the varied numbers: the textbook formula, and formulas for autocorrelated residuals of uneven size.
 
 use super::hac::{self, Left};
 use crate::fit::autoregression::{Autoregression, Errors, MOST};
@@ -12,34 +11,35 @@ use std::ops::Range;
 /// A direction is undetermined if the curve changes along it by less than this part of the greatest change.
 const FLAT: f64 = 1e-10;
 
-/// What is known of the uncertainties at a solution. Matrices hold all columns of the search, row by row; rows and columns
-/// of what is held at a bound are zero.
+/// Uncertainties at a solution. Matrices hold all columns of the search, row by row; rows and columns of numbers held at a
+/// bound are zero.
 #[derive(Clone, Debug)]
 pub(crate) struct Covariance {
-    /// The inverse of the normal matrix times the variance of the residuals.
+    /// Inverse of the normal matrix times the variance of the residuals.
     pub textbook: Vec<f64>,
-    /// The same for residuals correlated in time and of uneven size, from the products of scores.
+    /// Covariance for autocorrelated residuals of uneven size, from the products of scores.
     hac: Vec<f64>,
-    /// The same for errors that are an autoregressive process of order one.
+    /// Covariance for errors that are a first-order autoregressive process.
     autoregressive: Vec<f64>,
-    /// By series: its standard deviation, which follows from that of the correlation.
+    /// One per series: standard deviation of `autoregressive` due to that of the correlation.
     doubt: Vec<Vec<f64>>,
-    /// By series: these errors.
+    /// One per series: parameters of the autoregressive process.
     pub errors: Vec<Errors>,
-    /// Directions (by column) in which the curve does not change.
+    /// Directions, one entry per column, in which the curve does not change.
     pub flat: Vec<Vec<f64>>,
     /// Independent values minus determined numbers.
     pub dof: f64,
-    /// An orthonormal basis of what the fit can follow, each column as long as the residuals.
+    /// Orthonormal basis of the changes of the curve, each column as long as the residuals.
     pub basis: Vec<Vec<f64>>,
-    /// How far each number must go to change the curve by as much as any other; 0 where that is nowhere.
+    /// Column scaling: 1 / norm of each Jacobian column, 0 for a column without effect.
     lengths: Vec<f64>,
 }
 
 impl Covariance {
-    /// At the end of `search`, whose residuals are those of `plans` and below them those of priors, whose standard deviation is
-    /// `prior` in units of the weighted residuals. `values` is the number of independent values; where `errors_given`, the
-    /// weights are taken at their word, else they only tell ratios. `reach` is the size of a number by column.
+    /// Covariance at the end of `search`. Its residuals are those of `plans`, followed by those of priors, whose standard
+    /// deviation is `prior` in units of the weighted residuals. `values` is the number of independent values. With
+    /// `errors_given` the weights are absolute, else only their ratios count. `reach` is the typical size of each number,
+    /// by column.
     pub fn new(
         search: &Search,
         plans: &[Plan],
@@ -68,7 +68,7 @@ impl Covariance {
         let dof = values + priors.len() as f64 - known.directions.len() as f64;
         let variance = |squares: f64| if errors_given { 1.0 } else { squares / dof.max(f64::MIN_POSITIVE) };
         let columns = || (0..size).map(|column| search.jacobian.column(column));
-        // What is known before has a variance of its own, whatever the residuals are.
+        // Priors have a known variance, independent of the residuals.
         let meat_of_priors = products(columns(), priors.clone(), prior * prior);
         let textbook_of = |inverse: &[f64], squares: f64| {
             let variance = variance(squares);
@@ -79,8 +79,8 @@ impl Covariance {
         let mut textbook = textbook_of(&known.inverse, search.sum);
         let mut series = series(plans, |_| true);
         let mut errors = None;
-        // What was computed from other columns has errors that follow from theirs. Where these determine as much by themselves,
-        // they alone are counted.
+        // Columns computed from others have errors that follow from theirs. If the measured columns determine as many
+        // numbers by themselves, only they are counted.
         if plans.iter().flat_map(|plan| &plan.points).any(|point| !point.measured) {
             let (jacobian, residuals) = measured_alone(search, plans);
             let alone = Inverse::new(&jacobian, &free, &scale);
@@ -105,16 +105,16 @@ impl Covariance {
         Self { textbook, hac, autoregressive, doubt, errors, flat, dof, basis, lengths }
     }
 
-    /// The variance along `gradient` for residuals as they are: the greater one of what the products of scores and what an
-    /// autoregressive process of order one give. The first is too small where a record is short for its correlation, the second
-    /// where errors are of uneven size.
+    /// Variance along `gradient` for autocorrelated residuals of uneven size: the greater one of the estimates from the
+    /// products of scores and from an autoregressive process of order one. The first is too small if the record is short
+    /// for its correlation, the second if errors are of uneven size.
     pub fn robust(&self, gradient: &[f64]) -> f64 {
         Self::variance(&self.hac, gradient).max(Self::variance(&self.autoregressive, gradient))
     }
 
-    /// The degrees of freedom of that variance: as many as a sum of squares has that scatters as much (Satterthwaite, Biometrics
-    /// Bull. 2 (1946) 110). The variance of the errors is known from the residuals, and their correlation with a standard
-    /// deviation of its own.
+    /// Degrees of freedom of [`Self::robust`]: those of a sum of squares with the same relative variance (Satterthwaite,
+    /// Biometrics Bull. 2 (1946) 110). It combines the uncertainty of the variance of the errors and that of their
+    /// correlation.
     pub fn freedom(&self, gradient: &[f64]) -> f64 {
         let variance = Self::variance(&self.autoregressive, gradient);
         let doubt: f64 = self.doubt.iter().map(|doubt| quadratic(doubt, gradient)).map(|doubt| doubt * doubt).sum();
@@ -125,45 +125,46 @@ impl Covariance {
         }
     }
 
-    /// As many independent values would tell as much about a slow change as all do.
+    /// Effective number of independent values for a slow change, allowing for autocorrelation.
     pub fn independent(&self) -> f64 {
         self.errors.iter().map(Errors::independent).sum()
     }
 
-    /// Whether the residuals of a series cannot be distinguished from a random walk.
+    /// True if the residuals of a series cannot be distinguished from a random walk.
     pub fn wanders(&self) -> bool {
         self.errors.iter().any(|errors| errors.rho >= MOST)
     }
 
-    /// Whether a change along `gradient` (by column) changes the curve, so that its uncertainty is known.
+    /// True if no flat direction changes the quantity with this `gradient` (by column), so that its uncertainty is known.
     pub fn determines(&self, gradient: &[f64]) -> bool {
-        // What a change of each number by its natural length would make of it.
+        // Scale of the comparison: the change of the quantity when each number changes by its column scaling.
         let parts = gradient.iter().zip(&self.lengths).fold(0.0, |sum, (slope, length)| sum + (slope * length).abs());
         self.flat.iter().all(|direction| dot(gradient, direction).abs() <= 1e-6 * parts)
     }
 
-    /// The variance along `gradient` in one of the matrices.
+    /// Variance along `gradient` in one of the matrices.
     pub fn variance(matrix: &[f64], gradient: &[f64]) -> f64 {
         quadratic(matrix, gradient).max(0.0)
     }
 }
 
-/// A number that changes the values by less than this part of their scatter changes nothing: it is what an exact fit leaves,
-/// times the steepness of a curve.
+/// A number that changes the values by less than this part of their scatter has no effect: the residuals of an exact fit,
+/// times 100 for the steepness of a curve.
 const NOTHING: f64 = 100.0 * weights::EXACT;
 
-/// A change of all values together by less than this is nothing but rounding.
+/// Upper bound of the norm of a change of all values by rounding.
 fn rounding(plans: &[Plan], scale: &[f64], reach: &[f64]) -> f64 {
     let spread = weights::spread(plans);
     let points = plans.iter().zip(&spread).flat_map(|(plan, spread)| plan.points.iter().map(move |one| (one, spread)));
     let size = |(point, spread): (&Point, &Vec<f64>)| point.weight * spread[point.observation];
     let values = norm(&points.map(size).collect::<Vec<f64>>());
-    // Values that are all 0 have no size: then that of the greatest change.
+    // If all values are 0, the greatest change sets the scale.
     let greatest = || scale.iter().zip(reach).map(|(scale, reach)| scale * reach).fold(0.0, f64::max);
     NOTHING * if values > 0.0 { values } else { greatest() }
 }
 
-/// The places of the values of each observation of each record, in the order of time; `wanted` gets whether it was measured.
+/// Indices of the values of each observation of each record, in the order of time; `wanted` takes true if the value was
+/// measured.
 pub(crate) fn series(plans: &[Plan], wanted: impl Fn(bool) -> bool) -> Vec<Vec<usize>> {
     let mut series = Vec::new();
     let mut base = 0;
@@ -181,18 +182,19 @@ pub(crate) fn series(plans: &[Plan], wanted: impl Fn(bool) -> bool) -> Vec<Vec<u
     series
 }
 
-/// The pseudo-inverse of a normal matrix.
+/// Pseudo-inverse of a normal matrix.
 struct Inverse {
-    /// All columns, row by row.
+    /// Matrix over all columns, row by row.
     inverse: Vec<f64>,
-    /// Directions (by column) along which the curve changes, each by a vector of length one, all orthogonal.
+    /// Directions, one entry per column, along which the curve changes by a vector of length one; these vectors are
+    /// orthogonal.
     directions: Vec<Vec<f64>>,
     /// Directions in which the curve does not change.
     flat: Vec<Vec<f64>>,
 }
 
 impl Inverse {
-    /// V S^-2 V^T in scaled variables, of the columns `free`.
+    /// V S^-2 V^T in scaled variables, for the columns `free`.
     fn new(jacobian: &Jacobian, free: &[usize], scale: &[f64]) -> Self {
         let size = jacobian.columns;
         let decomposition = Decomposition::new(jacobian, free, scale, &vec![0.0; jacobian.rows]);
@@ -217,7 +219,7 @@ impl Inverse {
         result
     }
 
-    /// How the residuals change along the directions.
+    /// Change of the residuals along each direction.
     fn basis(&self, jacobian: &Jacobian) -> Vec<Vec<f64>> {
         let along = |direction: &Vec<f64>| {
             let mut sum = vec![0.0; jacobian.rows];
@@ -229,8 +231,8 @@ impl Inverse {
         self.directions.iter().map(along).collect()
     }
 
-    /// The errors by series, those of priors having this standard deviation, the covariance of what is varied, and by series its standard deviation due to that of the
-    /// correlation.
+    /// Errors by series, covariance of the varied numbers, and by series the standard deviation of that covariance due to
+    /// that of the correlation. Priors have the standard deviation `deviation`.
     fn errors(
         &self,
         series: &[Vec<usize>],
@@ -244,13 +246,13 @@ impl Inverse {
         (found.errors, self.of_columns(&found.covariance), doubt)
     }
 
-    /// A matrix of the directions as one of all columns.
+    /// Transforms a matrix over the directions to one over all columns.
     fn of_columns(&self, matrix: &[f64]) -> Vec<f64> {
         let count = self.directions.len();
         let size = self.inverse.len().isqrt();
         let mut result = vec![0.0; size * size];
         for (row, left) in self.directions.iter().enumerate() {
-            // This direction's row of the product with the directions at its right.
+            // Row of the product of `matrix` with the directions.
             let mut right = vec![0.0; size];
             for (entry, direction) in matrix[row * count..(row + 1) * count].iter().zip(&self.directions) {
                 right.iter_mut().zip(direction).for_each(|(sum, value)| *sum += entry * value);
@@ -264,7 +266,7 @@ impl Inverse {
     }
 }
 
-/// The derivatives and residuals of what was measured, with their full weight; zero for what was computed from it.
+/// Derivatives and residuals of measured values, with their full weight; zero for values computed from others.
 fn measured_alone(search: &Search, plans: &[Plan]) -> (Jacobian, Vec<f64>) {
     let mut jacobian = search.jacobian.clone();
     let mut residuals = search.residuals.clone();
@@ -278,7 +280,7 @@ fn measured_alone(search: &Search, plans: &[Plan]) -> (Jacobian, Vec<f64>) {
     (jacobian, residuals)
 }
 
-/// The products of columns over some rows, times a factor, row by row.
+/// Inner products of the columns over `rows`, times `factor`, row by row.
 fn products<'a>(columns: impl Iterator<Item = &'a [f64]>, rows: Range<usize>, factor: f64) -> Vec<f64> {
     let columns: Vec<&[f64]> = columns.map(|column| &column[rows.clone()]).collect();
     columns.iter().flat_map(|one| columns.iter().map(move |other| factor * dot(one, other))).collect()

@@ -1,4 +1,4 @@
-//! The numbers that a fit finds, with their errors: what was varied, and what follows from it.
+//! Estimates with their errors: the varied numbers and the derived quantities.
 
 use super::covariance::Covariance;
 use super::student::student;
@@ -9,39 +9,39 @@ use crate::fit::task::Target;
 use program::Model;
 use units::Unit;
 
-/// A number found by a fit.
+/// Estimate of a number by a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
-    /// Its name: the parameter's, `t_origin`, or `y_offset`.
+    /// Name of the parameter, `t_origin`, or `y_offset`.
     pub name: String,
-    /// The document's label.
+    /// Label in the document.
     pub label: Option<String>,
-    /// The unit to show it in.
+    /// Display unit.
     pub unit: Unit,
-    /// What was varied; none for a quantity that follows from it.
+    /// Target that was varied; `None` for a derived quantity.
     pub target: Option<Target>,
-    /// The record it belongs to; `None` if it holds for all.
+    /// Index of its record; `None` if it holds for all.
     pub record: Option<usize>,
-    /// The value; where it is not determined, the one at which the search ended.
+    /// Value, SI; if it is not determined, the one at the end of the search.
     pub value: f64,
-    /// Whether the data determine it.
+    /// True if the data determine it.
     pub determined: bool,
-    /// Whether it was stopped by the end of its range, so that it has no standard error; of a quantity that follows from others,
-    /// whether all those were.
+    /// True if it was stopped by a bound of its range, so that it has no standard error. For a derived quantity: true if
+    /// all numbers it depends on were stopped.
     pub at_bound: bool,
-    /// The standard error for independent residuals.
+    /// Standard error for independent residuals, SI; `None` if not determined or stopped, or without degrees of freedom.
     pub stderr: Option<f64>,
-    /// The standard error for residuals as they are, correlated in time and of uneven size.
+    /// Standard error for autocorrelated residuals of uneven size, SI; `None` as for `stderr`.
     pub stderr_hac: Option<f64>,
-    /// The degrees of freedom of that error: few where a record is short for the correlation of its residuals.
+    /// Degrees of freedom of `stderr_hac`: few if the record is short for the correlation of its residuals.
     pub freedom: f64,
 }
 
-/// The probability that the interval shown beside a standard error misses the true value.
+/// Probability that the interval shown beside a standard error misses the true value.
 const MISSED: f64 = 0.05;
 
 impl Estimate {
-    /// The model's parameter, if it is one that was varied.
+    /// Index of the varied parameter of the model; `None` for other targets.
     pub fn parameter(&self) -> Option<usize> {
         match self.target {
             Some(Target::Parameter(index)) => Some(index),
@@ -49,19 +49,19 @@ impl Estimate {
         }
     }
 
-    /// So many standard errors to either side hold the true value with a probability of 95 %: Student's t.
+    /// Factor of the standard error for an interval of 95 % confidence: Student's t.
     pub fn coverage_factor(&self) -> f64 {
         student(MISSED, self.freedom)
     }
 
-    /// The interval that holds the true value with a probability of 95 %, SI.
+    /// Interval of 95 % confidence, SI; `None` without a finite standard error.
     pub fn interval(&self) -> Option<(f64, f64)> {
         let reach = self.stderr_hac.filter(|error| error.is_finite())? * self.coverage_factor();
         Some((self.value - reach, self.value + reach))
     }
 }
 
-/// The uncertainty of what changes along a gradient.
+/// Uncertainty of a quantity with a given gradient.
 struct Uncertainty {
     stderr: Option<f64>,
     stderr_hac: Option<f64>,
@@ -69,7 +69,7 @@ struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// `certain` says whether there is any.
+    /// Uncertainty along `gradient`; without standard errors unless `certain`.
     fn along(gradient: &[f64], covariance: &Covariance, certain: bool) -> Self {
         Self {
             stderr: certain.then(|| Covariance::variance(&covariance.textbook, gradient).sqrt()),
@@ -79,7 +79,7 @@ impl Uncertainty {
     }
 }
 
-/// A name that tells the record as well, where the number has a value in each.
+/// Name, followed by that of the record if the number has a value in each.
 pub(in crate::fit) fn full_name(estimate: &Estimate, problem: &Problem) -> String {
     match estimate.record.and_then(|record| problem.task.records.get(record)) {
         Some(record) => format!("{} ({})", estimate.name, record.name),
@@ -87,7 +87,7 @@ pub(in crate::fit) fn full_name(estimate: &Estimate, problem: &Problem) -> Strin
     }
 }
 
-/// What was varied, and the derived quantities of the document that depend on it.
+/// Estimates of the varied numbers, and of the derived quantities of the document that depend on them.
 pub(in crate::fit) fn estimates(
     problem: &Problem,
     best: &Search,
@@ -164,7 +164,7 @@ pub(in crate::fit) fn estimates(
     (parameters, derived)
 }
 
-/// Name, label and unit.
+/// Name, label and unit of a target.
 fn describe(problem: &Problem, model: &Model, target: Target) -> (String, Option<String>, Unit) {
     match target {
         Target::Parameter(index) => match model.parameters.get(index) {
@@ -182,7 +182,7 @@ fn describe(problem: &Problem, model: &Model, target: Target) -> (String, Option
     }
 }
 
-/// The correlations of the first `count` columns of a covariance of `size`; NaN where there is none.
+/// Correlations of the first `count` columns of a covariance matrix of `size`; NaN where a variance is zero.
 pub(in crate::fit) fn correlation(covariance: &[f64], size: usize, count: usize) -> Vec<f64> {
     let deviation: Vec<f64> = (0..count).map(|k| covariance[k * size + k].sqrt()).collect();
     let mut correlation = vec![f64::NAN; count * count];

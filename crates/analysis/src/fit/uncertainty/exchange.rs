@@ -1,5 +1,5 @@
-//! Two numbers that can exchange their values: two rates of a chain, two terms of a sum. At the end of a fit each pair of one
-//! dimension is exchanged, the others follow, and the sums of squares are compared.
+//! Pairs of numbers that can exchange their values: two rates of a chain, two terms of a sum. At the end of a fit each pair
+//! of equal dimension is exchanged, the other numbers are fitted again, and the sums of squares are compared.
 
 use crate::fit::search::Search;
 use crate::fit::search::elsewhere::{growth_at, variance};
@@ -9,33 +9,34 @@ use crate::fit::search::symmetry::sort;
 use crate::fit::search::window::Window;
 use crate::fit::task::plan::Plan;
 
-/// The pairs that are tried.
+/// Pairs under test.
 #[derive(Clone, Debug)]
 pub(in crate::fit) struct Exchange {
-    /// Still to be tried.
+    /// Pairs still to be tried.
     pairs: Vec<[usize; 2]>,
-    /// The one that is tried at present.
+    /// Pair under test at present.
     present: Option<[usize; 2]>,
-    /// Those that give the same curve.
+    /// Pairs that give the same curve.
     pub found: Vec<[usize; 2]>,
 }
 
 impl Exchange {
-    /// Pairs that are tried, at most.
+    /// Upper bound of the number of pairs.
     const MOST: usize = 6;
-    /// Trials with a pair exchanged.
+    /// Upper bound of the trials with a pair exchanged.
     const TRIALS: usize = 12;
-    /// Sums of squares that differ by less than this part are those of one curve.
+    /// Sums of squares that differ by less than this part belong to the same curve.
     const EQUAL: f64 = 1e-5;
-    /// The same of a part of the rows, where the best numbers are others.
+    /// Tolerance like `EQUAL` for a part of the rows, where the best numbers differ.
     const NEAR: f64 = 0.1;
-    /// A sum below this part of the scatter is nothing but rounding.
+    /// A sum below this part of the scatter is rounding.
     const NOTHING: f64 = 1e-18;
-    /// The numbers of a pair differ if the sum of squares would grow by so many variances, were the curve proportional to them.
+    /// The two numbers differ if exchanging them in the linearised curve increases the sum of squares by more than this
+    /// many variances.
     const APART: f64 = 9.0;
 
-    /// The pairs of one dimension on which the motion depends, `moving` by number of the search, or of a formula of those in which
-    /// it is not linear.
+    /// Pairs of equal dimension. For equations of motion: numbers marked in `moving`, one entry per column. For a formula:
+    /// numbers in which it is not linear.
     pub fn new(problem: &Problem, moving: &[bool]) -> Self {
         let linear = problem.linear_columns();
         let motion = problem.curve.has_states();
@@ -50,7 +51,7 @@ impl Exchange {
         Self { pairs, present: None, found: Vec::new() }
     }
 
-    /// A search with the next pair exchanged, if there is one that may give the same curve.
+    /// Search with the next pair exchanged, if one may give the same curve.
     pub fn next(&mut self, problem: &mut Problem, best: &Search) -> Option<Search> {
         while let Some([a, b]) = self.pairs.pop() {
             let mut start = best.x.clone();
@@ -73,7 +74,8 @@ impl Exchange {
         None
     }
 
-    /// True if a formula with an exchanged pair is near some of the values, so that it is worth a search.
+    /// True if a formula with an exchanged pair fits a thinned set of values nearly as well, so that a search is
+    /// worthwhile.
     fn is_near(problem: &mut Problem, best: &Search, start: &[f64]) -> bool {
         let plans: Vec<Plan> = problem.plans.iter().map(start::thinned).collect();
         let nothing = Self::NOTHING * problem.total;
@@ -82,7 +84,7 @@ impl Exchange {
         exchanged <= of_best * (1.0 + Self::NEAR) + nothing
     }
 
-    /// Takes in a search that has ended.
+    /// Takes the result of a search with an exchanged pair.
     pub fn settle(&mut self, problem: &Problem, best: &Search, ended: &Search) {
         let same = ended.sum <= best.sum * (1.0 + Self::EQUAL) + Self::NOTHING * problem.total;
         self.found.extend(self.present.take().filter(|_| same));

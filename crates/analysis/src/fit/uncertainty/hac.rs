@@ -1,27 +1,28 @@
-//! The products of scores for residuals that are correlated in time and of uneven size, whatever makes them so: Newey & West
-//! (Econometrica 55 (1987) 703), of residuals whitened before (Andrews & Monahan, Econometrica 60 (1992) 953).
+//! Products of scores for residuals that are autocorrelated and of uneven size (heteroskedasticity and autocorrelation
+//! consistent): Newey & West (Econometrica 55 (1987) 703), with prewhitened residuals (Andrews & Monahan, Econometrica 60
+//! (1992) 953).
 
 use crate::fit::judgement::statistics;
 use crate::fit::linear::{Jacobian, dot, quadratic};
 use crate::fit::task::plan::Plan;
 
-/// The autocorrelation of fewer residuals than this is not worth knowing.
+/// Least number of residuals for which the autocorrelation is estimated.
 const LONG: usize = 12;
 
-/// What a fit has left, column by column of what is varied.
+/// Residuals of a fit with their derivatives.
 pub(crate) struct Left<'a> {
-    /// The weighted residuals.
+    /// Weighted residuals.
     pub residuals: &'a [f64],
-    /// Their derivatives.
+    /// Derivatives of the residuals, one column per number.
     pub jacobian: &'a Jacobian,
-    /// The columns that are determined at all; the others have no score.
+    /// Columns that are determined; the others have no score.
     pub free: &'a [usize],
-    /// The inverse of the normal matrix.
+    /// Inverse of the normal matrix, row by row.
     pub inverse: &'a [f64],
 }
 
-/// The sum over times of the products of scores, those of neighbouring times with Bartlett's weights. The score of a time is
-/// the gradient that its residuals contribute; columns measured at one time count together.
+/// Sum over times of the products of scores, those of neighbouring times with Bartlett weights, row by row. The score of a
+/// time is the gradient contributed by its residuals; columns measured at one time count together.
 pub(crate) fn meat(left: &Left, plans: &[Plan]) -> Vec<f64> {
     let size = left.jacobian.columns;
     let mut meat = vec![0.0; size * size];
@@ -50,15 +51,15 @@ pub(crate) fn meat(left: &Left, plans: &[Plan]) -> Vec<f64> {
     meat
 }
 
-/// Adds what one observation's residuals contribute; `series` holds their rows among the times and their places.
+/// Adds the scores of the residuals of one observation; `series` holds their rows among the times and their indices among
+/// the residuals.
 ///
-/// A residual is a part of the one before and something new: e_t = rho e_(t-1) + u_t. The gradient sum J_t e_t is then
-/// sum G_t u_t with G_t = J_t + rho G_(t+1). What is new in one residual is nearly independent of the next, so that few lags
-/// are left to be counted. Without prewhitening the Bartlett window cuts off long-range correlation and the errors come out
-/// too small.
+/// Prewhitening: e_t = rho e_(t-1) + u_t. The gradient sum J_t e_t then equals sum G_t u_t with G_t = J_t + rho G_(t+1).
+/// The u_t are nearly independent, so few lags suffice. Without prewhitening the Bartlett window cuts off long-range
+/// correlation and the errors come out too small.
 ///
-/// The fit draws residuals towards zero; division by 1 - leverage makes each as large as it would be in a fit without its
-/// value (MacKinnon & White, J. Econometrics 29 (1985) 305).
+/// The fit draws residuals towards zero. Division by 1 - leverage makes each as large as in a fit without its value
+/// (MacKinnon & White, J. Econometrics 29 (1985) 305).
 fn add_scores(left: &Left, series: &[(usize, usize)], scores: &mut [Vec<f64>]) {
     let size = left.jacobian.columns;
     let residuals: Vec<f64> = series.iter().map(|&(_, place)| left.residuals[place]).collect();
@@ -79,8 +80,8 @@ fn add_scores(left: &Left, series: &[(usize, usize)], scores: &mut [Vec<f64>]) {
     }
 }
 
-/// The sums over all windows of this length that touch the series. Their products, added up and divided by the length, are the
-/// products of the series at all lags with Bartlett's weights.
+/// Sums over all windows of this length that overlap the series. The sum of their products, divided by the length, gives
+/// the products of the series at all lags with Bartlett weights.
 fn sliding_sums(series: &[f64], window: usize) -> Vec<f64> {
     (0..series.len() + window - 1)
         .map(|end| series[(end + 1).saturating_sub(window)..series.len().min(end + 1)].iter().sum())

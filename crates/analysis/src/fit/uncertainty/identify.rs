@@ -1,4 +1,4 @@
-//! What the data cannot determine, named.
+//! Numbers and combinations that the data cannot determine.
 
 use super::covariance::Covariance;
 use crate::fit::autoregression::{orthonormal, subtract_projection};
@@ -6,7 +6,7 @@ use crate::fit::linear::norm;
 use crate::fit::search::Search;
 use units::Language;
 
-/// Why numbers are not determined.
+/// Reason why numbers are not determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lack {
     /// The curve does not change along a combination of them.
@@ -17,29 +17,29 @@ pub enum Lack {
     Exchange,
 }
 
-/// Numbers that the data do not determine by themselves.
+/// Numbers that the data do not determine individually.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Undetermined {
-    /// Why.
+    /// Reason.
     pub lack: Lack,
-    /// Their names.
+    /// Names of the numbers.
     pub names: Vec<String>,
-    /// The combinations that are determined, `b/rho`, where they are simple ones; empty where a single number changes nothing.
+    /// Combinations that are determined, such as `b/rho`, if they are simple; empty for a single number without effect.
     pub combinations: Vec<String>,
 }
 
-/// Groups the flat directions of the curve: `names` and values `x` by column.
+/// Groups the flat directions of the curve; `names` and values `x` have one entry per column.
 pub(crate) fn undetermined(flat: &[Vec<f64>], names: &[String], x: &[f64]) -> Vec<Undetermined> {
     let mut groups: Vec<(Vec<usize>, Vec<Vec<f64>>)> = Vec::new();
     for direction in flat {
-        // Each column in its own size: relative changes, where the value is not zero.
+        // Relative changes, except where the value is zero.
         let relative: Vec<f64> =
             direction.iter().zip(x).map(|(change, x)| if *x == 0.0 { *change } else { change / x }).collect();
         let greatest = relative.iter().fold(0.0, |greatest: f64, value| greatest.max(value.abs()));
         let mut members: Vec<usize> =
             (0..relative.len()).filter(|&column| relative[column].abs() > 1e-4 * greatest).collect();
         let mut directions = vec![relative];
-        // Directions that share a number are one puzzle.
+        // Directions that share a number are merged into one group.
         let mut place = 0;
         while place < groups.len() {
             if groups[place].0.iter().any(|column| members.contains(column)) {
@@ -62,8 +62,8 @@ pub(crate) fn undetermined(flat: &[Vec<f64>], names: &[String], x: &[f64]) -> Ve
     groups.into_iter().map(named).collect()
 }
 
-/// Pairs of numbers of which only a product or quotient of powers is well determined, by the textbook's covariance at the end of a
-/// search.
+/// Pairs of numbers of which only a product or quotient of powers is well determined, from the textbook covariance at the
+/// end of a search.
 pub(in crate::fit) fn weak(best: &Search, covariance: &Covariance, names: &[String]) -> Vec<Undetermined> {
     let size = best.x.len();
     let variance = |a: usize, b: usize| covariance.textbook[a * size + b];
@@ -75,7 +75,7 @@ pub(in crate::fit) fn weak(best: &Search, covariance: &Covariance, names: &[Stri
         for &b in &columns[place + 1..] {
             let together = variance(a, b) / (best.x[a] * best.x[b]);
             let (of_a, of_b, sign) = (relative(a), relative(b), together.signum());
-            // Of a^p/b^q, or of a^p*b^q: by how much it is more certain than the more certain of its factors.
+            // Standard error of a^p/b^q or a^p*b^q relative to that of the more certain factor.
             let gain = |(p, q): (f64, f64)| {
                 let square = p * p * of_a * of_a + q * q * of_b * of_b - 2.0 * p * q * together.abs();
                 square.max(0.0).sqrt() / (p * of_a).min(q * of_b)
@@ -92,21 +92,21 @@ pub(in crate::fit) fn weak(best: &Search, covariance: &Covariance, names: &[Stri
     found
 }
 
-/// The relative standard error from which on a number is hardly determined by itself.
+/// Relative standard error from which on a number counts as poorly determined.
 const VAGUE: f64 = 0.5;
-/// A combination is well determined if its relative error is at most this part of that of each factor.
+/// Greatest relative error of a well determined combination, as a part of that of its more certain factor.
 const WELL: f64 = 0.2;
-/// The exponents that are tried.
+/// Exponents that are tried.
 const POWERS: [(f64, f64); 3] = [(1.0, 1.0), (2.0, 1.0), (1.0, 2.0)];
-/// Exponents of a flat direction are whole numbers within this part, and changes of a sum equal.
+/// Relative tolerance for whole exponents of a flat direction, and for equal changes in a sum.
 const EXACTLY: f64 = 1e-6;
 
-/// The combinations that stay the same along all `directions`, relative changes by column: one fewer for each direction than there
-/// are `members`. `None` where they are not simple.
+/// Combinations that are constant along all `directions`, given as relative changes by column. Their number is that of the
+/// `members` minus that of the directions. `None` if they are not simple.
 fn combinations(directions: &[Vec<f64>], members: &[usize], names: &[String], x: &[f64]) -> Option<Vec<String>> {
     let [first, others @ ..] = members else { return None };
     if let [direction] = directions {
-        // With one direction, each of the others makes a combination with the first.
+        // With one direction, each of the others forms a combination with the first.
         let pair = |&other: &usize| {
             let powers = [(*first, direction[other]), (other, -direction[*first])];
             let product = if x[*first] == 0.0 || x[other] == 0.0 { None } else { product(&powers, names) };
@@ -117,8 +117,8 @@ fn combinations(directions: &[Vec<f64>], members: &[usize], names: &[String], x:
     if directions.len() + 1 != members.len() || members.iter().any(|&column| x[column] == 0.0) {
         return None;
     }
-    // The one combination of powers: its exponents are orthogonal to all directions. What is left of each axis without its part
-    // along the directions is a multiple of them.
+    // The only combination of powers has exponents orthogonal to all directions. A unit vector minus its projection on the
+    // directions is a multiple of them.
     let own = |direction: &Vec<f64>| members.iter().map(|&column| direction[column]).collect();
     let basis = orthonormal(directions.iter().map(own).collect());
     if basis.len() < directions.len() {
@@ -135,7 +135,7 @@ fn combinations(directions: &[Vec<f64>], members: &[usize], names: &[String], x:
     Some(vec![product(&powers, names)?])
 }
 
-/// A product of powers whose exponents are in the ratio of small whole numbers; the first exponent is positive.
+/// Product of powers whose exponents are in the ratio of small whole numbers; the first exponent is positive.
 fn product(powers: &[(usize, f64)], names: &[String]) -> Option<String> {
     let least = powers.iter().map(|(_, exponent)| exponent.abs()).fold(f64::INFINITY, f64::min);
     let sign = powers.first()?.1.signum();
@@ -161,7 +161,7 @@ fn product(powers: &[(usize, f64)], names: &[String]) -> Option<String> {
     Some(text)
 }
 
-/// A sum or difference of two numbers that stays the same along relative changes.
+/// Sum or difference of two numbers that is constant along a direction of relative changes.
 fn sum(direction: &[f64], (a, b): (usize, usize), names: &[String], x: &[f64]) -> Option<String> {
     let change = |column: usize| direction[column] * if x[column] == 0.0 { 1.0 } else { x[column] };
     let equal = |one: f64, other: f64| (one - other).abs() <= EXACTLY * one.abs();
@@ -176,7 +176,7 @@ fn sum(direction: &[f64], (a, b): (usize, usize), names: &[String], x: &[f64]) -
 }
 
 impl Undetermined {
-    /// What cannot be determined, in a sentence.
+    /// Sentence about what cannot be determined.
     pub fn text(&self, language: Language) -> String {
         let names = language.join(&self.names);
         let combinations = language.join(&self.combinations);

@@ -1,4 +1,4 @@
-//! How certain the numbers of a fit are: covariance, correlated residuals, profiles, and what the data cannot determine.
+//! Uncertainties of the fitted numbers: covariance, autocorrelated residuals, profiles, and undetermined numbers.
 
 pub(in crate::fit) mod covariance;
 pub(in crate::fit) mod estimate;

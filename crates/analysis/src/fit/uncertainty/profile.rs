@@ -1,5 +1,5 @@
-//! Intervals from the profile of the likelihood: how far a number can be moved, all others following as well as they can,
-//! until the fit is visibly worse. Unlike a standard error they need not be symmetric.
+//! Intervals from the profile of the likelihood: one number is moved, all others are fitted again, until the fit is
+//! significantly worse. Unlike standard errors they need not be symmetric.
 
 use super::covariance::Covariance;
 use crate::fit::driver::Fit;
@@ -8,36 +8,36 @@ use crate::fit::search::problem::Problem;
 use crate::fit::search::window::{TRIALS, Window};
 use crate::fit::search::{Search, Status};
 
-/// The values of a number between which a fit is hardly worse than the best one. An end is `None` where the fit stays good up
-/// to the bound, or as far as was searched.
+/// Interval of a number within which a fit is not significantly worse than the best one. An end is `None` if the fit stays
+/// good up to the bound, or as far as was searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// The probability that it contains the true value, if residuals knew nothing of each other.
+    /// Confidence level, assuming independent residuals.
     pub level: f64,
-    /// The lower end, SI.
+    /// Lower end, SI.
     pub low: Option<f64>,
-    /// The upper end, SI.
+    /// Upper end, SI.
     pub high: Option<f64>,
 }
 
-/// A profile has met a sum of squares below that of the fit, at these numbers.
+/// Numbers at which a profile found a sum of squares below that of the fit.
 struct Lower(Vec<f64>);
 
-/// How often a fit goes to a lower minimum that a profile has met, at most.
+/// Upper bound of the restarts from a lower minimum found by a profile.
 const IMPROVEMENTS: usize = 10;
-/// A sum of squares is lower if the difference is more than this part of the variance of a residual: what is less lies within
-/// the errors of integration, and far within those of the fit.
+/// Least decrease of the sum of squares for a lower minimum, in variances of a residual: above the errors of integration
+/// and far below those of the fit.
 const LOWER: f64 = 0.01;
-/// Standard deviations, and the probability that a normal value lies within them.
+/// Half-widths in standard deviations, with the probability of a normal value within them.
 const LEVELS: [(f64, f64); 2] = [(1.0, 0.6827), (2.0, 0.9545)];
-/// Searches for one end.
+/// Upper bound of the searches for one end.
 const SEARCHES: usize = 30;
-/// An end is not searched for farther away than so many standard deviations.
+/// Farthest distance searched, in standard deviations.
 const FAR: f64 = 1000.0;
 
-/// The intervals of all varied numbers of a finished fit, whose outcome is given; `None` for those without a standard error.
-/// Where a profile meets a lower sum of squares, the fit goes there, and the outcome and all intervals are those of the
-/// lower minimum: [`Outcome::improved`] says so.
+/// Intervals of all varied numbers of a finished fit with its outcome; `None` for numbers without a standard error. If a
+/// profile finds a lower sum of squares, the fit is restarted there, `outcome` is replaced, and all intervals are those of
+/// the lower minimum; [`Outcome::improved`] counts this.
 pub fn profiles(fit: &mut Fit, outcome: &mut Outcome) -> Vec<Option<[Interval; 2]>> {
     loop {
         let improved = fit.improved();
@@ -55,12 +55,13 @@ pub fn profiles(fit: &mut Fit, outcome: &mut Outcome) -> Vec<Option<[Interval; 2
     }
 }
 
-/// The intervals of 68.3 and 95.4 per cent for the varied number `index` of a finished fit (its place in
-/// [`crate::fit::Outcome::parameters`]); `stderr` is its standard error, where the search for the ends begins. Where a lower sum of
-/// squares is met, the fit goes there, and the intervals are those of the lower minimum.
+/// Intervals of 68.3 and 95.4 per cent for the varied number `index` of a finished fit (its index in
+/// [`crate::fit::Outcome::parameters`]). `stderr`, SI, is its standard error, where the search for the ends begins; `dof`
+/// the degrees of freedom. If a lower sum of squares is found, the fit is restarted there, and the intervals are those of
+/// the lower minimum.
 ///
-/// The sum of squares at the ends is that of the best fit times 1 + q^2/dof, q being 1 and 2 standard deviations (Bates &
-/// Watts, Nonlinear Regression Analysis, 1988, section 6.1).
+/// The sum of squares at the ends is that of the best fit times 1 + q^2/dof, where q is 1 and 2 standard deviations (Bates
+/// & Watts, Nonlinear Regression Analysis, 1988, section 6.1).
 pub fn profile(fit: &mut Fit, index: usize, mut stderr: f64, mut dof: usize) -> [Interval; 2] {
     loop {
         let may_leave = fit.improved() < IMPROVEMENTS;
@@ -82,16 +83,16 @@ pub fn profile(fit: &mut Fit, index: usize, mut stderr: f64, mut dof: usize) -> 
     }
 }
 
-/// The profile of one number.
+/// Profile of one number.
 struct Profile<'a> {
     problem: &'a mut Problem,
-    /// The best answer.
+    /// Best answer.
     best: &'a Search,
-    /// Which number of the search.
+    /// Column of the number in the search.
     index: usize,
     /// Degrees of freedom.
     dof: usize,
-    /// Whether a lower sum of squares is gone to.
+    /// True if a lower sum of squares ends the profile, so that the fit can be restarted there.
     may_leave: bool,
 }
 
@@ -106,9 +107,9 @@ impl Profile<'_> {
         Ok(Interval { level, low, high })
     }
 
-    /// Where the root of the growth of the sum of squares, in standard deviations, reaches `deviations`: it is nearly straight,
-    /// so that the secant finds it in a few steps. Where it is not, the end is kept between a distance that is too short and one
-    /// that is too long.
+    /// Value at which the root of the growth of the sum of squares, in standard deviations, reaches `deviations`. It is
+    /// nearly linear in the value, so that the secant method needs few steps; otherwise the end is bracketed. `unit` is the
+    /// standard error with the sign of the side.
     fn end(&mut self, unit: f64, deviations: f64) -> Result<Option<f64>, Lower> {
         let best = self.best;
         if !(unit != 0.0 && unit.is_finite()) || self.dof == 0 || best.sum <= 0.0 {
@@ -142,11 +143,11 @@ impl Profile<'_> {
                 Some((far, far_growth)) => {
                     let width = far - near;
                     if width <= 1e-9 * far {
-                        // A step: the fit is good on this side of it.
+                        // At a step of the sum of squares, the end is on the side where the fit is good.
                         return Ok(Some(centre + near * unit));
                     }
                     let part = (deviations - near_growth) / (far_growth - near_growth);
-                    // An infinite growth has no slope.
+                    // An infinite growth has no slope: bisection.
                     near + width * if part > 0.0 { part.clamp(0.05, 0.95) } else { 0.5 }
                 }
             };
@@ -154,8 +155,8 @@ impl Profile<'_> {
         Ok(None)
     }
 
-    /// The root of the growth of the sum of squares where the number is held at `value`, in standard deviations; `x` is where the
-    /// others begin, and where they end. Without a curve it is as bad as can be.
+    /// Root of the growth of the sum of squares with the number held at `value`, in standard deviations; infinite without a
+    /// curve. `x` is the start of the other numbers and receives their fitted values.
     fn growth(&mut self, x: &mut [f64], value: f64) -> Result<f64, Lower> {
         let best = self.best.sum;
         let variance = if self.problem.task.errors_given() { 1.0 } else { best / self.dof as f64 };
@@ -166,7 +167,8 @@ impl Profile<'_> {
         Ok(((sum - best).max(0.0) / variance).sqrt())
     }
 
-    /// The least sum of squares with the number held at `value`, infinite if there is none or it lies outside its bounds.
+    /// Least sum of squares with the number held at `value`; infinite if there is none or the value lies outside its
+    /// bounds.
     fn least_with(&mut self, x: &mut [f64], value: f64) -> f64 {
         let mut bounds = self.problem.bounds.clone();
         let (low, high) = bounds[self.index];

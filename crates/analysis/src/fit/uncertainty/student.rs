@@ -1,8 +1,8 @@
 //! Quantiles of the normal distribution and of Student's t.
 
-/// How many standard deviations a normal value is off with this probability, to either side: 2 for 0.0455.
+/// Two-sided quantile of the normal distribution, in standard deviations: 2 for a probability of 0.0455 beyond it.
 pub(crate) fn normal(probability: f64) -> f64 {
-    // erfc is convex here, so that Newton's steps from below never go too far.
+    // erfc is convex here, so that Newton's steps from below never overshoot.
     let mut x: f64 = 0.0;
     for _ in 0..200 {
         let excess = libm::erfc(x) - probability;
@@ -15,12 +15,12 @@ pub(crate) fn normal(probability: f64) -> f64 {
     x * core::f64::consts::SQRT_2
 }
 
-/// The same for Student's t with `freedom` degrees of freedom, at least 1 and not necessarily whole: 12.7 for 0.05 and one
-/// degree, 1.96 for many. To a thousandth (G. W. Hill, Comm. ACM 13 (1970) 619, algorithm 396).
+/// Two-sided quantile of Student's t with `freedom` degrees of freedom, at least 1 and not necessarily whole: 12.7 for 0.05
+/// and one degree, 1.96 for many. Accurate to 0.001 (G. W. Hill, Comm. ACM 13 (1970) 619, algorithm 396).
 pub(crate) fn student(probability: f64, freedom: f64) -> f64 {
     let n = freedom.max(1.0);
     if n < 1.5 {
-        // Cauchy's distribution.
+        // Cauchy distribution.
         let angle = probability * core::f64::consts::FRAC_PI_2;
         return libm::cos(angle) / libm::sin(angle);
     }

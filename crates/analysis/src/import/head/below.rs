@@ -1,11 +1,11 @@
-//! What the rows say of the header above them.
+//! Properties of the rows that are needed to read the header above them.
 
-/// What is known of the rows when the header is read.
+/// Properties of the rows below a header.
 #[derive(Debug)]
 pub(in crate::import) struct Below<'a> {
-    /// Whether each column holds numbers or times; columns of words do not.
+    /// One per column: true if it holds numbers or times; false for columns of words.
     pub numeric: Vec<bool>,
-    /// The numbers of the first two columns.
+    /// Numbers of the first two columns.
     pub first: &'a [f64],
     pub second: &'a [f64],
 }
@@ -23,7 +23,7 @@ impl Below<'_> {
         self.numeric.get(column).copied().unwrap_or(false)
     }
 
-    /// Whether the first column counts the rows or names them, where it has no name.
+    /// True if the first column, where it has no name, numbers or names the rows.
     pub fn names_rows(&self) -> bool {
         let words = !self.is_numeric(0) && self.wide() >= 3;
         let steps = || self.first.iter().zip(self.first.iter().skip(1));

@@ -1,4 +1,4 @@
-//! Which of the lines before the first row has the names, which the units, and which are comments.
+//! Recognition of the lines of names, units and comments before the first row.
 
 use super::below::Below;
 use super::cells_of::{bare_unit, split};
@@ -8,19 +8,19 @@ use crate::import::cells::{Cells, Delimiter};
 use crate::roles::is_time;
 use crate::run_name;
 
-/// So many lines above the rows can be names, units and comments.
+/// Greatest number of lines above the rows that can be names, units and comments.
 const LINES: usize = 6;
 
-/// What the lines are, by their places.
+/// Roles of the lines of a header, by their indices.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Block {
     pub names: usize,
     pub units: Option<usize>,
-    /// Full lines that are neither.
+    /// Full lines that hold neither names nor units.
     pub comments: Vec<usize>,
 }
 
-/// Tells the lines apart, by what they say of the columns with numbers.
+/// Recognises the roles of the lines from their cells over columns with numbers; `None` without lines.
 pub(super) fn tell(lines: &[&str], delimiter: Delimiter, below: &Below) -> Option<Block> {
     let last = lines.len().checked_sub(1)?;
     let from = lines.len().saturating_sub(LINES);
@@ -44,13 +44,13 @@ pub(super) fn tell(lines: &[&str], delimiter: Delimiter, below: &Below) -> Optio
     let (names, units) = match best {
         Some((_, names, units)) => (names, Some(units)),
         None => {
-            // The last line has the names, unless it speaks against itself.
+            // The last line has the names, unless another line has a much higher score.
             let own = rows.last().map_or(0.0, Row::as_names);
             let better = rows.iter().filter(full).max_by(|one, other| one.as_names().total_cmp(&other.as_names()));
             (better.filter(|row| row.as_names() >= own + 3.0).map_or(last, |row| row.line), None)
         }
     };
-    // Where cells are merged downwards, the names are those of the line below, completed.
+    // With cells merged downwards, the line below completes the names.
     let completes = |row: &&Row| row.line > names && Some(row.line) != units && row.completes(&rows, names);
     let names = rows.iter().find(completes).map_or(names, |row| row.line);
     let comment = |row: &&Row| row.own && row.line != names && Some(row.line) != units;
@@ -58,13 +58,13 @@ pub(super) fn tell(lines: &[&str], delimiter: Delimiter, below: &Below) -> Optio
     Some(Block { names, units, comments })
 }
 
-/// A line and its cells over the columns with numbers.
+/// Line of a header, with its cells over the columns with numbers.
 struct Row<'a> {
     line: usize,
     cells: Vec<&'a str>,
-    /// Whether it has no more cells than the table has columns.
+    /// True if it has no more cells than the table has columns.
     fits: bool,
-    /// Whether it is divided as the rows are.
+    /// True if the delimiter of the rows divides it.
     own: bool,
 }
 
@@ -72,7 +72,7 @@ impl<'a> Row<'a> {
     fn new(line: usize, text: &'a str, delimiter: Delimiter, below: &Below) -> Self {
         let cells = split(text, delimiter, below.wide());
         let fits = cells.len() <= below.wide();
-        // One name less than columns stands over the last ones.
+        // If there is one name less than columns, the names belong to the last columns.
         let shift = usize::from(cells.len() + 1 == below.wide() && below.names_rows());
         let over = cells.into_iter().enumerate().filter(|(place, _)| below.is_numeric(place + shift));
         let own = Cells::of(text, delimiter).filter(|cell| !cell.is_empty()).count() > 1;
@@ -83,7 +83,7 @@ impl<'a> Row<'a> {
         self.cells.iter().filter(|cell| !cell.is_empty()).count()
     }
 
-    /// Whether this line has names exactly where the line of names, just above it, has none.
+    /// True if this line, just below the line of names, has names exactly where that has none.
     fn completes(&self, rows: &[Self], names: usize) -> bool {
         let Some(above) = rows.iter().find(|row| row.line == names && row.line + 1 == self.line) else { return false };
         let filled = |row: &Self, place: usize| row.cells.get(place).is_some_and(|cell| !cell.is_empty());
@@ -95,7 +95,7 @@ impl<'a> Row<'a> {
             && filled(above, 0)
     }
 
-    /// How much speaks for units of these names; `None` if they cannot be.
+    /// Score of this line as the units of `names`; `None` if it cannot be.
     fn as_units_of(&self, names: &Self) -> Option<f64> {
         let name = |place: usize| names.cells.get(place).copied().unwrap_or_default();
         let (mut known, mut like, mut bracketed, mut over_time) = (0, 0, 0, None);
@@ -111,13 +111,13 @@ impl<'a> Row<'a> {
         }
         let filled = self.filled();
         let all_in_brackets = bracketed == filled;
-        // One cell under several names can be anything but the unit of a time.
+        // A single cell under several names is a unit only under a time or in brackets.
         if filled == 1 && names.filled() > 1 && over_time != Some(true) && !all_in_brackets {
             return None;
         }
         let believable =
             all_in_brackets || (over_time != Some(false) && (over_time == Some(true) || 2 * like > filled));
-        // Above the names only what is nothing else.
+        // Above the names, only a line that consists of units alone.
         let strict = self.line > names.line || (like == filled && (filled >= 2 || all_in_brackets));
         if known == 0 || filled > names.filled() || !believable || !strict {
             return None;
@@ -126,7 +126,7 @@ impl<'a> Row<'a> {
         Some(4.0 * share + if over_time == Some(true) { 2.0 } else { 0.0 } + if all_in_brackets { 3.0 } else { 0.0 })
     }
 
-    /// How much speaks for names.
+    /// Score of this line as names.
     fn as_names(&self) -> f64 {
         let filled: Vec<&str> = self.cells.iter().copied().filter(|cell| !cell.is_empty()).collect();
         let labels: Vec<label::Label> = filled.iter().map(|cell| label::read(cell)).collect();

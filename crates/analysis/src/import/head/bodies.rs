@@ -1,11 +1,11 @@
-//! Lines that name the bodies or runs of columns.
+//! Header lines with the bodies or runs of columns.
 
 use super::column::{Head, head};
 use super::label;
 use crate::import::cells::{Cells, Delimiter};
 use crate::run_name;
 
-/// Whether a line names several runs, and nothing else.
+/// True if a line names several runs, and nothing else.
 pub(super) fn are_runs(line: &str, delimiter: Delimiter) -> bool {
     let cells: Vec<String> =
         Cells::of(line, delimiter).filter(|cell| !cell.is_empty()).map_while(run_name::name).collect();
@@ -13,7 +13,7 @@ pub(super) fn are_runs(line: &str, delimiter: Delimiter) -> bool {
         && cells.iter().any(|cell| Some(cell) != cells.first())
 }
 
-/// Whether a line has the bodies.
+/// True if a line names the bodies of the columns.
 pub(super) fn is_body_line(line: &str, heads: &[Head], delimiter: Delimiter) -> bool {
     let mut cells = Cells::of(line, delimiter).filter(|cell| !cell.is_empty()).peekable();
     if heads.iter().any(|head| head.body.as_deref() == Some(line.trim())) {
@@ -26,13 +26,13 @@ pub(super) fn is_body_line(line: &str, heads: &[Head], delimiter: Delimiter) -> 
     cells.peek().is_some() && cells.all(|cell| is_body(cell) || heads.iter().any(|head| head.heading == cell))
 }
 
-/// A line of bodies over the names: each body from its own column to the next, or one for each time column.
+/// Assigns bodies from a line above the names: each body from its own column to the next, or one for each time column.
 pub(super) fn name_bodies(heads: &mut [Head], above: &[&str], delimiter: Delimiter) {
     let Some(line) = above.last() else { return };
     if heads.iter().any(|head| head.body.is_some()) {
         return;
     }
-    // Blanks at the beginning stand for empty cells.
+    // Leading blanks stand for empty cells.
     let exact = delimiter == Delimiter::Blanks && (line.starts_with(' ') || line.contains("  "));
     let cells: Vec<&str> = if exact {
         Cells::of(line, Delimiter::Blank).collect()
@@ -45,7 +45,8 @@ pub(super) fn name_bodies(heads: &mut [Head], above: &[&str], delimiter: Delimit
     };
     let filled: Vec<(usize, &str)> = cells.into_iter().enumerate().filter(|(_, cell)| !cell.is_empty()).collect();
     let Some((first, _)) = filled.first() else { return };
-    // One name over all is that of the body, unless there are more lines of words over it: those are of a logger.
+    // A single name over all columns is that of the body, unless there are further lines of words above it: those come from
+    // a logger.
     if filled.len() == 1 && *first == 0 && above.len() > 1 && run_name::name(line).is_none() {
         return;
     }
@@ -71,7 +72,7 @@ pub(super) fn name_bodies(heads: &mut [Head], above: &[&str], delimiter: Delimit
     };
     for (index, own) in heads.iter_mut().enumerate() {
         let Some(name) = name_at(index).filter(|name| *name != own.heading) else { continue };
-        // `Position (cm)` over x and y states the unit of both.
+        // `Position (cm)` over x and y is the unit of both.
         let over = head(label::read(name), name);
         if over.unit.is_some() && over.body.is_none() && filled.len() > 1 && name.contains(['[', '(']) {
             if own.unit.is_none() && own.origin.unknown().is_none() {

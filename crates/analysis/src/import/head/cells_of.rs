@@ -1,9 +1,9 @@
-//! The cells of a line of the header, which may be divided in another way than those of the rows.
+//! Cells of a header line, which may have another delimiter than the rows.
 
 use super::unit_words;
 use crate::import::cells::{Cells, Delimiter};
 
-/// The header's cells: by the delimiter of the rows or, where that does not give the right number, by another.
+/// Cells of a header line: by the delimiter of the rows or, if that does not give the right number, by another.
 pub(super) fn split(line: &str, delimiter: Delimiter, columns: usize) -> Vec<&str> {
     let cells = |delimiter| {
         let mut cells: Vec<&str> =
@@ -17,7 +17,7 @@ pub(super) fn split(line: &str, delimiter: Delimiter, columns: usize) -> Vec<&st
     if own.len() == columns {
         return own;
     }
-    // `t ms y cm` over two columns.
+    // For `t ms y cm` over two columns.
     if own.len() == 2 * columns && own.iter().skip(1).step_by(2).all(|cell| unit_words::read(cell).is_some()) {
         let joined = own.chunks(2).filter_map(|pair| within(line, pair.first()?, pair.last()?));
         return joined.collect();
@@ -27,7 +27,7 @@ pub(super) fn split(line: &str, delimiter: Delimiter, columns: usize) -> Vec<&st
     {
         return units;
     }
-    // Only a line without the delimiter of the rows has one of its own.
+    // A line with the delimiter of the rows has no other one.
     if own.len() > 1 && !matches!(delimiter, Delimiter::Blanks | Delimiter::Blank) {
         return own;
     }
@@ -38,14 +38,14 @@ pub(super) fn split(line: &str, delimiter: Delimiter, columns: usize) -> Vec<&st
         .unwrap_or(own)
 }
 
-/// The part of a line from one of its cells to the end of another.
+/// Part of a line from the beginning of `first` to the end of `last`.
 fn within<'a>(line: &'a str, first: &str, last: &str) -> Option<&'a str> {
     let start = (first.as_ptr() as usize).checked_sub(line.as_ptr() as usize)?;
     let end = (last.as_ptr() as usize).checked_sub(line.as_ptr() as usize)? + last.len();
     line.get(start..end)
 }
 
-/// A line of nothing but units between blanks, `[s] [mm]`, `in s in mm`, `/ s / mm`; `None` if it is none.
+/// Cells of a line of units between blanks, `[s] [mm]`, `in s in mm`, `/ s / mm`; `None` for any other line.
 fn units_at_blanks(line: &str) -> Option<Vec<&str>> {
     let mut cells: Vec<&str> = Vec::new();
     let mut start = None;
@@ -68,7 +68,7 @@ fn units_at_blanks(line: &str) -> Option<Vec<&str>> {
 }
 
 /// Words between blanks; a unit in brackets stays with its name: `t (s) y [m]`. If there are tabs or wide blanks, only
-/// those divide: `elapsed time   height`. Quotation marks keep a name together.
+/// these are delimiters: `elapsed time   height`. Quotation marks keep a name together.
 fn split_at_blanks(line: &str) -> Vec<&str> {
     let mut cells: Vec<&str> = Vec::new();
     let mut start = None;
@@ -98,7 +98,7 @@ fn split_at_blanks(line: &str) -> Vec<&str> {
     cells.into_iter().map(|cell| cell.trim().trim_matches('"')).collect()
 }
 
-/// `cm` of `[cm]`, `(cm)`, `in cm` or `/ cm`.
+/// Returns `cm` for `[cm]`, `(cm)`, `in cm` or `/ cm`.
 pub(super) fn bare_unit(cell: &str) -> &str {
     let cell = cell.trim();
     let word = ["in ", "en "].iter().find_map(|word| cell.strip_prefix(word)).or_else(|| cell.strip_prefix('/'));

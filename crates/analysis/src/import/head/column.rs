@@ -1,4 +1,4 @@
-//! The head of a column: name, unit, body, and how its numbers are read.
+//! Head of a column: name, unit, body, and conversion of its numbers.
 
 use super::label::Label;
 use super::meant::Meant;
@@ -8,38 +8,38 @@ use crate::import::clock;
 use crate::origin::UnitOrigin;
 use units::Unit;
 
-/// What is known of a column before its numbers.
+/// Head of a column, from the header and the cells.
 #[derive(Clone, Debug, Default)]
 pub(in crate::import) struct Head {
     pub name: String,
-    /// The cell as it is written.
+    /// Text of the header cell.
     pub heading: String,
     pub unit: Option<Unit>,
     pub origin: UnitOrigin,
     pub body: Option<String>,
-    /// What the name says of its clock times.
+    /// Meaning of its clock times, from the name.
     pub clock: Option<clock::Form>,
-    /// How the numbers become values in the unit, where that is not plain; and the text of the unit.
+    /// Conversion of the numbers to values in the unit, with the text of the unit; `None` if there is none.
     pub reading: Option<(UnitReading, String)>,
-    /// The power of ten in the heading.
+    /// Power of ten in the heading.
     pub(super) tens: Option<(i32, Sense)>,
 }
 
 impl Head {
-    /// Whether its numbers are in this unit.
+    /// True if its numbers are in this unit.
     pub fn is_in(&self, meant: &Meant) -> bool {
         let same = |unit: &Unit| unit.dimension == meant.unit.dimension && unit.factor == meant.unit.factor;
         let reading = self.reading.as_ref().map(|(reading, _)| *reading);
         self.unit.as_ref().is_some_and(same) && reading == meant.reading && self.tens.is_none()
     }
 
-    /// Takes a unit, and nothing else that the header says of it.
+    /// Sets the unit and discards the reading and the power of ten of the header.
     pub fn take(&mut self, meant: Meant, text: String, origin: UnitOrigin) {
         self.reading = meant.reading.map(|reading| (reading, text));
         (self.unit, self.origin, self.tens) = (Some(meant.unit), origin, None);
     }
 
-    /// What its numbers are converted by: nothing where they are the values.
+    /// Conversion of its numbers; `None` if they are the values.
     pub fn conversion(&self) -> Option<Conversion> {
         let tens = self.tens.filter(|(_, sense)| *sense != Sense::Open).map_or(0, |(tens, _)| tens);
         let reading = self.reading.as_ref().map(|(reading, _)| *reading);
@@ -47,7 +47,7 @@ impl Head {
     }
 }
 
-/// What a label says of a column, and the cell in which it stands.
+/// Head from a label and the cell that contains it.
 pub(super) fn head(label: Label, cell: &str) -> Head {
     let unit = || {
         let inside = cell.find(['[', '(', '<', '{']).map(|open| &cell[open + 1..]);

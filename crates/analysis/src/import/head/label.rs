@@ -1,4 +1,4 @@
-//! One cell of a header: the name of a column, its unit, and the run that it belongs to.
+//! One cell of a header: name of a column, unit, and run.
 
 use super::meant::{self, Meant};
 use super::power::{self, Sense};
@@ -11,35 +11,35 @@ use crate::roles::is_time;
 use crate::run_name;
 use units::{Dimension, Unit};
 
-/// What a cell of the header says of its column.
+/// Content of a header cell.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::import) struct Label {
     pub name: String,
     pub unit: Option<Unit>,
     pub origin: UnitOrigin,
-    /// The run, `Run 2`.
+    /// Run, for example `Run 2`.
     pub run: Option<String>,
-    /// What stands behind the unit, `(camera)`.
+    /// Text after the unit, for example `(camera)`.
     pub behind: String,
-    /// What the name says of its clock times: `t [hh:mm]`.
+    /// Meaning of its clock times, from a heading such as `t [hh:mm]`.
     pub clock: Option<clock::Form>,
-    /// How the numbers become values in the unit, where that is not plain.
+    /// Conversion of the numbers to values in the unit; `None` if there is none.
     pub reading: Option<UnitReading>,
-    /// The value in the unit is the number of the cell times ten to this, and how sure that is.
+    /// Exponent of ten by which the number of a cell is multiplied to give the value in the unit, with its certainty.
     pub tens: Option<(i32, Sense)>,
 }
 
 /// Reads `y [cm]`, `Time (ms) Run #1`, `Run 2: Angle (deg)`, `t / s`, `t in ms`, `Time: ms`, `time_ms`, `v_{y}`.
 pub(super) fn read(cell: &str) -> Label {
     let cell = unguarded(cell.trim());
-    // The stamp of a serial monitor before the names.
+    // Stamp of a serial monitor before the names.
     if clock::read(cell).is_some() {
         return Label::default();
     }
     let (rest, run) = run_name::without(cell);
     let Some(power) = power::taken(rest) else { return Label { run, ..plain_label(rest) } };
     let label = plain_label(&power.heading);
-    // A power over an unknown unit is part of what is not known.
+    // A power of ten over an unknown unit is unknown too.
     if power.sense == Sense::Open || label.origin.unknown().is_some() {
         let origin = UnitOrigin::Unknown(rest.chars().take(40).collect());
         return Label { run, unit: None, origin, reading: None, tens: Some((power.tens, Sense::Open)), ..label };
@@ -47,7 +47,7 @@ pub(super) fn read(cell: &str) -> Label {
     Label { run, tens: Some((power.tens, power.sense)), ..label }
 }
 
-/// A cell without run and power of ten.
+/// Reads a cell without run and power of ten.
 fn plain_label(rest: &str) -> Label {
     let mut label = bracketed(rest)
         .or_else(|| behind_word(rest))
@@ -60,17 +60,17 @@ fn plain_label(rest: &str) -> Label {
     label
 }
 
-/// A name without the apostrophe that keeps spreadsheets from taking it for a formula: `'-x (m)`.
+/// Name without the apostrophe that keeps spreadsheets from reading it as a formula: `'-x (m)`.
 fn unguarded(cell: &str) -> &str {
     cell.strip_prefix('\'').filter(|rest| rest.starts_with(['=', '+', '-', '@'])).unwrap_or(cell)
 }
 
-/// `v_{y}` is `v_y`.
+/// Removes braces of an index: `v_{y}` becomes `v_y`.
 fn plain(name: &str) -> String {
     name.trim().replace("_{", "_").replace('}', "")
 }
 
-/// The unit of a text that no bracket encloses: `Sensor: 1` has none.
+/// Unit in a text without brackets; it must contain a letter: `Sensor: 1` has none.
 fn symbol(text: &str, name: &str) -> Option<Meant> {
     let has_letter = text.contains(|character: char| character.is_alphabetic() || matches!(character, '%' | '°'));
     has_letter.then(|| meant::unit(text, name)).flatten()
@@ -85,7 +85,7 @@ fn unknown(name: &str, text: &str) -> Label {
     Label { name: name.to_owned(), origin: UnitOrigin::Unknown(text), ..Label::default() }
 }
 
-/// A unit in brackets. Of several brackets it is in the first that holds one: `a(t) (m/s^2)`, `t [ms] (camera)`.
+/// Unit in brackets. With several brackets, the first one that holds a unit: `a(t) (m/s^2)`, `t [ms] (camera)`.
 fn bracketed(cell: &str) -> Option<Label> {
     let mut last = None;
     let mut from = 0;
@@ -94,9 +94,9 @@ fn bracketed(cell: &str) -> Option<Label> {
         let (before, inside) = (&cell[..open], cell[open + 1..close].trim());
         let name = before.trim_end().trim_end_matches('/').trim_end();
         let inside = without_in(inside);
-        // y(t) is no y in tonnes.
+        // y(t) is a function of t, not y in tonnes.
         let function = cell[open..].starts_with('(') && before.ends_with(char::is_alphanumeric) && inside == "t";
-        // Neither is u(y) a u in some unit.
+        // u(y) is the error of y, not u in some unit.
         let attached = cell[open..].starts_with('(') && before.ends_with(char::is_alphanumeric);
         let of_error = attached && error_name::of(cell).is_some();
         if function || of_error || name.is_empty() || inside.is_empty() {
@@ -109,7 +109,7 @@ fn bracketed(cell: &str) -> Option<Label> {
         if let Some(unit) = meant::unit(inside, name) {
             return Some(Label { behind, ..named(name, unit, UnitOrigin::Heading) });
         }
-        // In parentheses may stand a remark that belongs to the name where several have it: `y (left)`.
+        // Parentheses may hold a remark, which belongs to the name if several columns have the same: `y (left)`.
         let remark = cell[open..].starts_with('(');
         last.get_or_insert_with(|| {
             let whole = attached && !looks_like_unit(inside);
@@ -128,7 +128,7 @@ fn bracketed(cell: &str) -> Option<Label> {
     last
 }
 
-/// Whether an unknown text in parentheses looks like a unit, and not like a remark.
+/// True if an unknown text in parentheses looks like a unit and not like a remark.
 pub(super) fn looks_like_unit(text: &str) -> bool {
     const UNKNOWN: [&str; 20] = [
         "db",
@@ -158,7 +158,7 @@ pub(super) fn looks_like_unit(text: &str) -> bool {
         || (text.chars().count() <= 3 && text.chars().all(char::is_alphabetic) && text.contains(char::is_uppercase))
 }
 
-/// Where the next bracket opens and closes; those of `v_{y}` are none.
+/// Positions of the next opening and closing bracket, except those of `v_{y}`.
 fn brackets(cell: &str, from: usize) -> Option<(usize, usize)> {
     let mut start = from;
     while let Some(open) = cell.get(start..)?.find(['[', '(', '<', '{']).map(|place| start + place) {
@@ -169,7 +169,7 @@ fn brackets(cell: &str, from: usize) -> Option<(usize, usize)> {
             _ => '}',
         };
         let index = closing == '}' && cell[..open].ends_with(['_', '^']);
-        // `W/(m K)` has brackets of its own.
+        // For nested brackets, as in `W/(m K)`.
         let mut depth = 0_usize;
         let end = cell[open..].char_indices().find(|(_, character)| {
             depth += usize::from(*character == char::from(cell.as_bytes()[open]));
@@ -184,12 +184,12 @@ fn brackets(cell: &str, from: usize) -> Option<(usize, usize)> {
     None
 }
 
-/// `in ms` as `ms`, in the languages of the headers.
+/// Returns `ms` for `in ms`, in English, Spanish and Portuguese.
 fn without_in(text: &str) -> &str {
     ["in ", "en ", "em "].iter().find_map(|word| text.strip_prefix(word)).unwrap_or(text).trim()
 }
 
-/// What `hh:mm:ss`, `mm:ss` or `h:min` says of clock times.
+/// Meaning of clock times from `hh:mm:ss`, `mm:ss` or `h:min`.
 fn clock_form(text: &str) -> Option<clock::Form> {
     let text = text.to_lowercase();
     let parts: Vec<&str> = text.split(':').collect();
@@ -203,23 +203,23 @@ fn clock_form(text: &str) -> Option<clock::Form> {
     }
 }
 
-/// `t/ms`, `y / mm`.
+/// Reads `t/ms`, `y / mm`.
 fn divided(cell: &str) -> Option<Label> {
     name_and_unit(cell.split_once('/')?)
 }
 
-/// `t in ms`, `tiempo en segundos`.
+/// Reads `t in ms`, `tiempo en segundos`.
 fn behind_word(cell: &str) -> Option<Label> {
     name_and_unit([" in ", " en ", " em "].iter().find_map(|word| cell.rsplit_once(word))?)
 }
 
-/// `Time: ms`.
+/// Reads `Time: ms`.
 fn behind_colon(cell: &str) -> Option<Label> {
     name_and_unit(cell.rsplit_once(':')?)
 }
 
-/// The label of a name and the text that stands apart from it. A text that is no unit counts as one that is not known where the
-/// name is that of a time.
+/// Label from a name and a separate text. A text that is not a unit counts as an unknown unit if the name is that of a
+/// time.
 fn name_and_unit((name, text): (&str, &str)) -> Option<Label> {
     let (name, text) = (name.trim(), text.trim());
     if name.is_empty() || text.is_empty() {
@@ -231,7 +231,7 @@ fn name_and_unit((name, text): (&str, &str)) -> Option<Label> {
     }
 }
 
-/// `time_ms`, `angle_deg`. One letter may be an index: `t_A`, `v_s`; `y_min` is a minimum.
+/// Reads `time_ms`, `angle_deg`. A single letter may be an index, as in `t_A`, `v_s`; `y_min` is a minimum.
 fn suffix(cell: &str) -> Option<Label> {
     let (name, text) = cell.rsplit_once('_')?;
     if name.is_empty() || text.contains(['{', '}', '^', '(']) {
@@ -248,7 +248,7 @@ fn suffix(cell: &str) -> Option<Label> {
     certain.then(|| named(name, found, UnitOrigin::Suffix))
 }
 
-/// `Time ms`, `angle deg`. One letter may be a symbol: `Masse m`, `Zeit t`.
+/// Reads `Time ms`, `angle deg`. A single letter may be a symbol, as in `Masse m`, `Zeit t`.
 fn last_word(cell: &str) -> Option<Label> {
     let (name, text) = cell.rsplit_once([' ', ','])?;
     let name = name.trim_end_matches([' ', ',']);
@@ -261,12 +261,12 @@ fn last_word(cell: &str) -> Option<Label> {
     (certain && !name.is_empty()).then(|| named(name, found, UnitOrigin::Heading))
 }
 
-/// Whether a unit is as often the end of a name: `V_in`, `V in`.
+/// True if a unit is also a common end of a name: `V_in`, `V in`.
 fn is_word(text: &str) -> bool {
     text == "in"
 }
 
-/// `millis`, `seconds`: a time that is called by its unit.
+/// Reads `millis`, `seconds`: a time named by its unit.
 fn own_name(cell: &str) -> Label {
     let found = unit_words::read(cell).filter(|unit| unit.dimension == Dimension::TIME);
     match found.filter(|unit| cell.chars().count() > 3 || unit.text == "ms") {

@@ -1,18 +1,18 @@
-//! The unit that is meant by the text over a column of this name: `C` over a temperature, `g` over an acceleration.
+//! Unit of a text over a column, depending on its name: `C` over a temperature, `g` over an acceleration.
 
 use super::unit_words::{self, Level};
 use crate::conversion::UnitReading;
 use crate::roles::is_time;
 use units::{Dimension, Unit};
 
-/// A unit, and how the numbers are read where that is not plain.
+/// Unit, with the conversion of the numbers if there is one.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::import) struct Meant {
     pub unit: Unit,
     pub reading: Option<UnitReading>,
 }
 
-/// The unit of this text for a column of this name; `None` where it is not known, or could be several.
+/// Unit of this text for a column of this name; `None` if it is unknown or ambiguous.
 pub(in crate::import) fn unit(text: &str, name: &str) -> Option<Meant> {
     let text = text.trim();
     if let Some(level) = unit_words::level(text).or_else(|| letter_of_level(text, name)) {
@@ -36,7 +36,7 @@ pub(in crate::import) fn unit(text: &str, name: &str) -> Option<Meant> {
         _ => {}
     }
     let unit = unit_words::read(text)?;
-    // Degrees over a temperature are no angle; of which scale is not stated.
+    // Degrees over a temperature are not an angle, and the scale is not stated.
     if is_temperature(name) && unit.dimension.is_none() && Unit::parse("deg").is_ok_and(|deg| deg.factor == unit.factor)
     {
         return None;
@@ -44,11 +44,11 @@ pub(in crate::import) fn unit(text: &str, name: &str) -> Option<Meant> {
     if !is_time(name) || unit.dimension == Dimension::TIME {
         return Some(Meant { unit, reading: None });
     }
-    // Over times capitals are no other unit: `MS` are no megasiemens.
+    // Over times, capitals do not select another unit: `MS` does not mean megasiemens.
     plain(&text.to_lowercase()).filter(|meant| meant.unit.dimension == Dimension::TIME)
 }
 
-/// `C` and `F` over a temperature.
+/// Reads `C` and `F` over a temperature.
 fn letter_of_level(text: &str, name: &str) -> Option<Level> {
     match text {
         "C" | "c" if is_temperature(name) => Some(Level::Celsius),
@@ -68,7 +68,7 @@ fn temperature(level: Level, name: &str) -> Option<Meant> {
     Some(Meant { unit, reading: Some(reading) })
 }
 
-/// The letter at the beginning of `T_room`, `T1`, `T amb`, and whether the rest is an index.
+/// True if a name is this letter, alone or followed by an index: `T_room`, `T1`, `T amb`.
 fn is_letter(name: &str, letter: &str) -> bool {
     let Some(rest) = name.strip_prefix(letter) else { return false };
     let index = rest.trim_start_matches(['_', '.', ' ', '{', '(']);

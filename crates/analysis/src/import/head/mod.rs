@@ -1,4 +1,4 @@
-//! What the lines before the first row say: names, units, bodies.
+//! Reading of the header: names, units and bodies from the lines before the first row.
 
 mod below;
 mod block;
@@ -26,17 +26,17 @@ use column::head;
 use label::Label;
 use power::Sense;
 
-/// Whether a text behind a number is a unit.
+/// True if a text after a number is a unit.
 pub(super) fn is_unit(text: &str) -> bool {
     unit_of(text).is_some() || level(text).is_some()
 }
 
-/// Names, units and bodies of the columns, or of more if the header has more.
+/// Heads of all columns; there are more if the header has more.
 pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings: &mut Vec<Finding>) -> Vec<Head> {
     let columns = below.wide();
     let mut filled: Vec<&str> = Vec::new();
     let mut numbers: Vec<usize> = Vec::new();
-    // A title has a blank line under it, the name of a body has not.
+    // A title is followed by a blank line, the name of a body is not.
     let mut titles = 0;
     for (number, line) in lines.iter().enumerate() {
         let bare = uncommented(line);
@@ -47,7 +47,7 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
         } else if !of_tracker && !of_excel {
             filled.push(bare);
             numbers.push(number + 1);
-            // Neither does a comment name one.
+            // A comment line does not name a body either.
             titles = if bare.len() < line.len() { filled.len() } else { titles };
         }
     }
@@ -88,7 +88,7 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
     heads
 }
 
-/// What is to be said of names and units.
+/// Reports powers of ten, conversions and unknown units.
 fn say(heads: &[Head], findings: &mut Vec<Finding>) {
     for (index, head) in heads.iter().enumerate() {
         let column = if head.name.is_empty() { (index + 1).to_string() } else { head.name.clone() };
@@ -111,7 +111,7 @@ fn say(heads: &[Head], findings: &mut Vec<Finding>) {
     }
 }
 
-/// Moves names to the right where the first column has none: R's tables and those of pandas. True if it did.
+/// Moves names to the right if the first column has none, as in tables written by R and pandas. Returns true if it did.
 fn settle_count(
     heads: &mut Vec<Head>,
     filled: &[&str],
@@ -123,7 +123,7 @@ fn settle_count(
     if count + 1 != below.wide() || count < 2 || heads.iter().take(count).any(|head| head.heading.is_empty()) {
         return false;
     }
-    // `t` alone under the names is that of the first column.
+    // A single word such as `t` below the names is the name of the first column.
     let alone = filled.get(names + 1).map(|line| line.trim()).filter(|line| !line.contains([' ', '\t', ',', ';']));
     let first = alone.is_some() || below.names_rows();
     if first {
@@ -136,7 +136,7 @@ fn settle_count(
     first
 }
 
-/// Gives a column without a name that of the line above, as where cells are merged downwards.
+/// Gives a column without a name that of the line above, for cells merged downwards.
 fn complete(heads: &mut [Head], filled: &[&str], block: &block::Block, delimiter: Delimiter, columns: usize) {
     let Some(above) = block.names.checked_sub(1).filter(|above| Some(*above) != block.units) else { return };
     let cells = split(filled[above], delimiter, columns);
@@ -146,19 +146,19 @@ fn complete(heads: &mut [Head], filled: &[&str], block: &block::Block, delimiter
     }
 }
 
-/// The line without the sign that makes it a comment.
+/// Line without its comment sign.
 fn uncommented(line: &str) -> &str {
     let start = line.trim_start();
     let bare = start.strip_prefix('#').or_else(|| start.strip_prefix('%')).or_else(|| start.strip_prefix("//"));
     match bare {
-        // Neither a first column that is called `#` nor a failed formula is a comment.
+        // Neither a first column named `#` nor a failed formula is a comment.
         Some(_) if number::is_spreadsheet_error(first_word(start)) => line,
         Some(rest) if !rest.starts_with(['\t', ';', ',']) => rest.trim_start_matches(['#', ' ']),
         _ => line,
     }
 }
 
-/// Up to the first delimiter of any kind.
+/// Text up to the first delimiter of any kind.
 pub(super) fn first_word(text: &str) -> &str {
     text.split(['\t', ';', ',', ' ', '|']).next().unwrap_or(text)
 }
@@ -177,7 +177,7 @@ fn take_units(heads: &mut [Head], units: &[&str], below: &Below, findings: &mut 
             }
             continue;
         }
-        // A power of ten may stand before it.
+        // A power of ten may precede the unit.
         let label = label::read(&format!("{} [{text}]", if head.name.is_empty() { "x" } else { &head.name }));
         head.reading = label.reading.map(|reading| (reading, text.to_owned()));
         (head.unit, head.tens) = (label.unit, label.tens.or(head.tens));
@@ -197,7 +197,7 @@ fn named(line: &str, delimiter: Delimiter, columns: usize) -> Vec<Head> {
     let prefixes: Vec<Option<String>> = cells.iter().map(|cell| prefix(cell)).collect();
     let mut labels: Vec<Label> = Vec::with_capacity(cells.len());
     for (cell, prefix) in cells.iter().zip(&prefixes) {
-        // `ball: t`, `ball: y`: what several names have in common is a body.
+        // In `ball: t`, `ball: y` the common prefix is a body.
         let shared = prefix.is_some() && prefixes.iter().filter(|other| *other == prefix).count() > 1;
         labels.push(match cell.split_once(':').filter(|_| shared && clock::read(cell).is_none()) {
             Some((body, rest)) => {
@@ -207,7 +207,7 @@ fn named(line: &str, delimiter: Delimiter, columns: usize) -> Vec<Head> {
             None => label::read(cell),
         });
     }
-    // `y [cm] (left)` and `y [cm] (right)` are distinguished by what stands behind.
+    // `y [cm] (left)` and `y [cm] (right)` are distinguished by the text after the unit.
     let full: Vec<(String, Option<String>)> =
         labels.iter().map(|label| (label.name.clone(), label.run.clone())).collect();
     let mut heads: Vec<Head> = Vec::with_capacity(columns.max(labels.len()));

@@ -2,41 +2,41 @@
 
 use super::unit_words;
 
-/// No heading has a larger power.
+/// Greatest absolute exponent in a heading.
 const LARGEST: i32 = 18;
 
-/// How sure the sense of a power is.
+/// Certainty of the meaning of a power of ten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sense {
-    /// There is one reading.
+    /// There is only one meaning.
     Clear,
-    /// `I x 10^-3 (A)`: as a rule the numbers are multiples of 10^-3 A.
+    /// The usual meaning: for `I x 10^-3 (A)`, the numbers are multiples of 10^-3 A.
     Usual,
-    /// `v*1000 (m/s)`: both readings are usual, and neither is applied.
+    /// Ambiguous, as `v*1000 (m/s)`: no conversion is applied.
     Open,
 }
 
-/// A power of ten, and the heading without it.
+/// Power of ten, and the heading without it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Power {
     pub heading: String,
-    /// The value in the unit of the heading is the number of the cell times ten to this.
+    /// Exponent of ten by which the number of a cell is multiplied to give the value in the unit.
     pub tens: i32,
     pub sense: Sense,
 }
 
-/// How a power is written.
+/// Notation of a power of ten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
-    /// `10^3`, `10³`, `1e3`
+    /// Power: `10^3`, `10³`, `1e3`.
     Power,
-    /// `1000`, `0.001`
+    /// Number: `1000`, `0.001`.
     Number,
-    /// `10E3`, which is 10^4 for programs and 10^3 for people.
+    /// `10E3`, which programs read as 10^4 and people as 10^3.
     Doubtful,
 }
 
-/// The sign before a power.
+/// Sign before a power of ten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sign {
     None,
@@ -45,7 +45,7 @@ enum Sign {
     Slash,
 }
 
-/// Takes the power of ten out of a heading; `None` without one.
+/// Separates the power of ten from a heading; `None` without one.
 pub(super) fn taken(cell: &str) -> Option<Power> {
     let (start, end, tens, form) = token(cell)?;
     let (before, sign) = signed(cell.get(..start)?);
@@ -70,7 +70,7 @@ fn is_unit(text: &str) -> bool {
     !text.is_empty() && (unit_words::read(text).is_some() || unit_words::level(text).is_some())
 }
 
-/// `v (10^-3 m/s)`, `v [x10^-3]`, `v / (10^-3 m/s)`: multiples of what the brackets hold.
+/// Reads `v (10^-3 m/s)`, `v [x10^-3]`, `v / (10^-3 m/s)`: the numbers are multiples of the text in brackets.
 fn inside(before: &str, open: usize, after: &str, (tens, form, sign): (i32, Form, Sign)) -> Option<Power> {
     let (name, rest) = before.split_at(open);
     let bracket = rest.get(..1)?;
@@ -93,7 +93,7 @@ fn inside(before: &str, open: usize, after: &str, (tens, form, sign): (i32, Form
     power(heading, tens, sense)
 }
 
-/// `10^3 v (m/s)`, `1000*v`, `10^3/T (1/K)`: the cell holds the product.
+/// Reads `10^3 v (m/s)`, `1000*v`, `10^3/T (1/K)`: the cell holds the product.
 fn prefix(after: &str, joined: bool, (tens, form, sign): (i32, Form, Sign)) -> Option<Power> {
     let reciprocal = after.starts_with('/');
     let name = after.split(['(', '[', '<', '{', '/']).next().unwrap_or(after).trim();
@@ -107,7 +107,7 @@ fn prefix(after: &str, joined: bool, (tens, form, sign): (i32, Form, Sign)) -> O
     power(heading, -tens, sense)
 }
 
-/// `v / 10^-3 m/s`, `v ×10⁻³ m/s`, `I x 10^-3 (A)`, `v (m/s) x10^-3`.
+/// Reads `v / 10^-3 m/s`, `v ×10⁻³ m/s`, `I x 10^-3 (A)`, `v (m/s) x10^-3`.
 fn outside(before: &str, after: &str, (tens, form, sign): (i32, Form, Sign)) -> Option<Power> {
     let bracketed = after.starts_with(['(', '[', '<', '{']);
     let unit = is_unit(after) && !bracketed;
@@ -121,7 +121,7 @@ fn outside(before: &str, after: &str, (tens, form, sign): (i32, Form, Sign)) -> 
     let rest = after.is_empty() || bracketed;
     let exact = form != Form::Number;
     let sense = match sign {
-        // `Score/100` is a score.
+        // `Score/100` is a score, without a power.
         Sign::Slash if after.is_empty() && !exact => return None,
         Sign::Slash if rest || unit => Sense::Clear,
         Sign::Times | Sign::None if unit && exact => Sense::Clear,
@@ -133,7 +133,7 @@ fn outside(before: &str, after: &str, (tens, form, sign): (i32, Form, Sign)) -> 
     power(heading, tens, sense)
 }
 
-/// Where the last bracket that is open begins.
+/// Position of the last bracket that is not closed.
 fn unclosed(text: &str) -> Option<usize> {
     let mut open: Vec<usize> = Vec::new();
     for (at, character) in text.char_indices() {
@@ -157,14 +157,14 @@ fn closing(bracket: &str) -> char {
     }
 }
 
-/// The text without the sign at its end.
+/// Text without the sign at its end.
 fn signed(text: &str) -> (&str, Sign) {
     let text = text.trim_end();
     let sign = match text.chars().next_back() {
         Some('×' | '·' | '⋅' | '✕') => Sign::Times,
         Some('*') => Sign::Asterisk,
         Some('/') => Sign::Slash,
-        // An x behind a blank or a bracket; `x 10` is no name.
+        // An x after a blank or a bracket is a sign, because `x 10` is not a name.
         Some('x' | 'X') if text.get(..text.len() - 1).is_some_and(|text| text.ends_with([' ', '(', '[', ')', ']'])) => {
             Sign::Times
         }
@@ -177,20 +177,20 @@ fn signed(text: &str) -> (&str, Sign) {
     (text.get(..text.len() - length).unwrap_or(text).trim_end(), sign)
 }
 
-/// The text without a sign of multiplication at its beginning.
+/// Text without a multiplication sign at its beginning; true if there was one.
 fn unsigned(text: &str) -> (&str, bool) {
     let text = text.trim();
     let rest = text.strip_prefix(['*', '×', '·', '⋅']).or_else(|| text.strip_prefix("x "));
     (rest.unwrap_or(text).trim_start(), rest.is_some())
 }
 
-/// The first power of ten: where it begins and ends, its exponent and form.
+/// First power of ten: begin, end, exponent and notation.
 fn token(cell: &str) -> Option<(usize, usize, i32, Form)> {
     let mut before = ' ';
     for (start, character) in cell.char_indices() {
         let begins =
             matches!(character, '0' | '1') && !(before.is_numeric() || matches!(before, '.' | ',' | '^' | '_'));
-        // Behind a letter it is a name, `CH1000`, but for the x of a product.
+        // After a letter it is part of a name, `CH1000`, except after the x of a product.
         let apart = !before.is_alphabetic() || (matches!(before, 'x' | 'X') && is_product(cell, start));
         if begins
             && apart
@@ -205,12 +205,12 @@ fn token(cell: &str) -> Option<(usize, usize, i32, Form)> {
     None
 }
 
-/// Whether the x before this place follows a blank or a bracket.
+/// True if the x before this position follows a blank or a bracket.
 fn is_product(cell: &str, place: usize) -> bool {
     cell.get(..place).is_some_and(|text| signed(text).1 == Sign::Times)
 }
 
-/// The power of ten at the beginning of a text: its length, exponent and form.
+/// Power of ten at the beginning of a text: length in bytes, exponent and notation.
 fn number(text: &str) -> Option<(usize, i32, Form)> {
     let digits = text.bytes().take_while(u8::is_ascii_digit).count();
     let (whole, rest) = text.split_at(digits);
@@ -238,12 +238,12 @@ fn number(text: &str) -> Option<(usize, i32, Form)> {
     (is_power && ends_number(rest)).then_some((digits, zeros.len() as i32, Form::Number))
 }
 
-/// Whether a number is over: neither a digit nor a letter follows.
+/// True at the end of a number: neither a digit nor a letter follows.
 fn ends_number(rest: &str) -> bool {
     !rest.starts_with(|next: char| next.is_alphanumeric() || matches!(next, '.' | ','))
 }
 
-/// `^3`, `^{-3}`, `**3`, `⁻³`: length and exponent.
+/// Reads `^3`, `^{-3}`, `**3`, `⁻³`: length in bytes and exponent.
 fn raised(text: &str) -> Option<(usize, i32)> {
     let sign = text.trim_start();
     let blanks = text.len() - sign.len();
@@ -272,7 +272,7 @@ fn raised(text: &str) -> Option<(usize, i32)> {
     plain.parse().ok().map(|tens| (length, tens))
 }
 
-/// `e-3`: length and exponent.
+/// Reads `e-3`: length in bytes and exponent.
 fn exponent(text: &str) -> Option<(usize, i32)> {
     let rest = text.strip_prefix(['e', 'E'])?;
     let (length, tens) = signed_digits(rest)?;

@@ -1,9 +1,9 @@
-//! Units as people write them over their columns: `msec`, `Sekunden`, `grados`, `m/s2`.
+//! Words for units as written over columns: `msec`, `Sekunden`, `grados`, `m/s2`.
 
 use units::Unit;
 
-/// What stands over columns besides the symbols, in the languages of loggers and spreadsheets, in small letters and in the
-/// singular; an `s`, `n` or `es` at the end does not matter. A document must use the symbols.
+/// Symbols of units with the words used over columns by loggers and spreadsheets, in lower case and singular; an `s`, `n`
+/// or `es` at the end is ignored. Documents must use the symbols.
 const WORDS: [(&str, &[&str]); 40] = [
     ("s", &["sec", "second", "seg", "segundo", "sek", "sekunde", "seconde", "secondo", "secondi"]),
     (
@@ -60,18 +60,18 @@ const WORDS: [(&str, &[&str]); 40] = [
     ("C", &["coulomb", "culombio"]),
     ("S", &["siemen"]),
     ("F", &["farad", "faradio"]),
-    // Also `U/min` for revolutions: no atomic mass each minute.
+    // `U/min` means revolutions too, not atomic mass units per minute.
     ("rpm", &["rev/min", "r/min", "u/min", "upm", "r.p.m", "revolutions per minute"]),
 ];
 
-/// A temperature scale with a zero of its own.
+/// Temperature scale with its own zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::import) enum Level {
     Celsius,
     Fahrenheit,
 }
 
-/// The temperature scale of this name: `°C`, `degC`, `grados Celsius`, `Fahrenheit`.
+/// Temperature scale of this name: `°C`, `degC`, `grados Celsius`, `Fahrenheit`.
 pub(in crate::import) fn level(text: &str) -> Option<Level> {
     let text: String = text.trim().to_lowercase().chars().filter(|letter| !letter.is_whitespace()).collect();
     let text = text.replace('º', "°").replace('℃', "°c").replace('℉', "°f");
@@ -87,10 +87,10 @@ pub(in crate::import) fn level(text: &str) -> Option<Level> {
     }
 }
 
-/// The unit of this name; `None` where it is not known. The empty text and `-` are a pure number.
+/// Unit of this name; `None` if unknown. The empty text and `-` are dimensionless.
 pub(in crate::import) fn read(text: &str) -> Option<Unit> {
     let text = text.trim().trim_end_matches('.');
-    // In a quotient degrees are differences: `°C/min`. Alone they are a level.
+    // In a quotient, degrees are differences: `°C/min`. Alone they are a temperature scale.
     let kelvin =
         (text.contains(['°', 'º', '℃']) && text.contains(['/', ' ', '·', '*', '^', '⁻']) && level(text).is_none())
             .then(|| text.replace(['º'], "°").replace("°C", "K").replace('℃', "K"));
@@ -114,19 +114,19 @@ pub(in crate::import) fn read(text: &str) -> Option<Unit> {
     Unit::parse(&spelled).ok().or_else(|| Unit::parse(&divided_twice(&spelled)?).ok())
 }
 
-/// The symbol of a word that is too long to be meant as a symbol: `Grad` is no gigaradian.
+/// Symbol of a word of at least three letters, which is not meant as a symbol: `Grad` is not a gigaradian.
 fn word(text: &str) -> Option<&'static str> {
     (text.chars().count() >= 3).then(|| symbol(text)).flatten()
 }
 
-/// The symbol of a word.
+/// Symbol of a word.
 fn symbol(word: &str) -> Option<&'static str> {
     let lower = word.to_lowercase();
     let known = |word: &str| WORDS.iter().find(|(_, words)| words.contains(&word)).map(|(symbol, _)| *symbol);
     known(&lower)
         .or_else(|| known(lower.strip_suffix("es")?))
         .or_else(|| known(lower.strip_suffix(['s', 'n'])?))
-        // Capitals, as instruments print them.
+        // Capitals, as printed by instruments.
         .or(match word {
             "SEC" | "Sec" | "S" => Some("s"),
             "MS" | "mS" | "Ms" => Some("ms"),
@@ -141,7 +141,7 @@ fn symbol(word: &str) -> Option<&'static str> {
         })
 }
 
-/// With symbols for words, and a sign for each exponent: `m/sec2` as `m/s^2`.
+/// Replaces words by symbols and adds a sign before each exponent: `m/sec2` becomes `m/s^2`.
 fn spelled(text: &str) -> String {
     let mut spelled = String::with_capacity(text.len());
     let mut rest = text;
@@ -156,7 +156,7 @@ fn spelled(text: &str) -> String {
         let known = Unit::parse(part).is_ok();
         let other = word(part).or_else(|| symbol(part).filter(|_| !known));
         spelled.push_str(other.unwrap_or(part));
-        // A digit or a minus sign behind a letter begins an exponent.
+        // A digit or a minus sign after a letter begins an exponent.
         if behind.starts_with(|character: char| character.is_ascii_digit() || character == '-') {
             spelled.push('^');
         }
@@ -165,7 +165,7 @@ fn spelled(text: &str) -> String {
     spelled
 }
 
-/// `m/s/s` as `m/(s s)`.
+/// Rewrites `m/s/s` as `m/(s s)`.
 fn divided_twice(text: &str) -> Option<String> {
     let mut parts = text.split('/');
     let (above, first, second) = (parts.next()?, parts.next()?, parts.next()?);

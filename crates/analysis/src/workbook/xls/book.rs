@@ -1,4 +1,4 @@
-//! What a workbook stream says of the whole workbook: its sheets, texts and number formats (MS-XLS, 2.1.7.20.3).
+//! Properties of the whole workbook from its stream: sheets, shared texts and number formats (MS-XLS, 2.1.7.20.3).
 
 use super::bytes::{double, word};
 use super::record::{Content, Record};
@@ -7,9 +7,9 @@ use crate::workbook::styles::{self, NumberFormat};
 use crate::workbook::texts::Texts;
 use std::collections::BTreeMap;
 
-/// Begins a part of the stream.
+/// Record at the begin of a substream.
 pub(super) const BOF: u16 = 0x0809;
-/// Ends it.
+/// Record at the end of a substream.
 pub(super) const EOF: u16 = 0x000a;
 const VERSION_8: u16 = 0x0600;
 const VERSION_5: u16 = 0x0500;
@@ -19,33 +19,33 @@ const BOUNDSHEET: u16 = 0x0085;
 const FORMAT: u16 = 0x041e;
 const XF: u16 = 0x00e0;
 const SST: u16 = 0x00fc;
-/// A larger number of cell formats, or of sheets, is one of a damaged file.
+/// Upper bounds of the cell formats and of the sheets; more occur only in damaged files.
 const MOST_STYLES: usize = 70_000;
 const MOST_SHEETS: usize = 1000;
 
-/// What all sheets have in common.
+/// Properties common to all sheets.
 #[derive(Debug, Default)]
 pub(super) struct Book {
-    /// True for BIFF8 (Excel 97 and later): its texts are Unicode. False for BIFF5 (Excel 5 and 95).
+    /// True for BIFF8 (Excel 97 and later) with Unicode texts, false for BIFF5 (Excel 5 and 95).
     pub unicode: bool,
-    /// The sheets, hidden ones last.
+    /// Sheets, hidden ones last.
     pub sheets: Vec<SheetEntry>,
     pub texts: Texts,
     pub from_1904: bool,
     styles: Vec<NumberFormat>,
 }
 
-/// A sheet in the list of the workbook.
+/// Entry in the list of sheets.
 #[derive(Debug)]
 pub(super) struct SheetEntry {
     pub name: String,
-    /// Where its part of the stream begins.
+    /// Offset of its substream.
     pub at: usize,
     hidden: bool,
 }
 
 impl Book {
-    /// Reads the first part of the stream.
+    /// Reads the first substream.
     pub fn read(stream: &[u8]) -> Result<Self, WorkbookError> {
         if is_too_old(stream) {
             return Err(WorkbookError::TooOld);
@@ -68,7 +68,7 @@ impl Book {
                 DATEMODE => book.from_1904 = word(record.content(stream), 0) == Some(1),
                 BOUNDSHEET if book.sheets.len() < MOST_SHEETS => {
                     let entry = book.sheet(stream, record).ok_or(WorkbookError::Damaged)?;
-                    // Sheets do not share their cells.
+                    // Two sheets at one offset occur only in damaged files.
                     if entry.as_ref().is_some_and(|entry| book.sheets.iter().any(|other| other.at == entry.at)) {
                         return Err(WorkbookError::Damaged);
                     }
@@ -91,7 +91,7 @@ impl Book {
         self.styles.get(usize::from(index)).copied().unwrap_or_default()
     }
 
-    /// Appends a text with `count` characters; `None` if the stream ends in it.
+    /// Appends a text with `count` characters; `None` if the stream ends within it.
     pub fn text(&self, content: &mut Content<'_>, count: usize, out: &mut String) -> Option<()> {
         if self.unicode {
             return content.text(count, out);
@@ -100,7 +100,7 @@ impl Book {
         Some(())
     }
 
-    /// The entry of a sheet with cells; `Some(None)` for a chart or a macro.
+    /// Entry of a sheet with cells; `Some(None)` for a chart or a macro.
     fn sheet(&self, stream: &[u8], record: Record) -> Option<Option<SheetEntry>> {
         let bytes = record.content(stream);
         let (at, state, kind) = (double(bytes, 0)? as usize, bytes.get(4)?, bytes.get(5)?);
@@ -122,12 +122,12 @@ impl Book {
     }
 }
 
-/// True if the stream is one of Excel 2, 3 or 4, which has other records.
+/// True for a stream of Excel 2, 3 or 4, which has other records.
 pub(super) fn is_too_old(stream: &[u8]) -> bool {
     matches!(stream, [0x09, 0x00 | 0x02 | 0x04, 0x04 | 0x06, 0x00, ..])
 }
 
-/// The texts that cells share.
+/// Texts shared by cells.
 fn texts(stream: &[u8], record: Record) -> Result<Texts, WorkbookError> {
     let count = double(record.content(stream), 4).ok_or(WorkbookError::Damaged)? as usize;
     let mut content = Content::of(stream, record);

@@ -1,16 +1,16 @@
-//! Little-endian numbers in bytes; `None` beyond their end.
+//! Little-endian numbers at an offset in bytes; `None` beyond the end.
 
-/// A number of 16 bits.
+/// Integer of 16 bits.
 pub(super) fn word(bytes: &[u8], at: usize) -> Option<u16> {
     Some(u16::from_le_bytes(array(bytes, at)?))
 }
 
-/// A number of 32 bits.
+/// Integer of 32 bits.
 pub(super) fn double(bytes: &[u8], at: usize) -> Option<u32> {
     Some(u32::from_le_bytes(array(bytes, at)?))
 }
 
-/// A floating-point number of 64 bits.
+/// Floating-point number of 64 bits.
 pub(super) fn float(bytes: &[u8], at: usize) -> Option<f64> {
     Some(f64::from_le_bytes(array(bytes, at)?))
 }

@@ -1,39 +1,39 @@
-//! Compound files (MS-CFB): a file system of chained sectors, in which old workbooks store their stream. No chain is longer
-//! than the file, and nothing is allocated that the file does not hold.
+//! Compound files (MS-CFB): a file system of chained sectors that contains the stream of an old workbook. Chains are
+//! bounded by the length of the file, and so is the allocated memory.
 
 use super::bytes::{double, word};
 
-/// The first bytes of a compound file.
+/// First bytes of a compound file.
 pub(super) const MAGIC: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 const HEADER: usize = 512;
-/// Entries of the table of sectors (FAT) that are listed in the header.
+/// Number of entries of the sector table (FAT) in the header.
 const LISTED: usize = 109;
-/// Larger numbers of sectors mean that there is none.
+/// Greater sector numbers mean the end of a chain or an unused sector.
 const LARGEST_SECTOR: u32 = 0xffff_fffa;
 const ENTRY: usize = 128;
-/// A directory has more entries only if it is damaged.
+/// Upper bound of the entries of the directory; more occur only in damaged files.
 const MOST_ENTRIES: usize = 10_000;
 const NONE: u32 = u32::MAX;
 
-/// A compound file.
+/// Compound file.
 #[derive(Debug)]
 pub(super) struct CompoundFile<'a> {
     sectors: Sectors<'a>,
-    /// The small streams, which share one chain of sectors.
+    /// Content of the small streams, which share one chain of sectors.
     small: Vec<u8>,
     small_table: Vec<u32>,
     small_size: usize,
-    /// Streams below this size are small, in bytes.
+    /// Size below which a stream is small, in bytes.
     cutoff: usize,
     directory: Vec<u8>,
 }
 
-/// Sectors and the table that chains them.
+/// Sectors, with the table that chains them.
 #[derive(Debug)]
 struct Sectors<'a> {
-    /// The file behind its first sector, which is the header.
+    /// Bytes of the file after the header.
     bytes: &'a [u8],
-    /// Size of a sector in bytes.
+    /// Size of a sector, in bytes.
     size: usize,
     table: Vec<u32>,
 }
@@ -59,7 +59,7 @@ impl<'a> CompoundFile<'a> {
             cutoff: double(bytes, 56)? as usize,
             directory,
         };
-        // The first entry is the root, whose content are the small streams.
+        // The first entry is the root; its content holds the small streams.
         let root = double(file.directory.get(..ENTRY)?, 116)?;
         if root < LARGEST_SECTOR && !file.small_table.is_empty() {
             file.small = file.sectors.chain(root)?;
@@ -80,13 +80,13 @@ impl<'a> CompoundFile<'a> {
         Some(content)
     }
 
-    /// True if a stream of this name lies directly below the root.
+    /// True if there is a stream of this name directly below the root.
     pub fn has(&self, name: &str) -> bool {
         self.find(name).is_some()
     }
 
-    /// The directory is a tree: each entry has siblings on its left and right. Embedded documents have streams of the same
-    /// names, but deeper.
+    /// Finds an entry directly below the root. The directory is a tree: each entry has siblings on its left and right.
+    /// Embedded documents have streams of the same names at a deeper level.
     fn find(&self, name: &str) -> Option<&[u8]> {
         let entry = |number: u32| {
             let start = (number as usize).checked_mul(ENTRY)?;
@@ -117,12 +117,12 @@ fn is_called(entry: &[u8], name: &str) -> bool {
 }
 
 impl Sectors<'_> {
-    /// The table of all sectors: its own sectors are listed in the header and in a chain behind it.
+    /// Table of all sectors; the sectors of the table itself are listed in the header and in a chain after it.
     fn read_table(&self, bytes: &[u8]) -> Option<Vec<u32>> {
         let count = self.bytes.len().div_ceil(self.size);
         let mut listed: Vec<u32> = (0..LISTED).filter_map(|index| double(bytes, 76 + 4 * index)).collect();
         let mut next = double(bytes, 68)?;
-        // More lists than sectors are a circle.
+        // Bounded, because a damaged chain may be circular.
         for _ in 0..count {
             let Some(list) = self.sector(next) else { break };
             let mut numbers = numbers(list);
@@ -142,7 +142,7 @@ impl Sectors<'_> {
         Some(table)
     }
 
-    /// A sector; the last one of a file may be cut off.
+    /// Content of a sector; the last one of a file may be truncated.
     fn sector(&self, number: u32) -> Option<&[u8]> {
         sector(self.bytes, self.size, number)
     }
@@ -158,7 +158,7 @@ fn sector(bytes: &[u8], size: usize, number: u32) -> Option<&[u8]> {
     Some(rest.get(..size).unwrap_or(rest))
 }
 
-/// The sectors of a chain one behind the other; `None` where it leaves the file or is longer than it.
+/// Concatenated sectors of a chain; `None` if it leaves the file or is longer than it.
 fn chain(bytes: &[u8], size: usize, table: &[u32], first: u32) -> Option<Vec<u8>> {
     let mut content = Vec::new();
     let mut number = first;

@@ -1,5 +1,5 @@
 //! Old workbooks (XLS, Excel 5 to 2003): records (BIFF5 and BIFF8) in a stream of a compound file. Sizes are checked before
-//! memory is used: what is in memory is a few times the file, whatever it says.
+//! memory is allocated, so that it is bounded by a few times the size of the file.
 
 mod book;
 mod bytes;
@@ -13,10 +13,10 @@ use book::Book;
 use cfb::{CompoundFile, MAGIC};
 use sheet::SheetReader;
 
-/// A longer file is no measurement: it holds five million numbers.
+/// Upper bound of the size of a file, in bytes: five million numbers.
 const LONGEST: usize = 32 << 20;
-/// All sheets together may become so many bytes of text, and as many times their stream. A number has at least 6 bytes there
-/// and at most 25 in the text.
+/// Upper bound of the text of all sheets together: a fixed number of bytes, plus a multiple of the stream. A number has at
+/// least 6 bytes in the stream and at most 25 in the text.
 const ALWAYS_ALLOWED: usize = 8 << 20;
 const MOST_EXPANSION: usize = 4;
 
@@ -27,18 +27,18 @@ pub(super) struct Sheets {
     book: Book,
     sheet: Option<SheetReader>,
     passed: usize,
-    /// Bytes of text that may still come.
+    /// Remaining bytes of text for the further sheets.
     left: usize,
     most: usize,
 }
 
-/// True if a file begins as an old workbook does, with or without a compound file around it.
+/// True if a file begins like an old workbook, with or without a compound file around it.
 pub(super) fn begins(start: &[u8]) -> bool {
     start.starts_with(MAGIC) || matches!(start, [0x09, 0x08, 0x08 | 0x10, 0x00, ..]) || book::is_too_old(start)
 }
 
 impl Sheets {
-    /// Reads what the workbook says about itself.
+    /// Reads the description of the workbook.
     pub fn open(bytes: Vec<u8>, most: usize) -> Result<Self, WorkbookError> {
         if bytes.len() > LONGEST {
             return Err(WorkbookError::TooLarge { most: LONGEST >> 20 });
@@ -50,13 +50,13 @@ impl Sheets {
     }
 }
 
-/// The stream of a workbook in a compound file.
+/// Stream of the workbook in a compound file.
 fn stream(bytes: &[u8]) -> Result<Vec<u8>, WorkbookError> {
     let file = CompoundFile::open(bytes).ok_or(WorkbookError::Damaged)?;
-    // Files for two versions have both streams.
+    // Files written for two versions have both streams.
     match ["Workbook", "Book"].into_iter().find(|name| file.has(name)) {
         Some(name) => file.stream(name).ok_or(WorkbookError::Damaged),
-        // A newer workbook with a password.
+        // Newer workbook with a password.
         None if file.has("EncryptedPackage") => Err(WorkbookError::Protected),
         None => Err(WorkbookError::NoCells),
     }

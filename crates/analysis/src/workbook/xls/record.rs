@@ -3,10 +3,10 @@
 use super::bytes::{double, word};
 use crate::import;
 
-/// Goes on with the record before it.
+/// Kind of a record that continues the one before it.
 const CONTINUE: u16 = 0x003c;
 
-/// A record: its kind and where its content is in the stream.
+/// Record: its kind and the range of its content in the stream.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Record {
     pub kind: u16,
@@ -15,43 +15,43 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// The record whose header stands at `at`; `None` if it leaves the stream.
+    /// Record with its header at the offset `at`; `None` if it exceeds the stream.
     pub fn at(stream: &[u8], at: usize) -> Option<Self> {
         let start = at.checked_add(4)?;
         let end = start + usize::from(word(stream, at + 2)?);
         (end <= stream.len()).then_some(Self { kind: word(stream, at)?, start, end })
     }
 
-    /// Its content without what continues it.
+    /// Content without that of continuing records.
     pub fn content(self, stream: &[u8]) -> &[u8] {
         stream.get(self.start..self.end).unwrap_or_default()
     }
 }
 
-/// The content of a record and of the records that continue it.
+/// Content of a record and of the records that continue it.
 #[derive(Debug)]
 pub(super) struct Content<'a> {
     stream: &'a [u8],
     at: usize,
-    /// The end of the present record.
+    /// End of the present record.
     end: usize,
     units: Vec<u16>,
 }
 
 impl<'a> Content<'a> {
-    /// From the beginning of a record.
+    /// Content from the begin of a record.
     pub fn of(stream: &'a [u8], record: Record) -> Self {
         Self { stream, at: record.start, end: record.end, units: Vec::new() }
     }
 
-    /// Moves on to the record that continues the present one.
+    /// Moves to the record that continues the present one; `None` without one.
     fn next_piece(&mut self) -> Option<()> {
         let next = Record::at(self.stream, self.end).filter(|record| record.kind == CONTINUE)?;
         (self.at, self.end) = (next.start, next.end);
         Some(())
     }
 
-    /// True if nothing follows.
+    /// True if no content is left.
     pub fn is_at_end(&mut self) -> bool {
         while self.at >= self.end {
             if self.next_piece().is_none() {
@@ -61,7 +61,7 @@ impl<'a> Content<'a> {
         false
     }
 
-    /// The next byte.
+    /// Next byte; `None` at the end.
     pub fn byte(&mut self) -> Option<u8> {
         if self.is_at_end() {
             return None;
@@ -75,12 +75,12 @@ impl<'a> Content<'a> {
         (0..bytes).try_fold(0, |number, place| Some(number | u32::from(self.byte()?) << (8 * place)))
     }
 
-    /// The next number of 16 bits.
+    /// Next integer of 16 bits; `None` at the end.
     pub fn word(&mut self) -> Option<u16> {
         u16::try_from(self.number(2)?).ok()
     }
 
-    /// Passes over bytes.
+    /// Skips `count` bytes; `None` if there are not as many.
     pub fn skip(&mut self, mut count: usize) -> Option<()> {
         while count > 0 {
             if self.is_at_end() {
@@ -93,8 +93,8 @@ impl<'a> Content<'a> {
         Some(())
     }
 
-    /// Appends a text of BIFF8 with `count` characters: flags, perhaps the sizes of what follows, characters of one or two
-    /// bytes, formatting and pronunciation. Where a record continues it, the flags stand again.
+    /// Appends a text of BIFF8 with `count` characters. It consists of flags, optional sizes of formatting and phonetic
+    /// data, characters of one or two bytes, and these data. The flags are repeated at the begin of a continuing record.
     pub fn text(&mut self, count: usize, out: &mut String) -> Option<()> {
         let flags = self.byte()?;
         let runs = if flags & 8 != 0 { usize::from(self.word()?) } else { 0 };
@@ -121,14 +121,14 @@ impl<'a> Content<'a> {
         self.skip(extra.saturating_add(4 * runs))
     }
 
-    /// A text of BIFF5 with `count` bytes.
+    /// Text of BIFF5 with `count` bytes.
     pub fn bytes(&mut self, count: usize) -> Option<String> {
         let bytes: Option<Vec<u8>> = (0..count.min(self.stream.len())).map(|_| self.byte()).collect();
         Some(import::characters(&bytes?).into_owned())
     }
 }
 
-/// A number as 30 bits of an integer or of a floating-point number, perhaps a hundredth of it.
+/// Number stored as 30 bits of an integer or of a floating-point number, optionally divided by 100.
 pub(super) fn rk(bytes: &[u8], at: usize) -> Option<f64> {
     let bits = double(bytes, at)?;
     let number = if bits & 2 != 0 { f64::from(bits as i32 >> 2) } else { f64::from_bits(u64::from(bits & !3) << 32) };

@@ -1,4 +1,4 @@
-//! The cells of a sheet. Their records need not be in order: first their places are listed, then they are written row by row.
+//! Cells of a sheet. Their records may be in any order, so they are listed first and then written row by row.
 
 use super::book::{BOF, Book, EOF};
 use super::bytes::{double, float, word};
@@ -15,12 +15,12 @@ const MULTIPLE_RK: u16 = 0x00bd;
 const FORMULA: u16 = 0x0006;
 const TEXT: u16 = 0x0207;
 const BOOLEAN_OR_ERROR: u16 = 0x0205;
-/// Columns of a sheet.
+/// Number of columns of a sheet.
 const MOST_COLUMNS: u16 = 256;
-/// Bytes of the stream that a cell counts for while cells are written.
+/// Number of bytes that a written cell counts in the budget.
 const BYTES_PER_CELL: u64 = 16;
 
-/// A sheet that is being read.
+/// Sheet being read.
 #[derive(Debug)]
 pub(super) struct SheetReader {
     stage: Stage,
@@ -30,38 +30,39 @@ pub(super) struct SheetReader {
 
 #[derive(Debug)]
 enum Stage {
-    /// Listing the cells: the next record, and how many parts of the stream are open. Charts are parts within a sheet.
+    /// Listing the cells: offset of the next record, depth of nested substreams (charts within a sheet), and position of a
+    /// formula whose text follows.
     Listing { at: usize, depth: usize, formula: Option<(u16, u16)> },
-    /// Writing the cells: how many are done.
+    /// Writing the cells: number of cells done.
     Writing(usize),
 }
 
-/// A cell that holds something.
+/// Filled cell.
 #[derive(Clone, Copy, Debug)]
 struct Cell {
     row: u16,
     column: u16,
-    /// Where its record begins in the stream, or its entry of a record with several cells.
+    /// Offset of its record in the stream, or of its entry in a record with several cells.
     at: u32,
     holds: Holds,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Holds {
-    /// What the record says.
+    /// Record of its own.
     Record,
-    /// An entry of a record with several numbers.
+    /// Entry of a record with several numbers.
     Entry,
 }
 
 impl SheetReader {
-    /// Begins at this place of the stream; the text may have `most` bytes.
+    /// Begins at this offset of the stream; the text may have at most `most` bytes.
     pub fn new(at: usize, most: usize) -> Self {
         let stage = Stage::Listing { at, depth: 0, formula: None };
         Self { stage, lines: Lines::new(most), cells: Vec::new() }
     }
 
-    /// Part that has been read, from 0 to 1.
+    /// Progress, from 0 to 1.
     pub fn progress(&self) -> f64 {
         match self.stage {
             Stage::Listing { .. } => 0.0,
@@ -69,7 +70,7 @@ impl SheetReader {
         }
     }
 
-    /// Reads on for about `budget` bytes of the stream. True if it has come to the end.
+    /// Reads about `budget` more bytes of the stream. Returns true at the end.
     pub fn read(&mut self, stream: &[u8], book: &Book, budget: u64) -> Result<bool, WorkbookError> {
         match self.stage {
             Stage::Listing { at, depth, formula } => {
@@ -81,7 +82,7 @@ impl SheetReader {
                 let end = done.saturating_add(count).min(self.cells.len());
                 for index in done..end {
                     let Some(cell) = self.cells.get(index).copied() else { break };
-                    // Of several records of one cell the last is valid.
+                    // Of several records for one cell the last one holds.
                     let again = |next: &Cell| (next.row, next.column) == (cell.row, cell.column);
                     if !self.cells.get(index + 1).is_some_and(again) {
                         write(&mut self.lines, cell, stream, book)?;
@@ -93,7 +94,7 @@ impl SheetReader {
         }
     }
 
-    /// The text.
+    /// Returns the text.
     pub fn finish(self) -> String {
         self.lines.finish()
     }
@@ -128,7 +129,7 @@ impl SheetReader {
         Ok(Stage::Listing { at, depth, formula })
     }
 
-    /// Lists the cells of a record, if it has some.
+    /// Lists the cells of a record, if it has any.
     fn take(
         &mut self,
         stream: &[u8],
@@ -144,7 +145,7 @@ impl SheetReader {
             }
             FORMULA => {
                 let place = place()?;
-                // The text of a formula stands in a record behind it.
+                // The text result of a formula is in a later record.
                 if content.get(12..14) == Some(&[0xff, 0xff]) && content.get(6) == Some(&0) {
                     *formula = Some(place);
                 } else {
@@ -220,7 +221,7 @@ fn write(lines: &mut Lines, cell: Cell, stream: &[u8], book: &Book) -> Result<()
     Ok(())
 }
 
-/// What a cell holds.
+/// Value of a cell.
 #[derive(Debug)]
 enum Value<'a> {
     Number(f64),
@@ -229,7 +230,7 @@ enum Value<'a> {
 }
 
 impl Value<'_> {
-    /// A truth value or an error: its code, and 0 for a truth value.
+    /// Boolean or error from its code; the second byte is 0 for a boolean.
     fn of_code((code, is_error): (u8, u8)) -> Self {
         Self::Shared(match (code, is_error) {
             (0, 0) => "FALSE",
@@ -245,7 +246,7 @@ impl Value<'_> {
     }
 }
 
-/// The stored result of a formula that is no text: a number, or what stands in the bits of no number.
+/// Stored result of a formula that is not a text: a number, or a value encoded in the bits of a NaN.
 fn formula(content: &[u8]) -> Option<Value<'static>> {
     if content.get(12..14)? != [0xff, 0xff] {
         return float(content, 6).map(Value::Number);
@@ -258,7 +259,7 @@ fn formula(content: &[u8]) -> Option<Value<'static>> {
     })
 }
 
-/// A text with its length, behind so many bytes of a record.
+/// Text with its length, after `before` bytes of a record.
 fn text(stream: &[u8], record: Record, before: usize, book: &Book) -> Option<String> {
     let mut content = Content::of(stream, record);
     content.skip(before)?;

@@ -1,4 +1,4 @@
-//! Whether uncertainties may be believed: how often an interval contains the truth.
+//! Coverage of the uncertainties: how often an interval contains the true value.
 
 use crate::support::Noise;
 use crate::support::fitting::{
@@ -25,18 +25,18 @@ parameter s = -0.3 [m/s]
 y = c + s*t
 ";
 
-/// Of one parameter, over many records with known truth.
+/// Coverage of one parameter, over many records with known truth.
 struct Coverage {
     name: &'static str,
-    /// How many per cent of the textbook's intervals contain the truth.
+    /// Percentage of intervals from the textbook errors that contain the true value.
     textbook: f64,
-    /// How many of those robust to autocorrelation.
+    /// Percentage of intervals from the errors robust to autocorrelation.
     robust: f64,
-    /// How many of the intervals of 95 per cent.
+    /// Percentage of the intervals of 95 % confidence.
     wide: f64,
-    /// In how many per cent of the records it is said that they are short for their correlation.
+    /// Percentage of records reported as short for their correlation.
     short: f64,
-    /// The textbook's error, on average, as a part of the true scatter.
+    /// Mean textbook error, as a part of the true scatter.
     ratio: f64,
 }
 
@@ -104,15 +104,15 @@ fn two_of_three_intervals_contain_the_truth() {
 
 #[test]
 fn and_so_they_do_for_an_equation_of_motion() {
-    // Fewer records, so that chance is given more room: its standard deviation is 3.8 per cent.
+    // Fewer records, with a wider tolerance: the standard deviation of the count is 3.8 per cent.
     for one in coverage(MOTION, &["k", "gamma", "x_0", "v_0", "c"], (150, 200), 0.0) {
         let Coverage { name, textbook, robust, .. } = one;
         assert!((58.0..78.0).contains(&textbook) && (58.0..78.0).contains(&robust), "{name}: {textbook} {robust}");
     }
 }
 
-/// Noise that clings together hides in slow changes: the offset's textbook error is three times too small, those of the
-/// oscillation, which is faster than the memory of the noise, nearly twice.
+/// Positively correlated noise hides in slow changes: the textbook error of the offset is three times too small, and that
+/// of the oscillation, which is faster than the correlation time of the noise, nearly twice.
 #[test]
 fn errors_robust_to_autocorrelation_hold_where_the_textbook_fails() {
     for one in coverage(DAMPED_COSINE, &DAMPED_COSINE_NAMES, (800, 200), 0.8) {
@@ -150,7 +150,7 @@ fn intervals_contain_the_truth_for_correlated_errors_in_short_and_long_records()
                     |(low, high): (f64, f64), least: f64, most: f64| low >= least - room && high <= most + room;
                 assert!(within(robust, 60.0, 75.0), "{title} {rows} {rho}: {}", text(robust));
                 assert!(within(wide, 90.0, 99.0), "{title} {rows} {rho}: {}", text(wide));
-                // What is short for its correlation is said to be.
+                // A record short for its correlation is reported.
                 match (rows, rho) {
                     (60, 0.8) => assert!(short > 80.0, "{title}: {short}"),
                     (_, 0.0) | (1_000, _) => assert!(short < 1.0, "{title} {rows} {rho}: {short}"),
@@ -188,7 +188,7 @@ fn the_profile_of_a_straight_line_is_its_standard_error() {
     }
 }
 
-/// A growth that is hardly followed to its end: the limit may be far above, but not far below what is found.
+/// A growth measured hardly to its end: the limit may be far above, but not far below the estimate.
 #[test]
 fn profiles_of_a_bent_problem_are_lopsided_and_contain_the_truth() {
     let growth = model("parameter c = 1 [m]\nparameter r = 0.5 [1/s]\ny = c*(1 - exp(-r*t))");

@@ -1,5 +1,5 @@
-//! Fits whose sum of squares has several minima: tried from elsewhere where the model has events or branches, and left for a
-//! lower minimum that a profile meets.
+//! Fits whose sum of squares has several minima: further searches if the model has events or branches, and restarts from a
+//! lower minimum found by a profile.
 
 use crate::support::fitting::{fitted, model, observation, record, task, value};
 use crate::support::{Noise, utube};
@@ -21,7 +21,7 @@ fn dry(model: &Model, times: &[f64], values: &[f64]) -> Task {
     task(model, record(vec![observation(model, "y", 0, times, values)]), &NAMES)
 }
 
-/// From the first crossing of the rest level after 1 s, without any starting values.
+/// From the first crossing of the rest level after 1 s, without starting values.
 #[test]
 fn dry_friction_is_found_in_measured_columns() {
     let model = theory("dry-friction");
@@ -33,8 +33,8 @@ fn dry_friction_is_found_in_measured_columns() {
     }
 }
 
-/// Of columns that come to rest by dry friction: what is found from the document's own values fits at least as well as what is
-/// found from the true ones.
+/// Columns that come to rest by dry friction: the fit from the document's own values is at least as good as that from the
+/// true values.
 #[test]
 fn dry_friction_is_found_as_well_as_from_the_truth() {
     let model = theory("dry-friction");
@@ -63,7 +63,7 @@ fn dry_friction_is_found_as_well_as_from_the_truth() {
     }
 }
 
-/// A smooth model is searched from one start, as long as that explains the data.
+/// A smooth model is searched from one start, if that explains the data.
 #[test]
 fn a_smooth_model_is_not_tried_from_elsewhere() {
     let times: Vec<f64> = (0..100).map(|row| f64::from(row) / 20.0).collect();
@@ -74,7 +74,7 @@ fn a_smooth_model_is_not_tried_from_elsewhere() {
         ("y = A*exp(-gamma*t)*cos(omega*t)", 1..=1),
         ("y = A*exp(-abs(gamma)*t)*cos(omega*t)", 2..=9),
         ("y = A*exp(-gamma*t)*cos(omega*t) + (if A > 9 [m] then 1 [m] else 0 [m])", 2..=9),
-        // What is no part of the curve does not count.
+        // Branches that are not part of the curve do not count.
         ("y = A*exp(-gamma*t)*cos(omega*t)\nregime = if gamma > omega then 1 else 0", 1..=1),
     ] {
         let head = "parameter A = 0.04 [m]\nparameter gamma = 0.3 [1/s]\nparameter omega = 8.8 [1/s]\n";
@@ -86,7 +86,7 @@ fn a_smooth_model_is_not_tried_from_elsewhere() {
     }
 }
 
-/// Held at a wrong frequency by its start, a fit is at a minimum; the profile looks over its rim.
+/// A start at a wrong frequency leads to a local minimum; the profile finds the lower one.
 #[test]
 fn a_profile_that_meets_a_lower_minimum_goes_there() {
     let model = model("parameter omega = 1 [1/s]\ny = sin(omega*t)*(1 [m])");

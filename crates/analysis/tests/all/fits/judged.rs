@@ -1,4 +1,4 @@
-//! What is said of residuals: outliers, verdicts, criteria.
+//! Judgement of residuals: outliers, verdicts, criteria.
 
 use crate::support::Noise;
 use crate::support::fitting::{
@@ -90,7 +90,7 @@ fn a_clean_record_has_no_outliers() {
     }
 }
 
-/// Two values off, one of them beside the other, and one at the end, where a single value decides most.
+/// Two outliers side by side, and one at the end, where a single value has the greatest influence.
 #[test]
 fn several_outliers_are_named() {
     let model = model(DAMPED_COSINE);
@@ -105,7 +105,7 @@ fn several_outliers_are_named() {
     }
 }
 
-/// A wrong theory leaves large residuals where the motion is large: these are no outliers.
+/// A wrong theory leaves large residuals where the motion is large: these are not outliers.
 #[test]
 fn what_a_theory_misses_is_no_outlier() {
     let model = model(DAMPED_COSINE);
@@ -139,21 +139,21 @@ fn exact_fits_come_first_and_are_as_good_as_each_other() {
         assert!(outcome.aicc.unwrap().is_finite() && outcome.bic.is_finite());
     }
     let ranked = rank(&outcomes.each_ref());
-    // The two lines are one theory; the parabola has a number too many.
+    // The two lines are one theory; the parabola has one number more.
     assert_eq!(ranked.iter().map(|one| one.index).collect::<Vec<_>>(), [2, 3, 1, 0]);
     assert_eq!((ranked[0].difference, ranked[1].difference), (0.0, 0.0));
     assert!((ranked[0].weight - ranked[1].weight).abs() < 1e-12 && ranked.iter().all(|one| one.weight.is_finite()));
     assert!((1.0..5.0).contains(&ranked[2].difference) && ranked[3].difference > 1_000.0, "{ranked:?}");
-    // A record in which nothing changes is met exactly, too.
+    // A record without any change is fitted exactly, too.
     let still = fit(&constant, &["a"], &times, &vec![0.0; times.len()]);
     assert!(still.exact && still.aicc.unwrap().is_finite() && still.outliers.is_empty());
-    // One value that is off is an outlier beside rounding, too.
+    // An outlier among rounding errors is found, too.
     let mut values = values;
     values[30] += 1.0;
     assert_eq!(rows(&fit(&line, &["a", "s"], &times, &values)), [30]);
 }
 
-/// The verdict is about all that was measured: structure in a second column, or in a second record, counts.
+/// The verdict covers all measured values: structure in a second column, or in a second record, counts.
 #[test]
 fn verdicts_are_of_all_columns_and_records() {
     let model = model("parameter a = 1 [m]\nparameter b = 1 [m/s]\ny = a + 0*t*1[m/s]\nv = b + 0*t*1[m/s^2]");
@@ -179,13 +179,13 @@ fn verdicts_are_of_all_columns_and_records() {
         };
         let [apart, bad] = [&long, &structured].map(|long| records(long));
         assert_eq!(bad.verdict(), Verdict::Missed);
-        // They leave the same residuals, and so the same is said.
+        // They leave the same residuals, so the verdict is the same.
         assert_eq!(apart.verdict(), two.verdict());
         assert!((apart.autocorrelation - two.autocorrelation).abs() < 1e-9);
     }
 }
 
-/// What is stopped by its range costs nothing in AICc and is no determined number: one rule.
+/// A number stopped by its range does not count in AICc nor as a determined number.
 #[test]
 fn a_number_at_its_bound_is_not_counted() {
     let line = model("parameter a = 1 [m]\nparameter s = 0 [m/s] in -1..0.2\ny = a + s*t");
@@ -201,7 +201,7 @@ fn a_number_at_its_bound_is_not_counted() {
     assert!((stopped.bic - held.bic).abs() < 1e-9);
 }
 
-/// Correlated residuals tell less than as many independent ones, and so do the weights of theories.
+/// Correlated residuals carry less information than as many independent ones, which reduces the weights of theories.
 #[test]
 fn weights_of_evidence_count_independent_values() {
     let line = model(LINE);
@@ -220,8 +220,8 @@ fn weights_of_evidence_count_independent_values() {
     assert!((ranked[1].weight / ranked[0].weight / evidence - 1.0).abs() < 1e-9, "{ranked:?}");
 }
 
-/// Records with numbers of their own are known as well together as each alone: what belongs to another one has no score, and
-/// must not count in the choice of lags.
+/// Records with their own numbers are determined as well together as each alone: a number of another record has no score,
+/// and must not count in the choice of lags.
 #[test]
 fn numbers_of_another_record_do_not_change_the_errors() {
     let model = model(DAMPED_COSINE);
@@ -241,7 +241,7 @@ fn numbers_of_another_record_do_not_change_the_errors() {
     }
 }
 
-/// Residuals of one sign have no test of runs; that is no lack of values.
+/// Residuals of one sign have no runs test, which does not mean too few values.
 #[test]
 fn residuals_of_one_sign_are_autocorrelated() {
     let model = model("parameter a = 0.5 [m] in 0..1\ny = a + 0*t*1[m/s]");
@@ -255,7 +255,7 @@ fn residuals_of_one_sign_are_autocorrelated() {
     assert!(text.contains("autocorrelated"), "{text}");
 }
 
-/// A swing whose frequency no value of the range allows, and the same with a range that does.
+/// Oscillation whose frequency lies outside the range, and the same with a range that includes it.
 #[test]
 fn a_fit_that_misses_the_oscillation_says_so() {
     let times = frames(240);
@@ -279,7 +279,7 @@ fn neighbours_of_opposite_signs_are_not_random() {
         assert_eq!(outcome.verdict(), Verdict::Alternating, "{}", outcome.durbin_watson);
         assert!(outcome.verdict_text(Language::Spanish).contains("el mayor de los dos errores"));
     }
-    // Many numbers for few values make neighbours differ by themselves.
+    // Many parameters for few values make neighbouring residuals negatively correlated.
     let swing_model = self::model(DAMPED_COSINE);
     let times = frames(30);
     let verdicts: Vec<Verdict> = (0..100)
@@ -289,7 +289,7 @@ fn neighbours_of_opposite_signs_are_not_random() {
     assert!(random >= 97, "{random} of 100: {verdicts:?}");
 }
 
-/// Given errors that are wrong are part of the verdict, however few values there are.
+/// Wrong given errors are part of the verdict, however few values there are.
 #[test]
 fn chi_square_judges_few_values_too() {
     let model = model(LINE);
@@ -314,7 +314,7 @@ fn a_curve_through_noise_explains_nothing() {
             let mut verdict = || {
                 let values = noisy(&times, &mut noise, 0.0, |_| 2e-3);
                 let observed = record(vec![observation(model, "y", 0, &times, &values)]);
-                // A search through noise need not come to its end.
+                // A search in pure noise may not converge.
                 let mut fit = Fit::new(model, task(model, observed, names)).unwrap();
                 fit.complete();
                 fit.outcome().unwrap().verdict()
@@ -322,7 +322,7 @@ fn a_curve_through_noise_explains_nothing() {
             let nothing = (0..20).filter(|_| verdict() == Verdict::Nothing).count();
             assert!(nothing >= 18, "{count} {names:?}: {nothing} of 20");
         }
-        // An amplitude as large as the noise is seen.
+        // An amplitude as large as the noise is detected.
         let weak = |time: f64| SIGMA * libm::cos(9.6 * time + 0.5);
         let outcome = fit(&swing_model, &DAMPED_COSINE_NAMES, &times, &noisy(&times, &mut noise, 0.0, weak));
         assert_eq!(outcome.verdict(), Verdict::Compatible, "{count}: {}", outcome.r2);

@@ -1,4 +1,5 @@
-//! Fits of columns that come to rest by dry friction, whose sum of squares has a kink wherever the number of swings changes.
+//! Fits of columns that come to rest by dry friction, whose sum of squares has a kink wherever the number of half
+//! oscillations changes.
 
 use crate::support::Noise;
 use crate::support::fitting::{model, observation, record, task};
@@ -42,13 +43,13 @@ pub fn level(
 
 const NAMES: [&str; 6] = ["L", "gamma", "mu", "y_0", "c", "v_0"];
 
-/// A record of dry friction with other numbers for each seed: the task, the true values, and whether `v_0` is fixed.
+/// Record of dry friction with random parameters for each seed: the task, the true values, and true if `v_0` is fixed.
 fn dry(model: &Model, seed: u64) -> (Task, Vec<f64>) {
     let mut random = Noise::new(1000 + seed);
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
     let held = seed.is_multiple_of(2);
     let [l, gamma, y_0] = [between(0.18, 0.32), between(0.05, 0.5), between(0.02, 0.05)];
-    // So many half swings it would make without the other friction.
+    // Number of half oscillations without the other friction.
     let mu = 9.8 / l * y_0 / libm::exp(between(1.0, 3.2));
     let y_0 = if seed.is_multiple_of(3) { -y_0 } else { y_0 };
     let (c, v_0) = (between(-0.004, 0.004), if held { 0.0 } else { between(-0.2, 0.2) });
@@ -60,7 +61,7 @@ fn dry(model: &Model, seed: u64) -> (Task, Vec<f64>) {
     (task(model, record(vec![observation(model, "y", 0, &times, &values)]), names), truth[..names.len()].to_vec())
 }
 
-/// The sum of squares of a fit from the document's own values, in units of the one that is found from the true values.
+/// Sum of squares of a fit from the document's own values, divided by that of a fit from the true values.
 fn found(model: &Model, seed: u64) -> f64 {
     let (task, truth) = dry(model, seed);
     let mut fit = Fit::new(model, task.clone()).unwrap();
@@ -80,7 +81,7 @@ fn found(model: &Model, seed: u64) -> f64 {
 #[test]
 fn dry_friction_is_found() {
     let model = theory("dry-friction");
-    // Of these, the search from the own values alone ends in another minimum for the first two.
+    // For the first two of these, the search from the own values alone ends in another minimum.
     for seed in [4, 18, 9, 12] {
         let ratio = found(&model, seed);
         assert!(ratio < 1.0 + 1e-6, "seed {seed}: {ratio}");

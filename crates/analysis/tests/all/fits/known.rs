@@ -1,4 +1,4 @@
-//! What a fit knows, and what it knows that it cannot know.
+//! Fits with known results, and reports of what is not determined.
 
 use crate::support::Noise;
 use crate::support::fitting::{fitted, model, observation, parameter, record, task, value};
@@ -17,7 +17,7 @@ fn noisy(times: &[f64], sigma: f64, seed: u64, truth: impl Fn(f64) -> f64) -> Ve
     times.iter().map(|&time| truth(time) + sigma * noise.normal()).collect()
 }
 
-/// By how many standard errors an estimate is off.
+/// Deviation of an estimate in standard errors.
 fn off(outcome: &Outcome, name: &str, truth: f64) -> f64 {
     let estimate = outcome.estimate(name).unwrap();
     (estimate.value - truth) / estimate.stderr.unwrap()
@@ -65,7 +65,7 @@ fn damping_and_density_are_known_as_a_quotient_only() {
         let estimate = outcome.estimate(name).unwrap();
         assert!(!estimate.determined && estimate.stderr.is_none() && estimate.stderr_hac.is_none());
     }
-    // What depends on the quotient is known as if one of both had been.
+    // A quantity that depends on the quotient is as certain as if one of the two were known.
     let known = fitted(&model, task(&model, record, &["b", "g"]));
     assert_eq!((outcome.dof, known.undetermined.len()), (198, 0));
     for name in ["g", "gamma"] {
@@ -87,7 +87,7 @@ fn what_changes_nothing_is_named_and_left_alone() {
     assert_eq!(value(&outcome, "q"), 3.0);
     let without = fitted(&model, task(&model, record, &["b", "g"]));
     assert!((value(&outcome, "b") / value(&without, "b") - 1.0).abs() < 1e-6);
-    // It costs nothing in the criterion either.
+    // It does not count in the criterion either.
     assert!((outcome.aicc.unwrap() - without.aicc.unwrap()).abs() < 1e-6);
 }
 
@@ -159,14 +159,14 @@ fn records_share_what_is_common() {
     for (estimate, truth) in outcome.parameters.iter().zip([1.5, 2.5, 3.5, 9.81]) {
         assert!((estimate.value - truth).abs() < 3.0 * estimate.stderr.unwrap(), "{estimate:?}");
     }
-    // Three records know g better than one, by the root of three.
+    // Three records determine g better than one, by a factor of the square root of three.
     let alone = fitted(&fall, task(&fall, records[0].clone(), &["h", "g"]));
     let gain = alone.estimate("g").unwrap().stderr.unwrap() / outcome.estimate("g").unwrap().stderr.unwrap();
     assert!((1.5..2.0).contains(&gain), "{gain}");
     assert_eq!((outcome.n, outcome.dof), (120, 116));
 }
 
-/// Of three columns of different lengths with one friction: what was found is found again at once, from there alone.
+/// Three columns of different lengths with one friction: a fit resumed from the answer finds it at once, from one start.
 #[test]
 fn a_known_answer_is_found_again() {
     let column = model(
@@ -185,7 +185,7 @@ x'(0) = 0
         move |t: f64| 0.05 * libm::exp(-0.4 * t) * (libm::cos(omega * t) + 0.4 / omega * libm::sin(omega * t))
     };
     let records = [0.18, 0.24, 0.3].into_iter().zip(1..).map(|(length, seed)| {
-        // Each film has a clock of its own.
+        // Each film has its own clock.
         let clock: Vec<f64> = times.iter().map(|time| time + seed as f64).collect();
         let values = noisy(&times, 5e-4, seed, swing(length));
         record(vec![observation(&column, "x", 0, &clock, &values)])
@@ -207,13 +207,13 @@ x'(0) = 0
     for (one, other) in first.parameters.iter().zip(&second.parameters) {
         assert!((one.value - other.value).abs() < 1e-4 * one.stderr.unwrap(), "{one:?} {other:?}");
     }
-    // Values that belong to another task are none to begin from.
+    // Values of another task are not used as a start.
     let mut anew = Fit::again(&column, together, &found[..2]).unwrap();
     anew.complete();
     assert!((anew.outcome().unwrap().chi2 / first.chi2 - 1.0).abs() < 1e-9);
 }
 
-/// Velocities that are differences of the positions add nothing; those that were measured by themselves do.
+/// Velocities that are differences of the positions add no information; independently measured ones do.
 #[test]
 fn a_column_made_from_another_is_no_second_witness() {
     let swing = model(
@@ -268,7 +268,7 @@ fn given_errors_are_taken_at_their_word() {
     let error = |outcome: &Outcome| outcome.estimate("s").unwrap().stderr.unwrap();
     assert!((error(&large) / error(&right) - 2.0).abs() < 1e-9);
     assert!((error(&none) / error(&right) - reduced(&right).sqrt()).abs() < 1e-9);
-    // Robust errors go by what the residuals are, not by what they are said to be.
+    // Robust errors follow from the residuals, not from the given errors.
     let robust = |outcome: &Outcome| outcome.estimate("s").unwrap().stderr_hac.unwrap();
     assert!((robust(&large) / robust(&none) - 1.0).abs() < 1e-9);
 }
@@ -288,7 +288,7 @@ fn the_rest_of_a_record_is_predicted() {
     let some = part(Some(1.0), Some(4.0));
     let fit = &some.observations[0];
     let outside = fit.outside.unwrap();
-    // Both ends belong to the part.
+    // Both ends belong to the fitted part.
     assert_eq!((some.n, outside.n, fit.times.len()), (31, 69, 100));
     let squares = fit.measured.iter().zip(&fit.fitted).zip(&fit.inside).filter(|(_, inside)| !**inside);
     let sum = squares.fold(0.0, |sum, ((measured, fitted), _)| sum + (measured - fitted) * (measured - fitted));
@@ -307,7 +307,7 @@ fn what_is_stopped_by_its_range_has_no_error() {
     let outcome = fitted(&line, task(&line, observed(), &["a", "s"]));
     let stopped = outcome.estimate("s").unwrap();
     assert!(stopped.at_bound && stopped.value == 0.2 && stopped.stderr.is_none());
-    // Nor has what follows from it alone.
+    // A quantity that depends only on it has no error either.
     let slope = outcome.estimate("slope").unwrap();
     assert_eq!((slope.value, slope.stderr, slope.stderr_hac, slope.at_bound), (0.4, None, None, true));
     assert_eq!(slope.stopped_text(Language::English), Some("no error: its parameter is at the end of the range"));
@@ -318,14 +318,14 @@ fn what_is_stopped_by_its_range_has_no_error() {
     let held = fitted(&line, held);
     let [one, other] = [&outcome, &held].map(|outcome| outcome.estimate("a").unwrap().clone());
     assert!((one.value - other.value).abs() < 1e-12 && (one.stderr.unwrap() - other.stderr.unwrap()).abs() < 1e-12);
-    // A wider range given for the fit takes the place of the parameter's own.
+    // A wider range given for the fit replaces that of the parameter.
     let mut wide = task(&line, observed(), &["a", "s"]);
     wide.varied[1].bounds = Some((-1.0, 1.0));
     let wide = fitted(&line, wide);
     assert!(!wide.estimate("s").unwrap().at_bound && off(&wide, "s", 0.3).abs() < 3.0);
 }
 
-/// A sluggish follower of a decay: x' = -k (x - a e^(-rt)) with k ten thousand times r.
+/// Stiff relaxation towards a decay: x' = -k (x - a e^(-rt)) with k ten thousand times r.
 #[test]
 fn stiff_equations_are_fitted_by_their_method() {
     let follower = model(

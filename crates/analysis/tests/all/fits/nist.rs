@@ -124,7 +124,8 @@ fn certified_values_are_reached_from_both_starts() {
         for start in 0..2 {
             let what = format!("{} from start {}", problem.name, start + 1);
             let outcome = fitted(&problem.model, problem.task(|one| one.starts[start]));
-            // Lanczos1 is exact: its residuals are the rounding of its data to 14 digits, and depend on how one computes.
+            // Lanczos1 is exact: its residuals are the rounding of its data to 14 digits, and depend on the order of
+            // operations.
             let exact = problem.name == "Lanczos1";
             let [values, deviations] = if exact { [1e-9, 1e-2] } else { [2e-8, 2e-8] };
             let near = |found: f64, certified: f64, tolerance: f64| (found / certified - 1.0).abs() < tolerance;
@@ -147,7 +148,7 @@ fn certified_values_are_reached_from_both_starts() {
 fn the_files_are_true_copies() {
     for problem in problems() {
         let mut task = problem.task(|one| one.certified);
-        // Nothing moves: the bounds hold every number where it is certified.
+        // Nothing is fitted: the bounds hold every parameter at its certified value.
         for (varied, one) in task.varied.iter_mut().zip(&problem.parameters) {
             varied.bounds = Some((one.certified.next_down(), one.certified.next_up()));
         }
@@ -160,13 +161,13 @@ fn the_files_are_true_copies() {
     }
 }
 
-/// A start that is ten times too large or too small is enough for most problems. What is asked for is the least sum, not one
-/// of several answers that give it.
+/// A start that is ten times too large or too small is sufficient for most problems. The test requires the least sum of
+/// squares, not one of several answers that give it.
 #[test]
 fn most_starts_ten_times_off_lead_there() {
     let mut missed = Vec::new();
     for problem in problems() {
-        // Local minima without number: peaks and periods far from where they are.
+        // Many local minima: peaks and periods far from their true values.
         if ["Gauss1", "Gauss2", "Gauss3", "ENSO", "Thurber"].contains(&problem.name) {
             continue;
         }

@@ -1,5 +1,5 @@
-//! Fits of a part of a record: initial values hold where the part begins, so that the rows before it might as well not be
-//! there. And what a fit refuses to leave out.
+//! Fits of a part of a record: initial values hold where the part begins, so that earlier rows have no influence. Also:
+//! values that a fit refuses to leave out.
 
 use crate::support::fitting::{fitted, model, observation, record, task, value};
 use crate::support::{Noise, utube};
@@ -20,7 +20,8 @@ y = x + c
 ";
 const NAMES: [&str; 5] = ["L", "beta", "y_0", "v_0", "c"];
 
-/// A film of a damped column, 30 frames a second. The first second belongs to another motion: a hand lets go.
+/// Film of a damped column at 30 frames per second. The first second belongs to another motion: the column is released by
+/// hand.
 fn film(seed: u64, start: f64) -> (Vec<f64>, Vec<f64>) {
     let mut noise = Noise::new(seed);
     let row = |frame: u32| {
@@ -35,7 +36,7 @@ fn part(model: &Model, (times, values): &(Vec<f64>, Vec<f64>), from: Option<f64>
     Task { from, ..task(model, record(vec![observation(model, "y", 0, times, values)]), &NAMES) }
 }
 
-/// The record without the rows before `from`, as an editor would leave it.
+/// Record without the rows before `from`.
 fn cut((times, values): &(Vec<f64>, Vec<f64>), from: f64) -> (Vec<f64>, Vec<f64>) {
     times.iter().zip(values).filter(|(time, _)| **time >= from).map(|(time, value)| (*time, *value)).unzip()
 }
@@ -60,14 +61,14 @@ fn initial_values_hold_where_the_fitted_part_begins() {
         assert_same(&outcome, &alone, &format!("from {from}"));
         let first = film.0.iter().position(|time| *time >= from).unwrap();
         assert_eq!(outcome.origins, [film.0[first]]);
-        // What lies before is kept beside the curve, but nothing is predicted of it.
+        // Earlier rows are kept in the result, but nothing is predicted of them.
         let one = &outcome.observations[0];
         assert_eq!((one.early, one.times.len()), (first, film.0.len()));
         assert!(one.fitted[..first].iter().all(|value| value.is_nan()));
         assert!(one.fitted[first..].iter().all(|value| value.is_finite()));
         assert!(one.outside.is_none());
     }
-    // The rest is predicted, forwards only.
+    // Later rows are predicted.
     let mut middle = part(&model, &film, Some(1.5));
     middle.until = Some(4.0);
     let middle = fitted(&model, middle);
@@ -79,12 +80,12 @@ fn initial_values_hold_where_the_fitted_part_begins() {
 #[test]
 fn gaps_offsets_and_several_records_begin_where_their_part_begins() {
     let model = model(QUADRATIC);
-    // A gap where the part would begin: the first value that is there counts.
+    // With a gap at the beginning of the part, the first measured value is used.
     let mut gap = film(2, 0.0);
     let first = gap.0.iter().position(|time| *time >= 1.5).unwrap();
     gap.1[first] = f64::NAN;
     assert_eq!(fitted(&model, part(&model, &gap, Some(1.5))).origins, [gap.0[first + 1]]);
-    // Two films with clocks of their own, and a scale whose zero is found.
+    // Two films with their own clocks, and an offset that is fitted.
     let films = [film(3, 0.0), film(4, 0.62)];
     let together = |films: [&(Vec<f64>, Vec<f64>); 2], from: Option<f64>| {
         let mut task = part(&model, films[0], from);
@@ -98,7 +99,7 @@ fn gaps_offsets_and_several_records_begin_where_their_part_begins() {
     let outcome = together([&films[0], &films[1]], Some(2.0));
     assert_same(&outcome, &together([&cuts[0], &cuts[1]], None), "two films");
     assert!(outcome.origins[0] != outcome.origins[1]);
-    // An origin that is given stays, and so does one that is varied.
+    // A given origin is kept, and so is a varied one.
     let mut given = part(&model, &films[0], Some(2.0));
     given.records[0].origin = Some(1.5);
     let given = fitted(&model, given);
@@ -106,7 +107,7 @@ fn gaps_offsets_and_several_records_begin_where_their_part_begins() {
     assert_eq!(given.observations[0].outside.unwrap().n, 15);
 }
 
-/// Where the time stands in the equations, or in a formula, the clock is the record's whatever is fitted.
+/// If the time occurs in the equations, or in a formula, the clock of the record is used whatever part is fitted.
 #[test]
 fn a_clock_that_counts_is_left_alone() {
     let driven = model(
@@ -140,7 +141,7 @@ fn measured_columns_are_fitted_as_if_the_rows_before_were_not_there() {
     }
 }
 
-/// Nothing is left out of a fit, and nothing is begun, with numbers that are none.
+/// A fit with numbers that are not finite is refused.
 #[test]
 fn what_is_no_number_is_refused() {
     let model = model("parameter a = 1 [m]\nparameter s = 0 [m/s]\ny = a + s*t");
@@ -173,7 +174,7 @@ fn what_is_no_number_is_refused() {
     let mut parameter = good();
     parameter.parameters[0] = f64::NAN;
     assert_eq!(refused(parameter), FitError::BadValue(0));
-    // Of several records, one without a value would have numbers that nothing determines.
+    // Of several records, one without a value would leave its parameters undetermined.
     let mut empty = good();
     let late: Vec<f64> = times.iter().map(|time| time + 100.0).collect();
     empty.records.push(Record { ..record(vec![observation(&model, "y", 0, &late, &times)]) });
@@ -182,7 +183,7 @@ fn what_is_no_number_is_refused() {
     assert_eq!(refused(empty), FitError::RecordEmpty(1));
 }
 
-/// Each seed would have a minimum of its own.
+/// Each seed would give another minimum.
 #[test]
 fn what_draws_at_random_is_refused() {
     let model = model("random seed = 1\nparameter a = 1\ndiscrete y = a + normal(0, 1)");

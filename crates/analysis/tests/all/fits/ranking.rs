@@ -1,4 +1,4 @@
-//! Which theory a ranking prefers, for records of known truth.
+//! Ranking of theories for records of known truth.
 
 use super::kinks::{level, theory};
 use crate::support::Noise;
@@ -22,7 +22,7 @@ fn fit(model: &Model, names: &[&str], (times, values): &(Vec<f64>, Vec<f64>)) ->
     fit.outcome().unwrap()
 }
 
-/// A record of a theory with other numbers for each seed, noise 0.3 mm.
+/// Record of a theory with random parameters for each seed, noise 0.3 mm.
 fn of_truth(truth: &str, seed: u64) -> (Vec<f64>, Vec<f64>) {
     let mut random = Noise::new(5000 + seed);
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
@@ -38,7 +38,8 @@ fn of_truth(truth: &str, seed: u64) -> (Vec<f64>, Vec<f64>) {
     level(&theory(truth), &numbers, (30.0, 8.0), (3e-4, seed))
 }
 
-/// Ranks theories of one record. No theory that ties with a simpler one may stand before it. The weight of the truth.
+/// Ranks theories of one record, and checks that no theory stands before a simpler one with which it ties. Returns the
+/// weight of the true theory.
 fn weight_of_truth(truth: &str, seed: u64, theories: &[(&str, &[&str])]) -> f64 {
     let data = of_truth(truth, seed);
     let outcomes: Vec<Outcome> = theories.iter().map(|(name, names)| fit(&theory(name), names, &data)).collect();
@@ -62,7 +63,7 @@ fn weight_of_truth(truth: &str, seed: u64, theories: &[(&str, &[&str])]) -> f64 
 
 #[test]
 fn what_gives_the_same_curve_shares_a_place() {
-    // The larger theory stands first in the list.
+    // The larger theory comes first in the list.
     let theories = [THEORIES[2], THEORIES[0], THEORIES[1]];
     for (truth, seed) in [("linear", 1), ("linear", 2), ("linear", 3), ("quadratic", 1), ("quadratic", 2)] {
         assert!(weight_of_truth(truth, seed, &theories) > 0.05, "{truth} {seed}");
@@ -93,7 +94,7 @@ fn a_tie_is_said() {
     assert!(said(Language::Spanish).starts_with("«line» y «bent» dan la misma curva"));
 }
 
-/// In how many of fifty records the truth gets less than 0.05 of the evidence among all theories.
+/// Number of records of fifty in which the true theory gets less than 0.05 of the weight among all theories.
 fn fifty(truth: &str) {
     let lost = (1..=50).filter(|&seed| weight_of_truth(truth, seed, &THEORIES) < 0.05).count();
     println!("{truth}: lost in {lost} of 50");

@@ -1,4 +1,4 @@
-//! Robust losses: published results, good values, and values that are none.
+//! Robust losses: published results, good values, and outliers.
 
 use crate::support::Noise;
 use crate::support::fitting::{fitted, model, observation, record, task, value};
@@ -11,8 +11,8 @@ fn with(loss: Loss, task: &Task) -> Task {
     Task { loss, ..task.clone() }
 }
 
-/// The plant of Brownlee (1965), the usual example: what the function `rlm` of Venables & Ripley's package MASS (Modern Applied
-/// Statistics with S, 2002, section 6.5) prints for it.
+/// Stack loss data of Brownlee (1965), with the output of the function `rlm` of Venables & Ripley's package MASS (Modern
+/// Applied Statistics with S, 2002, section 6.5).
 #[test]
 fn published_results_are_found() {
     let flow = [80, 80, 75, 62, 62, 62, 62, 62, 58, 58, 58, 58, 58, 58, 50, 50, 50, 50, 50, 56, 70];
@@ -50,7 +50,7 @@ fn published_results_are_found() {
         let found = outcome.reweighted.as_ref().map(|robust| robust.scale);
         assert!(found.zip(scale).is_none_or(|(found, scale)| (found - scale).abs() < 2e-3), "{loss:?}: {found:?}");
         assert_eq!(found.is_some(), scale.is_some());
-        // What least squares finds is kept beside it.
+        // The least-squares estimate is reported beside it.
         if let Some(robust) = &outcome.reweighted {
             assert!((robust.least_squares[0] + 39.9197).abs() < 1e-3);
             assert!(outcome.r2.is_nan() && outcome.aicc.unwrap().is_finite());
@@ -58,7 +58,7 @@ fn published_results_are_found() {
     }
 }
 
-/// Of normal values a robust loss finds nearly the same, with errors larger by 1/sqrt(0.95); these hold the truth as often.
+/// For normal errors a robust loss finds nearly the same values, with errors larger by 1/sqrt(0.95) and the same coverage.
 #[test]
 fn good_values_lose_little() {
     let model = model(LINE);
@@ -83,7 +83,7 @@ fn good_values_lose_little() {
     assert!(inside.iter().all(|inside| (120..=150).contains(inside)), "{inside:?}");
 }
 
-/// A tenth of the values are off to one side: the truth is found, and the errors hold it.
+/// A tenth of the values are off to one side: the true values are found, within the errors.
 #[test]
 fn bad_values_do_little_harm() {
     let model = model(
@@ -118,7 +118,7 @@ x'(0) = 0
         let rows: Vec<usize> = robust.outliers.iter().map(|one| one.row).collect();
         assert_eq!(rows, (0..15).map(|one| 10 * one + 3).collect::<Vec<_>>(), "{loss:?}");
         assert_eq!(robust.verdict(), Verdict::Compatible);
-        // It is found again from its own answer.
+        // A fit resumed from its answer gives the same answer.
         if loss == Loss::Huber {
             continue;
         }
@@ -136,7 +136,7 @@ x'(0) = 0
     assert!(error(&squares) > 2.5 * error(&robust), "{} {}", error(&squares), error(&robust));
 }
 
-/// Theories are ranked by the same likelihood for all: the right one first, outliers or not.
+/// Theories are ranked by the same likelihood: the true one first, with and without outliers.
 #[test]
 fn theories_are_ranked_with_outliers() {
     let line = model(LINE);

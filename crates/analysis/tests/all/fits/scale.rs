@@ -1,4 +1,4 @@
-//! The scale of a film, which all lengths of a record share, as a number with a prior.
+//! Scale of a film, common to all lengths of a record, as a number with a prior.
 
 use crate::support::Noise;
 use crate::support::fitting::{
@@ -29,7 +29,7 @@ parameter c = 0.3 [m]
 y = c - g*t^2/2
 ";
 
-/// What the model gives at its own values.
+/// Values of the model at its own parameters.
 fn curve(model: &Model, name: &str, times: &[f64]) -> Vec<f64> {
     let mut task = task(model, record(vec![observation(model, name, 0, times, times)]), &[]);
     let own = model.parameters[0].value;
@@ -57,14 +57,14 @@ fn with_errors(observation: Observation) -> Observation {
     Observation { errors: Some(vec![NOISE; observation.values.len()]), ..observation }
 }
 
-/// How far an estimate is off the model's own value, and its error.
+/// Deviation of an estimate from the model's own value, and its error.
 fn off(outcome: &Outcome, model: &Model, name: &str) -> (f64, f64) {
     let estimate = outcome.estimate(name).unwrap();
     (estimate.value - model.parameters[parameter(model, name)].value, estimate.stderr_hac.unwrap())
 }
 
-/// A scale that is 1 % wrong: the length is wrong by that, and its error says so; times and rates, and how good the fit is, are
-/// what they would be without the number.
+/// A scale that is 1 % wrong: the length is wrong by as much, and its error covers this. Times, rates and the quality of
+/// the fit are the same as without the scale.
 #[test]
 fn a_wrong_scale_is_in_the_errors_of_lengths_alone() {
     let model = swing();
@@ -100,7 +100,8 @@ fn a_wrong_scale_is_in_the_errors_of_lengths_alone() {
     }
 }
 
-/// Where the scale stands in the way of nothing else, the data determine it: here g is known. Its prior then no longer counts.
+/// If no other number can compensate for the scale, the data determine it: here g is known. Its prior then has no
+/// influence.
 #[test]
 fn data_determine_the_scale_where_another_length_is_known() {
     let model = model(FALL);
@@ -115,7 +116,7 @@ fn data_determine_the_scale_where_another_length_is_known() {
         let [scale] = outcome.scales[..] else { panic!("{:?}", outcome.scales) };
         let error = scale.stderr.unwrap();
         assert!(error < 0.002 && (scale.value - 1.03).abs() < 3.0 * error, "{scale:?}");
-        // The curve is that of the film.
+        // The curve includes the scale of the film.
         assert!(outcome.rmse < 1.3 * NOISE);
         assert_eq!(outcome.dof, 59);
     }
@@ -140,11 +141,11 @@ fn columns_share_a_scale_and_records_do_not() {
     let both = fitted(&model, both);
     assert_eq!(both.scales.iter().map(|scale| scale.record).collect::<Vec<_>>(), [0, 1]);
     let [(_, alone), (_, together)] = [&one, &both].map(|outcome| off(outcome, &model, "A"));
-    // Two rulers are better than one.
+    // Two rulers give a smaller error than one.
     assert!((alone / together / std::f64::consts::SQRT_2 - 1.0).abs() < 0.02, "{alone} {together}");
 }
 
-/// Of a pendulum that is seen in both coordinates, g follows from its length; an equation of motion.
+/// For a pendulum seen in both coordinates, g follows from its length; an equation of motion.
 #[test]
 fn g_of_a_pendulum_has_the_error_of_the_scale() {
     let model = model(PENDULUM);
@@ -159,7 +160,7 @@ fn g_of_a_pendulum_has_the_error_of_the_scale() {
     let (wrong, error) = off(&with, &model, "g");
     assert!(wrong.abs() > 5.0 * off(&without, &model, "g").1 && wrong.abs() < 1.3 * error, "{wrong} {error}");
     assert!((error / 0.098 - 1.0).abs() < 0.1, "{error}");
-    // The swing is an angle.
+    // The oscillation is an angle.
     let [(one, sigma), (other, before)] = [&with, &without].map(|outcome| off(outcome, &model, "theta_0"));
     assert!((one - other).abs() < 0.01 * before && (sigma / before - 1.0).abs() < 0.01);
 }
@@ -173,7 +174,7 @@ fn two_of_three_intervals_contain_the_truth() {
     for (loss, given) in [(Loss::Squares, true), (Loss::Squares, false), (Loss::Huber, false)] {
         let mut inside = [0; 5];
         for _ in 0..200 {
-            // The scale and the noise have equal parts in the error of A.
+            // The scale and the noise contribute equally to the error of A.
             let scale = 1.0 + 5e-4 * noise.normal();
             let values: Vec<f64> = clean.iter().map(|value| scale * value + NOISE * noise.normal()).collect();
             let mut observed = observation(&model, "y", 0, &times, &values);
@@ -213,7 +214,7 @@ fn an_angle_has_no_scale_and_a_bad_error_is_refused() {
     }
 }
 
-/// A fit that is made again from its answer is the same.
+/// A fit resumed from its answer gives the same result.
 #[test]
 fn again_from_the_answer() {
     let model = swing();

@@ -1,11 +1,11 @@
-//! Values that stand for a missing measurement: they are named, and not the good ones.
+//! Values that stand for a missing measurement: they are reported as outliers, and good values are not.
 
 use crate::support::Noise;
 use crate::support::fitting::{DAMPED_COSINE, DAMPED_COSINE_NAMES, model, observation, record, task, value};
 use analysis::fit::{Fit, Loss, Outcome, Task, Verdict};
 use units::Language;
 
-/// The fit of 100 good values, those of some rows replaced.
+/// Fit of 100 good values, of which some rows are replaced.
 fn fit(loss: Loss, replaced: &[(usize, f64)]) -> Outcome {
     let model = model(DAMPED_COSINE);
     let mut noise = Noise::new(9);
@@ -30,7 +30,7 @@ fn the_sentinel_is_named_and_no_good_value() {
                 assert_eq!(named, rows, "{loss:?} {sentinel}");
                 assert!(outcome.outliers.iter().all(|one| one.sigmas * sentinel > 0.0));
                 assert_eq!(outcome.misled, outcome.verdict() == Verdict::Misled);
-                // Whoever is not misled has found the truth.
+                // A fit that is not misled has found the true values.
                 assert!(
                     outcome.misled || (value(&outcome, "gamma") - 0.4).abs() < 0.02,
                     "{loss:?} {sentinel} {rows:?}"
@@ -50,14 +50,14 @@ fn the_sentinel_is_named_and_no_good_value() {
     assert!(!fit(Loss::Huber, &[(40, 9999.0)]).misled);
 }
 
-/// The other minima of least squares are none of a robust loss.
+/// The other minima of least squares are not minima of a robust loss.
 #[test]
 fn a_robust_loss_has_no_rival_of_least_squares() {
     assert!(fit(Loss::Squares, &[(40, 9999.0)]).rival.is_some());
     assert!(fit(Loss::Tukey, &[(40, 9999.0)]).rival.is_none());
 }
 
-/// A curve that describes all values is led by none of them, however far away one is.
+/// A curve that describes all values is not misled, however far away one is.
 #[test]
 fn a_first_value_far_from_the_others_may_be_right() {
     let model = model("parameter A = 1 [m]\nparameter gamma = 2 [1/s]\ny = A*exp(-gamma*t)");

@@ -1,4 +1,4 @@
-//! Fits that end at a frequency above half the sampling rate: the residuals cannot show it.
+//! Fits that end at a frequency above half the sample rate, which residuals cannot show.
 
 use crate::support::fitting::{fitted, model, observation, record, task, value};
 
@@ -7,7 +7,7 @@ fn swing(time: f64) -> f64 {
     0.05 * libm::exp(-0.1 * time) * libm::cos(core::f64::consts::TAU * time + 0.5) + 0.002
 }
 
-/// What is found of it from a start at `start` Hz: the frequency, and the records that are undersampled.
+/// Fit of it from a start at `start` Hz: the frequency found, and the records that are undersampled.
 fn found(times: &[f64], start: f64) -> (f64, Vec<usize>) {
     let text = format!(
         "parameter A = 0.05 [m]\nparameter gamma = 0.1 [1/s]\nparameter f = {start} [Hz]\nparameter phi = 0.5\n\
@@ -33,7 +33,7 @@ fn an_alias_is_named() {
         assert!((frequency - alias).abs() < 1e-3, "{rate} {start}: {frequency}");
         assert_eq!(undersampled, [0], "{rate} {start}");
     }
-    // Missing frames leave the step as it is.
+    // Missing frames do not change the step.
     let mut times = samples(3.0, 60);
     [40, 23, 22, 7].into_iter().for_each(|row| _ = times.remove(row));
     assert_eq!(found(&times, 4.0).1, [0]);
@@ -48,7 +48,7 @@ fn an_oscillation_below_half_the_sampling_rate_is_none() {
     }
 }
 
-/// Samples at uneven times tell a fast oscillation from a slow one.
+/// Samples at uneven times distinguish a fast oscillation from a slow one.
 #[test]
 fn uneven_samples_have_no_alias() {
     let times: Vec<f64> = (0..60).map(|row| f64::from(row) + 0.3 * libm::sin(2.4 * f64::from(row))).collect();

@@ -1,4 +1,4 @@
-//! What data cannot determine is named: numbers that change nothing, combinations, numbers that can exchange their values.
+//! Undetermined numbers are reported: numbers without effect, combinations, numbers that can exchange their values.
 
 use crate::support::Noise;
 use crate::support::fitting::{DAMPED_COSINE, DAMPED_COSINE_NAMES, model, observation, record, task};
@@ -6,7 +6,7 @@ use analysis::fit::{Fit, Lack, Outcome, Undetermined, Verdict};
 use engine::Method;
 use units::Language;
 
-/// The outcome of a fit of `name`, which `text` states.
+/// Outcome of a fit of `name` for the model `text`.
 fn fit(text: &str, name: &str, names: &[&str], data: &(Vec<f64>, Vec<f64>), method: Method) -> Outcome {
     let model = model(text);
     let mut task = task(&model, record(vec![observation(&model, name, 0, &data.0, &data.1)]), names);
@@ -70,7 +70,7 @@ fn a_product_of_three_is_named() {
     assert_eq!((found[0].names.len(), &found[0].combinations[..]), (3, &["a*b^2/d".to_owned()][..]));
 }
 
-/// A saturation far below its half: only the slope at the beginning is seen.
+/// Saturation far below its half: only the initial slope is visible.
 #[test]
 fn a_combination_that_is_determined_much_better_is_named() {
     let text = "parameter a = 8 [m] in 0..1e6\nparameter K = 8 [s] in 0.1..1e6\ny = a*t/(K + t)";
@@ -79,7 +79,7 @@ fn a_combination_that_is_determined_much_better_is_named() {
     assert_eq!(found.len(), 1, "{:?}", outcome.parameters);
     assert_eq!(found[0].combinations, ["a/K"]);
     assert!(found[0].text(Language::Spanish).contains("a/K"));
-    // With values up to the half, both are known.
+    // With values up to the half, both parameters are determined.
     let outcome = fit(text, "y", &["a", "K"], &data(60, 30.0, 0.06, |t| 10.0 * t / (20.0 + t)), Method::DormandPrince);
     assert_eq!(outcome.undetermined, []);
 }
@@ -108,15 +108,15 @@ C(0) = 0
     let pair = [["p".to_owned(), "q".to_owned()].to_vec()];
     assert_eq!(exchanged("C", &["p", "q"], &of_c), pair);
     assert_eq!(exchanged("B", &["N", "p", "q"], &of_b), pair);
-    // With a known number at the start, B tells which is which.
+    // With a known value at the start, B breaks the symmetry.
     assert!(exchanged("B", &["p", "q"], &of_b).is_empty());
-    // And so does an oscillation.
+    // So does an oscillation.
     let swing = |t: f64| 0.05 * libm::exp(-0.4 * t) * libm::cos(9.0 * t);
     let outcome = fit(DAMPED_COSINE, "y", &DAMPED_COSINE_NAMES, &data(100, 5.0, 1e-3, swing), Method::DormandPrince);
     assert_eq!(outcome.undetermined, []);
 }
 
-/// While a fit is refined, its sum of squares never grows, except by what the integration is made more exact.
+/// While a fit is refined, its sum of squares never grows, except by the higher accuracy of the integration.
 #[test]
 fn a_fit_never_ends_above_the_best_that_it_had() {
     let sum = "parameter a = 1\nparameter b = 2\nparameter p = 3 [1/s]\nparameter q = 0.1 [1/s]\ny = a*exp(-p*t) + b*exp(-q*t)";

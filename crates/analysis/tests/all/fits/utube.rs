@@ -1,5 +1,5 @@
-//! The measured liquid column, against the published fits of it. The reference data lie beside the project; without them
-//! these tests say so and do nothing.
+//! Measured liquid column, compared with the published fits. The reference data are not part of the project; without them
+//! these tests print a message and do nothing.
 
 use crate::support::fitting::{fitted, model, observation, record, task, value};
 use crate::support::utube;

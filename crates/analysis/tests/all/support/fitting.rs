@@ -1,4 +1,4 @@
-//! What the tests of fits share.
+//! Helpers for the tests of fits.
 use analysis::fit::{Fit, Observation, Outcome, Record, Task, Varied};
 use program::Model;
 
@@ -11,10 +11,10 @@ parameter phi = 0.5
 parameter c = 0.002 [m]
 y = A*exp(-gamma*t)*cos(omega*t + phi) + c
 ";
-/// What is varied in it.
+/// Varied parameters of it.
 pub const DAMPED_COSINE_NAMES: [&str; 5] = ["A", "gamma", "omega", "phi", "c"];
 
-/// The model that `text` states.
+/// Model with this text.
 pub fn model(text: &str) -> Model {
     let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));
     let model = model.map(|checked| checked.model);

@@ -1,4 +1,4 @@
-//! Noise from a seed, and the measured records outside the project.
+//! Seeded noise, and access to the measured records outside the project.
 
 pub mod fitting;
 pub mod old_workbook;
@@ -30,8 +30,8 @@ impl Noise {
     }
 }
 
-/// The bytes of one of the measured records in `../shared/data/utube`, seen from the root of the project. They are no part
-/// of it; where they are absent this says so, and the test has nothing to do.
+/// Bytes of one of the measured records in `../shared/data/utube`, relative to the root of the project. They are not part
+/// of it; without them a message is printed, and the test does nothing.
 pub fn utube_bytes(name: &str) -> Option<Vec<u8>> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/utube").join(format!("{name}.txt"));
     let bytes = std::fs::read(&path).ok();
@@ -53,7 +53,7 @@ pub fn utube(name: &str) -> Option<Vec<Vec<f64>>> {
     Some(columns)
 }
 
-/// All sheets of a workbook, read in slices of so many bytes.
+/// All sheets of a workbook, read in slices of this many bytes.
 pub fn all_sheets(mut workbook: Workbook, budget: u64) -> Result<Vec<SheetText>, WorkbookError> {
     let mut found = Vec::new();
     loop {

@@ -1,6 +1,6 @@
-//! Old workbooks (XLS), written by hand: records in a stream, the stream in a compound file.
+//! Generator of old workbooks (XLS): records in a stream, and the stream in a compound file.
 
-/// What stands in a cell.
+/// Content of a cell.
 #[derive(Clone, Debug)]
 pub enum Cell {
     Number(f64),
@@ -14,14 +14,14 @@ pub enum Cell {
     Label(&'static str),
     /// The stored result of a formula.
     Formula([u8; 8]),
-    /// The same, with its text in a record of its own.
+    /// Stored text of a formula, in a record of its own.
     TextFormula(&'static str),
     /// A code, and 1 for an error.
     Code(u8, u8),
 }
 
-/// Number formats of the cells, by the numbers that [`Cell::Formatted`] has: general, per cent, date, duration, and two of the
-/// workbook's own.
+/// Number formats of the cells, by the index in [`Cell::Formatted`]: general, per cent, date, duration, and two formats
+/// defined in the workbook.
 const STYLES: [u16; 7] = [0, 9, 14, 46, 164, 165, 10];
 const FORMATS: [(u16, &str); 2] = [(164, "yyyy-mm-dd hh:mm:ss.000"), (165, "0.0\"%\"")];
 
@@ -33,7 +33,7 @@ pub type Placed = (u16, u16, Cell);
 pub struct OldWorkbook {
     /// Names, and cells with row and column.
     pub sheets: Vec<(&'static str, Vec<Placed>)>,
-    /// The shared texts. Each may be divided into pieces, behind each of which a record ends; true for two bytes a character.
+    /// Shared texts. Each may be split into pieces, each in its own record; true for two bytes per character.
     pub texts: Vec<Vec<(&'static str, bool)>>,
     pub from_1904: bool,
     /// BIFF5 instead of BIFF8.
@@ -52,7 +52,7 @@ fn words(words: &[u16]) -> Vec<u8> {
 }
 
 impl OldWorkbook {
-    /// The stream, with or without [`compound`] around it a file.
+    /// Bytes of the stream, which are a file with or without [`compound`].
     pub fn stream(&self) -> Vec<u8> {
         let version = if self.five { 0x500 } else { 0x600 };
         let mut out = Vec::new();

@@ -1,13 +1,13 @@
-//! Workbooks as other programs write them, from the XML of their rows, in archives that are as they should be or not.
+//! Workbooks as written by other programs, from the XML of their rows, in valid or invalid archives.
 
 use miniz_oxide::deflate::compress_to_vec;
 
-/// How an archive is made.
+/// Validity of an archive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pack {
-    /// As it should be.
+    /// Valid.
     Deflated,
-    /// Its directory says that files expand to a tenth of what they do.
+    /// The directory states a tenth of the expanded sizes.
     Understated,
     WrongChecksum,
     Encrypted,
@@ -21,7 +21,7 @@ pub fn xlsx(sheets: &[(&str, &str)]) -> Vec<u8> {
     xlsx_with("", sheets, Pack::Deflated)
 }
 
-/// The same, with settings of the workbook.
+/// Workbook with these sheets and settings.
 pub fn xlsx_with(settings: &str, sheets: &[(&str, &str)], pack: Pack) -> Vec<u8> {
     let mut list = format!("<workbook xmlns=\"{MAIN}\" xmlns:r=\"{RELATIONS}\">{settings}<sheets>");
     let mut relations = String::from("<Relationships>");
@@ -71,7 +71,7 @@ pub fn archive(files: &[(String, String)], pack: Pack) -> Vec<u8> {
     let (mut bytes, mut directory) = (Vec::new(), Vec::new());
     for (name, content) in files {
         let packed = compress_to_vec(content.as_bytes(), 6);
-        // What is wrong is wrong in the sheets alone.
+        // Only the sheets are invalid.
         let pack = if name.contains("sheets/") { pack } else { Pack::Deflated };
         let size = if pack == Pack::Understated { content.len() / 10 } else { content.len() };
         let check = checksum(content.as_bytes()) ^ u32::from(pack == Pack::WrongChecksum);

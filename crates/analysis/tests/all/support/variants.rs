@@ -1,26 +1,27 @@
-//! Generated files whose contents are known, and how each is read: right, said to differ, refused, or silently wrong.
+//! Generated files with known contents, and the result of reading each: right, difference reported, refused, or silently
+//! wrong.
 
 use analysis::import::{self, Import};
 use units::{Language, Unit};
 
-/// The truth about a column of numbers.
+/// True properties of a column of numbers.
 #[derive(Clone, Debug)]
 pub struct Truth {
     pub name: &'static str,
-    /// The unit of the SI values below; `None` where the file states none.
+    /// Unit of the SI values below; `None` if the file states none.
     pub unit: Option<&'static str>,
     /// The values, in SI.
     pub si: Vec<f64>,
 }
 
-/// How a variant may end.
+/// Possible results of a variant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     Right,
     /// Something differs from the truth, and a message names the column or the line.
     Said,
     Refused,
-    /// Something differs, and nothing is said.
+    /// Something differs, and nothing is reported.
     Silent,
 }
 
@@ -29,7 +30,7 @@ pub struct Variant {
     pub kind: String,
     pub bytes: Vec<u8>,
     pub truth: Vec<Truth>,
-    /// Whether it must be read right; otherwise it may be refused or said.
+    /// True if it must be read right; otherwise it may be refused or the difference reported.
     pub clear: bool,
 }
 
@@ -103,7 +104,7 @@ pub fn shown(import: &Import) -> String {
     text
 }
 
-/// Checks that none is silently wrong and that the clear ones are right; prints how many ended how.
+/// Checks that no result is silently wrong and that all clear variants are right; prints the number of each result.
 pub fn check(title: &str, variants: Vec<Variant>, least: usize) {
     let (mut counts, mut wrong) = ([0_usize; 4], String::new());
     for variant in &variants {

@@ -10,9 +10,9 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) struct Setup {
     /// True for each parameter of the document that is varied.
     pub varied: Vec<bool>,
-    /// Whether the zero of the clock and that of the scale are varied; `None` if the user has not chosen.
+    /// The user's choice to vary the zero of the clock and that of the scale; `None` if not chosen.
     pub zeros: [Option<bool>; 2],
-    /// Whether all records share one value, by name of a parameter or zero. No entry if the user has not chosen.
+    /// True if all records share one value, by name of a parameter or zero. No entry if the user has not chosen.
     pub same: BTreeMap<String, bool>,
     /// Id of the chosen record. If it does not exist, the latest record is used.
     pub chosen: Option<u32>,

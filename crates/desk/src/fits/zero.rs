@@ -9,8 +9,8 @@ use program::{Model, Node, NodeId, along};
 use units::Dimension;
 
 impl Desk {
-    /// Whether the zeros of the clock and of the scale are varied: as chosen by the user. By default the clock's is
-    /// not, and the scale's is if a record needs it.
+    /// Returns for the zeros of the clock and of the scale if they are varied: as chosen by the user. By default the
+    /// clock's is not, and the scale's is if a record needs it.
     pub(super) fn varied_zeros(&self) -> [bool; 2] {
         let [clock, scale] = self.fits.setup.zeros;
         let varied = self.fits.setup.varied.iter().enumerate().filter(|(_, varied)| **varied);
@@ -22,8 +22,8 @@ impl Desk {
         [clock.unwrap_or(false), scale.unwrap_or_else(needed)]
     }
 
-    /// Whether a fit of another model to these records varies the zero of the scale: true if a record needs it, unless
-    /// the user has fixed it.
+    /// True if a fit of another model to these records varies the zero of the scale: if a record needs it and the user
+    /// has not fixed it.
     pub(super) fn varied_zero_of(&self, model: &Model, varied: &[Varied], parts: &[Part]) -> bool {
         let parameter = |varied: &Varied| match varied.target {
             Target::Parameter(index) => Some(index),

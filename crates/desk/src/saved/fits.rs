@@ -15,7 +15,7 @@ const LONGEST: usize = 1 << 20;
 
 impl Desk {
     /// The fits to store, each with a name that is the same at every visit and on every page. Fits of records that are
-    /// not stored are left out, and those that exceed [`LONGEST`].
+    /// not stored are left out, and those that exceed the maximum length.
     pub fn saved_fits(&self) -> Vec<(String, Item)> {
         let mut saved = SavedFits { records: self.record_names(), fits: Vec::new(), length: 0 };
         for fit in &self.fits.finished {

@@ -75,7 +75,7 @@ impl Record {
         self.origin.map_or_else(|| self.beginning(independent, autonomous), |origin| origin.reading)
     }
 
-    /// Default of [`Record::origin`] before any fit: the first time of all columns in use, or 0 if the equations depend
+    /// Default of [`Record::origin()`] before any fit: the first time of all columns in use, or 0 if the equations depend
     /// on time.
     fn beginning(&self, independent: &str, autonomous: bool) -> f64 {
         let columns = (0..self.uses.len()).filter(|&column| {

@@ -9,8 +9,8 @@ use program::{Model, Node, NodeId, along};
 use units::Dimension;
 
 impl Desk {
-    /// Returns for the zeros of the clock and of the scale if they are varied: as chosen by the user. By default the
-    /// clock's is not, and the scale's is if a record needs it.
+    /// Two values, for the zero of the clock and for that of the scale: true if it is varied, as chosen by the user. By
+    /// default the clock's is not, and the scale's is if a record needs it.
     pub(super) fn varied_zeros(&self) -> [bool; 2] {
         let [clock, scale] = self.fits.setup.zeros;
         let varied = self.fits.setup.varied.iter().enumerate().filter(|(_, varied)| **varied);

@@ -133,7 +133,7 @@ fn saved(work: &Work, found: Option<format::FoundInFilm>, record: Option<String>
     }
 }
 
-/// The work on a film; `None` if the saved one has no hash of a film, or points without a click set.
+/// The work on a film; `None` if the saved work has no hash of a film, or no entry for its points.
 fn restored(saved: &format::Film) -> Option<Work> {
     let identity = FilmIdentity { name: saved.name.clone(), size: saved.size, hash: saved.hash.clone() };
     if identity.hash.is_empty() {

@@ -18,7 +18,8 @@ pub use item::Item;
 pub use shelf::{Change, Left, Shelf};
 
 /// Key in the storage of an unchanged document opened from a file, made of its file name and title. Colons in both are
-/// escaped, so that no key is a prefix of another document's key: `Pendulum` and `Pendulum: large angles`.
+/// escaped, so that the keys of its items, which continue with a colon, never start like those of another document:
+/// `Pendulum` and `Pendulum: large angles`.
 pub fn own_document_key(file: &str, title: &str) -> String {
     let [file, title] = [file, title].map(|text| text.replace('%', "%25").replace(':', "%3A"));
     format!("own:{file}:{title}")

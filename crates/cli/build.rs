@@ -1,9 +1,9 @@
-//! Puts the pages into the program where `cargo xtask page` has built them. A build without them works too; its `serve` and
-//! `export` say what is missing.
+//! Embeds the pages in the program if `cargo xtask page` has built them. A build without them works; its `serve` and
+//! `export` then report that the pages are missing.
 
 use std::path::Path;
 
-/// The pages, by the variables that name their files.
+/// Environment variable and file name of each page.
 const PAGES: [(&str, &str); 2] = [("MENISCUS_PAGE", "meniscus.html"), ("MENISCUS_PLAYER", "player.html")];
 
 fn main() {
@@ -17,8 +17,8 @@ fn main() {
             println!("cargo::rerun-if-changed={}", page.display());
         }
     } else {
-        // Cargo takes a missing path for a changed one and would build the program again each time; a directory that
-        // exists changes when the page appears in it. Where it cannot be made, the only loss is that time.
+        // Cargo treats a missing path as changed and would rebuild the program each time. An existing directory changes
+        // when the page appears in it. If the directory cannot be created, only build time is lost.
         let _ = std::fs::create_dir_all(&directory);
         println!("cargo::rerun-if-changed={}", directory.display());
     }

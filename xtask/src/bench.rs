@@ -1,5 +1,5 @@
-//! Measurements of speed and size, from one run and beside what is aimed at. A measurement never fails: it depends on the
-//! machine and on what else it does.
+//! Measurements of speed and size, printed beside their targets. A measurement never fails, because it depends on the
+//! machine and its load.
 
 use crate::steps::{self, cargo, step};
 use crate::wasm::{self, Host};
@@ -7,10 +7,10 @@ use crate::{page, tools, weight};
 use anyhow::{Context, Result};
 use std::collections::BTreeMap;
 
-/// Named numbers, as the measuring programs print them.
+/// Named numbers, as printed by the measuring programs.
 type Numbers = BTreeMap<String, f64>;
 
-/// Prints all measurements.
+/// Runs and prints all measurements.
 pub fn all() -> Result<()> {
     let page = step("the page", page::build)?;
     let page = std::fs::read(&page).with_context(|| format!("cannot read {}", page.display()))?;
@@ -86,7 +86,7 @@ pub fn all() -> Result<()> {
     Ok(())
 }
 
-/// Steps in the virtual machine beside the loop written by hand.
+/// Prints the rate of steps in the virtual machine and in the hand-written loop.
 fn pace(place: &str, numbers: &Numbers, machine: &str, hand: &str) {
     if let (Some(machine), Some(hand)) = (numbers.get(machine), numbers.get(hand)) {
         let unit = "million/s";
@@ -96,7 +96,7 @@ fn pace(place: &str, numbers: &Numbers, machine: &str, hand: &str) {
     }
 }
 
-/// Steps of systems of many equal parts, beside the loops written by hand.
+/// Prints the time per step of systems of many equal parts, in the virtual machine and in hand-written loops.
 fn systems(place: &str, numbers: &Numbers, aims: [&str; 3]) {
     const SYSTEMS: [(&str, &str, &str); 3] = [
         ("chain", "chain of 200 masses", "at most 3"),
@@ -114,7 +114,7 @@ fn systems(place: &str, numbers: &Numbers, aims: [&str; 3]) {
     }
 }
 
-/// Fits of one measured record, the estimate of where to begin included.
+/// Prints the time of fits of one record, including the estimate of the start.
 fn fits(place: &str, numbers: &Numbers) {
     for (name, title, aim) in [
         ("fit-formula", "fit of a damped cosine", "at most 0.3; SciPy's curve_fit 1.7, lmfit 7"),
@@ -142,12 +142,12 @@ fn native() -> Result<Numbers> {
     Ok(all)
 }
 
-/// The exported U-tube.
+/// Path of the exported U-tube.
 fn exported() -> std::path::PathBuf {
     steps::page().with_file_name("utube.html")
 }
 
-/// Where the pages of systems with 200 members are.
+/// Folder of the exported pages of the chain and the string.
 fn profiles() -> std::path::PathBuf {
     steps::page().with_file_name("profiles")
 }
@@ -187,7 +187,7 @@ fn in_wasm(browser: Option<std::path::PathBuf>) -> Result<Numbers> {
     steps::output(&mut measure).map(|text| numbers(&text))
 }
 
-/// Lines of `name value`.
+/// Parses lines of `name value`.
 fn numbers(text: &str) -> Numbers {
     let number = |line: &str| {
         let (name, value) = line.split_once(' ')?;

@@ -1,13 +1,13 @@
-//! Every check of the project, in the order in which the quick ones fail first and nothing is built twice.
+//! All checks of the project, ordered so that quick ones fail first and nothing is built twice.
 
 use crate::steps::{cargo, run, step};
 use crate::{golden, page, steps, tools};
 use anyhow::Result;
 
-/// Runs all checks; stops at the first that fails.
+/// Runs all checks. Stops at the first failure.
 pub fn all() -> Result<()> {
     step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
-    // With the page built, the program has it inside and can export and serve: only then is all of it checked.
+    // The program embeds the page if it was built, and only then can it export and serve in the checks.
     step("the page", page::build)?;
     step("lints", lints)?;
     step("unit and integration tests", tests)?;
@@ -16,8 +16,8 @@ pub fn all() -> Result<()> {
 }
 
 fn tests() -> Result<()> {
-    // By itself, as it was built to run this: together with the others its dependencies would get other features, and be
-    // built twice.
+    // Tested separately, as it was built to run this: in a common build its dependencies would get other features and
+    // be built twice.
     run(&mut cargo(&["test", "--package", "xtask"]))?;
     run(&mut cargo(&["test", "--workspace", "--exclude", "lab", "--exclude", "xtask"]))
 }

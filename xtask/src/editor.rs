@@ -1,16 +1,16 @@
-//! What esbuild makes of scripts and styles: the editor of the laboratory, CodeMirror and what stands in `crates/lab/editor`, bundled
-//! to one script; and files without comments, long names and blanks.
+//! Use of esbuild: bundles the editor of the laboratory, made of CodeMirror and `crates/lab/editor`, to one script, and
+//! minifies scripts and styles.
 
 use crate::{steps, tools};
 use anyhow::{Context, Result};
 use std::path::Path;
 use std::process::Command;
 
-/// Who wrote most of it; the licence asks for the notice.
+/// Copyright notice that the licence of CodeMirror requires.
 const NOTICE: &str =
     "/*! CodeMirror. Copyright (C) 2018-2021 by Marijn Haverbeke and others. MIT License: https://codemirror.net */";
 
-/// The script.
+/// Bundles the editor to one script and returns its text.
 pub fn bundle() -> Result<String> {
     let script = steps::target().join("page").join("parts").join("editor.js");
     let mut bundler = esbuild()?;
@@ -22,12 +22,12 @@ pub fn bundle() -> Result<String> {
     std::fs::read_to_string(&script).with_context(|| format!("cannot read {}", script.display()))
 }
 
-/// A script or a style sheet in fewer bytes. Names that other scripts of the page use stay.
+/// Minifies a script or style sheet. Names used by other scripts of the page are kept.
 pub fn minified(file: &Path) -> Result<String> {
     steps::output(esbuild()?.arg(file))
 }
 
-/// esbuild in the directory of the editor, whose lock file names it; it shortens what it writes.
+/// Command for esbuild in the directory of the editor, whose lock file states its version. Minification is on.
 fn esbuild() -> Result<Command> {
     let directory = steps::root().join("crates").join("lab").join("editor");
     tools::packages(&directory)?;

@@ -1,5 +1,4 @@
-//! The same bits everywhere: the golden runs inside WebAssembly against the hashes in the repository, which the native
-//! tests check too.
+//! Compares the golden runs in WebAssembly with the hashes in the repository, which the native tests also check.
 
 use crate::{steps, tools, wasm};
 use anyhow::{Context, Result, bail};

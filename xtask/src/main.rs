@@ -46,8 +46,8 @@ fn perform(arguments: &[String]) -> Result<()> {
     }
 }
 
-/// Opens the laboratory from a fresh build: the file itself, which needs no server. With further words the program serves it:
-/// they go to `meniscus serve`.
+/// Opens a fresh build of the laboratory from its file, which needs no server. With arguments, `meniscus serve` is
+/// started with them.
 fn lab(arguments: &[&str]) -> Result<()> {
     let page = steps::step("the page", page::build)?;
     if arguments.is_empty() {
@@ -57,9 +57,9 @@ fn lab(arguments: &[&str]) -> Result<()> {
         }
         return Ok(());
     }
-    // The quick build: all that it does here is to hand out the page.
+    // The debug build is sufficient to serve the page.
     steps::step("the program", || steps::run(&mut steps::cargo(&["build", "--package", "meniscus"])))?;
     let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
-    // In the directory of the caller, to which the paths in `arguments` belong.
+    // The program runs in the directory of the caller, because paths in `arguments` are relative to it.
     steps::run(std::process::Command::new(program).arg("serve").args(arguments))
 }

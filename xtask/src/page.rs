@@ -1,5 +1,6 @@
-//! Builds the laboratory and the player into one HTML file each: template, styles, JavaScript glue, and the WebAssembly module, gzipped,
-//! as base64. Nothing is fetched when the file is opened, so that it works from a disk, from any host and inside a frame.
+//! Builds the laboratory and the player as one HTML file each: template, styles, JavaScript glue, and the WebAssembly
+//! module, gzipped and in base64. Nothing is fetched when the file is opened, so it works from a disk, from any host
+//! and inside a frame.
 
 use crate::wasm::{self, Host};
 use crate::{editor, steps};
@@ -11,28 +12,29 @@ use std::io::Write as _;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
-/// The document that the laboratory opens with.
+/// Document with which the laboratory opens.
 const FIRST: &str = "utube.md";
 
-/// The directories, below `simulations`, whose documents the laboratory can open without a file.
+/// Folders below `simulations` whose documents are included in the laboratory.
 const LIBRARY: [&str; 2] = ["theories", ""];
 
-/// How often zopfli looks for a better way; more make the page no smaller.
+/// Number of iterations of zopfli; more do not make the page smaller.
 const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
 
-/// A page that is built.
+/// A page to be built.
 struct Kind {
-    /// Its package.
+    /// Name of its package.
     package: &'static str,
-    /// Its style sheets, below `crates`, in their order.
+    /// Style sheets below `crates`, in their order.
     styles: &'static [&'static str],
-    /// Whether it is the laboratory: that carries the documents that ship, the editor, and the player.
+    /// True for the laboratory, which includes the shipped documents, the editor, and the player.
     is_laboratory: bool,
-    /// Where it goes.
+    /// Output path.
     path: fn() -> PathBuf,
 }
 
-/// The player, which `meniscus export` and the laboratory fill with a simulation, and the laboratory, which carries it.
+/// The two pages: the player, which `meniscus export` and the laboratory fill with a simulation, and the laboratory,
+/// which includes the player.
 const KINDS: [Kind; 2] = [
     Kind {
         package: "player",
@@ -67,7 +69,7 @@ const KINDS: [Kind; 2] = [
     },
 ];
 
-/// Builds the pages and returns where the laboratory is.
+/// Builds the pages and returns the path of the laboratory.
 pub fn build() -> Result<PathBuf> {
     for (kind, module) in KINDS.iter().zip(wasm::build(KINDS.map(|kind| kind.package).as_slice())?) {
         let directory = steps::target().join("page").join("parts");
@@ -110,7 +112,7 @@ pub fn build() -> Result<PathBuf> {
     Ok(steps::page())
 }
 
-/// A part in a compressed form, which the browser inflates.
+/// Compresses a part of the page with zopfli. The browser inflates it.
 fn pack(format: zopfli::Format, part: &[u8]) -> Result<Vec<u8>> {
     let mut packed = Vec::new();
     let options = zopfli::Options { iteration_count: SEARCHES, ..zopfli::Options::default() };
@@ -118,9 +120,9 @@ fn pack(format: zopfli::Format, part: &[u8]) -> Result<Vec<u8>> {
     Ok(packed)
 }
 
-/// Puts the parts into the template's places.
+/// Inserts the parts into the template.
 ///
-/// `lazy` are parts of the laboratory that are inflated when they are first needed, each with the tag that opens its element.
+/// `lazy`: parts of the laboratory that are inflated on first use, each with the opening tag of its element.
 fn assemble(kind: &Kind, style: &str, glue: &str, packed: &[u8], lazy: [(&str, &String); 2]) -> Result<String> {
     let source = steps::root().join("crates").join("view").join("page");
     let base64 = |bytes: &[u8]| base64::engine::general_purpose::STANDARD.encode(bytes);
@@ -133,7 +135,7 @@ fn assemble(kind: &Kind, style: &str, glue: &str, packed: &[u8], lazy: [(&str, &
     if kind.is_laboratory {
         carried = format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?);
         for (tag, text) in lazy {
-            // As texts in links are.
+            // Raw deflate, as for texts in links.
             deflated += &format!("{tag}{}</script>", base64(&pack(zopfli::Format::Deflate, text.as_bytes())?));
         }
     }
@@ -153,20 +155,21 @@ fn assemble(kind: &Kind, style: &str, glue: &str, packed: &[u8], lazy: [(&str, &
         }
         html = html.replace(marker, &text);
     }
-    // Its place stays empty: `meniscus export` puts documents and the simulation there. Without any, the laboratory opens
-    // the first document of its library.
+    // The marker stays in the page: `meniscus export` puts documents and the simulation there. Without them, the
+    // laboratory opens the first document of its library.
     if html.matches(page::MARKER).count() != 1 {
         bail!("crates/view/page/index.html must contain {} once", page::MARKER);
     }
     Ok(html)
 }
 
-/// JavaScript as an element, which no text inside can close.
+/// Script element with this JavaScript. Closing tags in the text are escaped.
 fn script(text: &str) -> String {
     format!("<script>\n{}\n</script>", text.trim_end().replace("</script", "<\\/script"))
 }
 
-/// All documents that ship, each named by its path below `simulations`; first what the laboratory opens with.
+/// JSON list of the shipped documents, named by their path below `simulations`. The document with which the laboratory
+/// opens is first.
 fn library() -> Result<String> {
     let mut sources = Vec::new();
     for directory in LIBRARY {
@@ -191,7 +194,7 @@ fn read(path: &Path) -> Result<String> {
     std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// Writes beside the place and renames, so that no half-written page is ever there.
+/// Writes a temporary file and renames it, so that the page is never incomplete.
 fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     if let Some(directory) = path.parent() {
         std::fs::create_dir_all(directory)?;
@@ -201,7 +204,7 @@ fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     std::fs::rename(&fresh, path)
 }
 
-/// gzip as servers send it, at its usual level, and without a time stamp: the same page gives the same size.
+/// Compresses with gzip at the default level of servers and without a time stamp: the same page gives the same size.
 pub fn gzip(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
     encoder.write_all(bytes)?;

@@ -1,11 +1,11 @@
-//! Steps with headings and times, and the programs they run. No shell is involved, so that it works the same way everywhere.
+//! Steps with headings and times, and the programs that they run. No shell is used, so it works equally on all systems.
 
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-/// Runs one step under its heading and says how long it took.
+/// Runs one step under a heading and prints its duration.
 pub fn step<T>(title: &str, work: impl FnOnce() -> Result<T>) -> Result<T> {
     println!("\n=== {title}");
     let start = Instant::now();
@@ -14,13 +14,13 @@ pub fn step<T>(title: &str, work: impl FnOnce() -> Result<T>) -> Result<T> {
     Ok(result)
 }
 
-/// The root of the workspace.
+/// Root folder of the workspace.
 pub fn root() -> PathBuf {
     let manifest = std::env::var_os("CARGO_MANIFEST_DIR").map_or_else(|| PathBuf::from("xtask"), PathBuf::from);
     manifest.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf)
 }
 
-/// Where cargo leaves what it builds.
+/// Target folder of cargo.
 pub fn target() -> PathBuf {
     match std::env::var_os("CARGO_TARGET_DIR") {
         Some(directory) => root().join(directory),
@@ -28,30 +28,31 @@ pub fn target() -> PathBuf {
     }
 }
 
-/// The page, wherever the target directory is: the command line's build script looks for it there.
+/// Path of the page. It does not depend on the target folder of cargo, because the build script of the command line
+/// looks for it there.
 pub fn page() -> PathBuf {
     root().join("target").join("page").join("meniscus.html")
 }
 
-/// The player without a simulation, beside the page.
+/// Path of the player without a simulation, beside the page.
 pub fn player() -> PathBuf {
     page().with_file_name("player.html")
 }
 
-/// The `cargo` that runs this, at the root of the workspace.
+/// Command of the running `cargo`, in the root folder of the workspace.
 pub fn cargo(arguments: &[&str]) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     program(cargo, arguments)
 }
 
-/// A program with arguments, at the root of the workspace.
+/// Command of a program with arguments, in the root folder of the workspace.
 pub fn program(name: impl AsRef<std::ffi::OsStr>, arguments: &[&str]) -> Command {
     let mut command = Command::new(name);
     command.args(arguments).current_dir(root());
     command
 }
 
-/// Runs a program to its end; fails unless it succeeds.
+/// Runs a program to its end. Fails if its exit code is not 0.
 pub fn run(command: &mut Command) -> Result<()> {
     println!("$ {}", words(command));
     let status = command.status().with_context(|| format!("cannot start {}", words(command)))?;
@@ -61,7 +62,7 @@ pub fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// What a program prints; fails unless it succeeds.
+/// Runs a program and returns its standard output. Fails if its exit code is not 0.
 pub fn output(command: &mut Command) -> Result<String> {
     let output = command.output().with_context(|| format!("cannot start {}", words(command)))?;
     if !output.status.success() {
@@ -70,7 +71,7 @@ pub fn output(command: &mut Command) -> Result<String> {
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
-/// A command as one would type it.
+/// Text of a command.
 fn words(command: &Command) -> String {
     let name = Path::new(command.get_program()).file_name().unwrap_or(command.get_program());
     let mut words = vec![name.to_string_lossy().into_owned()];

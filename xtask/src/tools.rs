@@ -1,14 +1,14 @@
-//! What the builds and tests need of the machine: found, or installed where that can be done without asking.
+//! Tools that builds and tests need: found on the machine, or installed if possible.
 
 use crate::steps;
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What is built for WebAssembly.
+/// Target of WebAssembly builds.
 pub const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The standard library for WebAssembly.
+/// Installs the standard library for WebAssembly if it is missing.
 pub fn wasm_target() -> Result<()> {
     let sysroot = steps::output(&mut steps::program("rustc", &["--print", "sysroot"]))?;
     if Path::new(sysroot.trim()).join("lib").join("rustlib").join(TARGET).is_dir() {
@@ -19,7 +19,7 @@ pub fn wasm_target() -> Result<()> {
     )
 }
 
-/// Node, at least version 20.
+/// Path of Node, at least version 20.
 pub fn node() -> Result<PathBuf> {
     const HOW: &str = "the page's scripts and the tests in the browser need Node 20 or later: https://nodejs.org";
     let node = find("node").context(HOW)?;
@@ -31,8 +31,8 @@ pub fn node() -> Result<PathBuf> {
     }
 }
 
-/// The packages of a directory with a `package-lock.json`, exactly as locked. Nothing is done when they are there already. No package
-/// may run a script of its own.
+/// Installs the packages of a folder with a `package-lock.json`, exactly as locked. Does nothing if they are already
+/// installed. Scripts of packages are not run.
 pub fn packages(directory: &Path) -> Result<()> {
     let lock = directory.join("package-lock.json");
     let lock = std::fs::read_to_string(&lock).with_context(|| format!("cannot read {}", lock.display()))?;
@@ -46,14 +46,14 @@ pub fn packages(directory: &Path) -> Result<()> {
     std::fs::write(&stamp, lock).with_context(|| format!("cannot write {}", stamp.display()))
 }
 
-/// A browser that the tests drive.
+/// A browser for the tests.
 pub struct Browser {
     name: &'static str,
-    /// The environment variable with its path.
+    /// Environment variable with its path.
     pub variable: &'static str,
     programs: &'static [&'static str],
     places: &'static [&'static str],
-    /// What apt installs.
+    /// Packages that apt installs.
     packages: &'static [&'static str],
 }
 
@@ -83,8 +83,8 @@ pub const FIREFOX: Browser = Browser {
 };
 
 impl Browser {
-    /// The path in the environment variable, else the program in `PATH` or in the usual places, else installed with apt
-    /// where this runs as root.
+    /// Path of the browser: from the environment variable, else from `PATH` or a usual location, else after
+    /// installation with apt.
     pub fn path(&self) -> Result<PathBuf> {
         let Self { name, variable, .. } = self;
         if let Some(path) = std::env::var_os(variable).map(PathBuf::from) {
@@ -116,7 +116,7 @@ impl Browser {
     }
 }
 
-/// A program in `PATH`.
+/// Path of a program in `PATH`.
 pub fn find(name: &str) -> Option<PathBuf> {
     let endings: &[&str] = if cfg!(windows) { &[".exe", ".cmd"] } else { &[""] };
     let path = std::env::var_os("PATH")?;

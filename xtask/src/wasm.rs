@@ -1,4 +1,4 @@
-//! WebAssembly modules: built by cargo in the profile `page`, and given their JavaScript by wasm-bindgen's library, so
+//! Builds of WebAssembly modules with the profile `page`. Their JavaScript is generated with wasm-bindgen's library, so
 //! that no other program has to be installed.
 
 use crate::tools::TARGET;
@@ -7,17 +7,17 @@ use anyhow::{Context, Result};
 use std::path::{Path, PathBuf};
 use wasm_bindgen_cli_support::Bindgen;
 
-/// What the JavaScript is for.
+/// Environment for which the JavaScript is generated.
 #[derive(Clone, Copy, Debug)]
 pub enum Host {
     /// Node, as CommonJS.
     Node,
-    /// A page, as a classic script that defines this name: an inline script cannot import, and from `file://` nothing can
-    /// be fetched.
+    /// A page, as a classic script that defines this name. An inline script cannot import modules, and a page from
+    /// `file://` cannot fetch anything.
     Page(&'static str),
 }
 
-/// Builds packages of the workspace and returns where their modules are.
+/// Builds packages of the workspace. Returns the path of the module of each.
 pub fn build(packages: &[&str]) -> Result<Vec<PathBuf>> {
     tools::wasm_target()?;
     let mut build = steps::cargo(&["build", "--target", TARGET, "--profile", "page"]);
@@ -26,12 +26,12 @@ pub fn build(packages: &[&str]) -> Result<Vec<PathBuf>> {
     Ok(packages.iter().map(|package| module(package)).collect())
 }
 
-/// Where the module of a package is, with the names of its functions in it.
+/// Path of the module of a package, which includes the names of its functions.
 pub fn module(package: &str) -> PathBuf {
     steps::target().join(TARGET).join("page").join(format!("{package}.wasm"))
 }
 
-/// Writes `NAME.js` and `NAME_bg.wasm` of a built module into a directory.
+/// Writes `NAME.js` and `NAME_bg.wasm` of a module into a folder.
 pub fn bind(module: &Path, host: Host, directory: &Path) -> Result<()> {
     let mut bindgen = Bindgen::new();
     bindgen.input_path(module).typescript(false);

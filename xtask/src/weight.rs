@@ -1,4 +1,4 @@
-//! What a module weighs, by crate: the code of each function is counted for the crate that its name in the name section tells.
+//! Code size of a module by crate. Each function is counted for the crate in its name from the name section.
 
 use crate::steps;
 use anyhow::{Context, Result};
@@ -7,10 +7,10 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 use wasmparser::{KnownCustom, Name, Parser, Payload, TypeRef};
 
-/// Crates of less than this many bytes are counted together.
+/// Crates below this size in bytes are summed.
 const LEAST: usize = 2_000;
 
-/// Prints the kilobytes of code of each crate in a module, the heaviest first, and those of its data.
+/// Prints the size of the code of each crate in kB, the largest first, and the size of the data.
 pub fn print(module: &Path) -> Result<()> {
     let bytes = std::fs::read(module).with_context(|| format!("cannot read {}", module.display()))?;
     let (mut imported, mut data, mut sizes, mut names) = (0, 0, Vec::new(), HashMap::new());
@@ -53,14 +53,14 @@ pub fn print(module: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The crates of the workspace.
+/// Names of the crates of the workspace.
 fn own_crates() -> Result<Vec<String>> {
     let directory = steps::root().join("crates");
     let entries = std::fs::read_dir(&directory).with_context(|| format!("cannot read {}", directory.display()))?;
     entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect()
 }
 
-/// The crate that a function is counted for: one of the workspace if its name contains any, else the first one in it.
+/// Crate of a function: the first crate of the workspace in its name, otherwise the first crate in it.
 fn crate_of(name: &str, own: &[String]) -> String {
     let words: Vec<&str> = name.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).collect();
     let paths =

@@ -1,4 +1,4 @@
-//! What was understood of the columns of a file, for people and for programs.
+//! Description of the columns of a file as text and JSON.
 
 use crate::data::Measured;
 use analysis::table::Column;
@@ -6,10 +6,10 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use units::Language;
 
-/// More columns than these are only counted.
+/// Maximum number of columns that are described. Further ones are only counted.
 const SHOWN: usize = 24;
 
-/// A line for the file and one for each column: name, unit, where that was read, what is in the cells.
+/// One line for the file and one per column: name, unit, origin of the unit, content of the cells.
 pub fn as_text(data: &Measured) -> String {
     let table = &data.table;
     let mut text = format!("{}: {}, {} rows\n", data.name, data.format.text(Language::English), table.rows());
@@ -48,7 +48,7 @@ pub fn as_text(data: &Measured) -> String {
     text
 }
 
-/// The same as an array of objects.
+/// Description of the columns as an array of objects.
 pub fn as_json(data: &Measured) -> Value {
     let table = &data.table;
     let column = |(index, column): (usize, &Column)| {
@@ -72,7 +72,7 @@ pub fn as_json(data: &Measured) -> Value {
     table.columns.iter().enumerate().map(column).collect()
 }
 
-/// Cells that are empty, or say so.
+/// Number of empty cells, including cells with a sign for a missing value.
 fn gaps(column: &Column) -> usize {
     column.values.len().saturating_sub(column.filled() + column.origin.words)
 }

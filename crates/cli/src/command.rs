@@ -1,6 +1,6 @@
-//! The command that a person has typed, for reports that say how to repeat them.
+//! The typed command, for reports that state how to repeat them.
 
-/// The command as it was typed, as far as a shell needs quotes.
+/// The command line as typed, quoted for a shell.
 pub fn typed() -> String {
     let mut words = vec!["meniscus".to_owned()];
     for word in std::env::args().skip(1) {

@@ -1,4 +1,4 @@
-//! `meniscus cycles`: an oscillation cycle by cycle, before any theory.
+//! `meniscus cycles`: analysis of an oscillation cycle by cycle, without a theory.
 
 mod figure;
 mod record;
@@ -17,7 +17,7 @@ use record::{Record, record};
 use serde_json::json;
 use units::Language;
 
-/// Reads the data, measures the cycles and writes them.
+/// Reads the data, finds the cycles and writes them.
 pub fn run(arguments: &Cycles, terminal: Terminal) -> Result<(), Failure> {
     let data = data::read(
         &arguments.data,
@@ -32,7 +32,7 @@ pub fn run(arguments: &Cycles, terminal: Terminal) -> Result<(), Failure> {
         CyclesFormat::Svg => figure::svg(&record),
     };
     output::deliver(arguments.output.as_deref(), std::slice::from_ref(&arguments.data), text.as_bytes())?;
-    // A table of numbers and a figure have no place for these.
+    // CSV and SVG cannot contain these notes.
     if matches!(format, CyclesFormat::Csv | CyclesFormat::Svg) {
         terminal.print(&columns::as_text(&data));
         for finding in &data.findings {

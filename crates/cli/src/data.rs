@@ -1,4 +1,4 @@
-//! Files of measured data: text in any form, spreadsheets, and projects of Tracker.
+//! Reading of measured data: text, spreadsheets, and Tracker projects.
 
 use crate::arguments::assignments::{Assignment, Observe};
 use crate::arguments::variable::{Stated, choices, choose, find, quoted};
@@ -15,21 +15,21 @@ use std::io::Read;
 use std::path::Path;
 use units::Language;
 
-/// No measurement is larger.
+/// Maximum size of a file, in bytes.
 const MOST_BYTES: u64 = 256 << 20;
 
 /// A file of measured data.
 #[derive(Debug)]
 pub struct Measured {
-    /// As it is called in messages.
+    /// Name for messages.
     pub name: String,
-    /// What it holds.
+    /// Table of the file.
     pub table: Table,
-    /// What a person should know about the file and about the measurement.
+    /// Findings about the file and the measurement.
     pub findings: Vec<Finding>,
     /// Columns that were computed from others.
     pub derived: Vec<Derived>,
-    /// How the file is written.
+    /// Format of the file.
     pub format: Format,
 }
 
@@ -77,7 +77,7 @@ fn too_large(path: &Path) -> Failure {
     )
 }
 
-/// All bytes, unless they cannot be a table or there are too many: then no more than needed to know that.
+/// Reads all bytes. Stops early if they cannot be a table or exceed [`MOST_BYTES`].
 fn bounded(source: &mut dyn Read, path: &Path) -> Result<Vec<u8>, Failure> {
     let failure = |error: std::io::Error| Failure::file("read", path, &error);
     let mut bytes = Vec::new();
@@ -91,8 +91,8 @@ fn bounded(source: &mut dyn Read, path: &Path) -> Result<Vec<u8>, Failure> {
     if bytes.len() as u64 > MOST_BYTES { Err(too_large(path)) } else { Ok(bytes) }
 }
 
-/// Gives columns the units that a person states: `t=ms`, `Run 2.Angle=deg`. A name without a body means all columns of that
-/// name.
+/// Sets the units of columns that the user states: `t=ms`, `Run 2.Angle=deg`. A name without a body applies to all
+/// columns of that name.
 fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<(), Failure> {
     for Assignment { name, value } in units {
         let unit = import::unit(value.trim_matches(['[', ']'])).ok_or_else(|| {
@@ -110,7 +110,7 @@ fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<()
                     "--unit {name}={value}: {file} holds clock times there, which are read in seconds"
                 )));
             }
-            // The unit is that of the numbers in the file.
+            // The stated unit is that of the numbers in the file, so an earlier conversion is undone.
             if let Some(conversion) = column.origin.conversion.take() {
                 column.values.iter_mut().for_each(|value| *value = conversion.number(*value));
             }
@@ -122,8 +122,8 @@ fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<()
 }
 
 impl Measured {
-    /// The column for an observed quantity: the one that is named, or has the quantity's name; in a file without a header
-    /// the first that is not `taken`.
+    /// Index of the column for an observed quantity: the stated one, or the one of the quantity's name. In a file
+    /// without a header it is the first column that is not in `taken`.
     pub fn column(&self, observe: &Observe, taken: &[usize]) -> Result<usize, Failure> {
         let table = &self.table;
         let which = observe.column.as_deref().unwrap_or(&observe.quantity);
@@ -151,7 +151,7 @@ impl Measured {
         Ok(column)
     }
 
-    /// Refuses a column for which several independent variables are possible, and shows how each is chosen.
+    /// Refuses a column with an ambiguous independent variable. The hint shows the choices.
     pub fn check_roles(&self, column: usize) -> Result<(), Failure> {
         let table = &self.table;
         if !table.is_open(column) {
@@ -163,7 +163,7 @@ impl Measured {
         ))
     }
 
-    /// Refuses a column whose times are in an unknown unit, or of no use.
+    /// Refuses a column whose times are missing, constant, or in an unknown unit.
     pub fn check_times(&self, column: usize) -> Result<(), Failure> {
         let table = &self.table;
         let independent = table.columns.get(column).map_or(column, |column| column.independent);
@@ -188,7 +188,7 @@ impl Measured {
         Ok(())
     }
 
-    /// Refuses a column whose unit the file states but Meniscus does not have; a fit would take it for another one.
+    /// Refuses a column with a unit that Meniscus does not have, because a fit would misinterpret it.
     pub fn check_unit(&self, column: usize) -> Result<(), Failure> {
         let found =
             self.table.columns.get(column).filter(|column| column.unit.is_none()).map(|column| &column.origin.unit);
@@ -200,7 +200,7 @@ impl Measured {
         ))
     }
 
-    /// A name for messages and headers: `y`, or `column 2` where the file gives no name.
+    /// Name for messages and headers: `y`, or `column 2` if the file gives no name.
     pub fn called(&self, column: usize) -> String {
         let unnamed = self.table.columns.get(column).is_some_and(|column| column.name.is_empty());
         if unnamed { format!("column {}", self.table.number(column)) } else { self.table.label(column) }

@@ -47,7 +47,7 @@ pub fn run(arguments: &Derivatives, terminal: Terminal) -> Result<(), Failure> {
     let unit =
         |unit: &Option<Unit>, fallback: &str| unit.as_ref().map_or(fallback.to_owned(), |unit| unit.text.clone());
     let (of_time, of_level) = (unit(&time.unit, "s"), unit(&table.columns[column].unit, ""));
-    // Without a unit of its own its derivatives have none.
+    // Derivatives of a column without a unit have none either.
     let head = |name: &str, order: usize| match derivative::unit(&of_level, &of_time, order).as_str() {
         "" => name.to_owned(),
         unit => format!("{name} [{unit}]"),

@@ -8,7 +8,7 @@ use crate::terminal::Terminal;
 use crate::terminal::output::Output;
 use std::io::Write;
 
-/// Writes the page; refuses a document with errors.
+/// Writes the page. Refuses a document with errors.
 pub fn export(arguments: &Export, terminal: Terminal) -> Result<(), Failure> {
     page::own()?;
     let loaded = Loaded::open(load::sources(&arguments.document)?);

@@ -1,50 +1,50 @@
-//! Why a command did not do what it was asked, and the exit code that says so.
+//! Failures of a command and their exit codes.
 
 use std::fmt::Display;
 use std::io;
 use std::path::Path;
 use units::Words;
 
-/// Why a command stopped.
+/// Reason why a command stopped.
 #[derive(Debug)]
 pub enum Failure {
-    /// The document has errors, or its run failed; the diagnostics are on the screen already. Exit code 1.
+    /// The document has errors, or its run failed. Diagnostics were already written. Exit code 1.
     Document,
-    /// An expression in an argument has errors; the diagnostics are on the screen already. Exit code 2.
+    /// An expression in an argument has errors. Diagnostics were already written. Exit code 2.
     Argument,
-    /// What was asked for cannot be done: a wrong argument, a file that cannot be read or written. Exit code 2.
+    /// The request cannot be carried out: a wrong argument, or a file that cannot be read or written. Exit code 2.
     Request {
-        /// What is wrong.
+        /// Description of the fault.
         message: Words,
-        /// What to do.
+        /// Remedy.
         hint: Option<Words>,
     },
-    /// Whoever read our output has seen enough, as `head` does. No failure: exit code 0.
+    /// The reader of the standard output closed it, as `head` does. Not a failure: exit code 0.
     OutputClosed,
 }
 
 impl Failure {
-    /// Something in the request is wrong.
+    /// A wrong request without a remedy.
     pub fn request(message: impl Into<String>) -> Self {
         Self::Request { message: Words::same(message.into()), hint: None }
     }
 
-    /// Something in the request is wrong, and there is a remedy.
+    /// A wrong request with a remedy.
     pub fn with_hint(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self::Request { message: Words::same(message.into()), hint: Some(Words::same(hint.into())) }
     }
 
-    /// As [`Self::with_hint`], in every language.
+    /// A wrong request with a remedy, in every language.
     pub fn in_words(message: Words, hint: Words) -> Self {
         Self::Request { message, hint: Some(hint) }
     }
 
-    /// A file that cannot be read or written.
+    /// A file that cannot be read or written. `doing`: the verb of the message.
     pub fn file(doing: &str, path: &Path, error: &io::Error) -> Self {
         Self::request(format!("cannot {doing} {}: {}", path.display(), plain(error)))
     }
 
-    /// What writing to standard output ran into.
+    /// Failure of writing to the standard output.
     pub fn standard_output(error: &io::Error) -> Self {
         match error.kind() {
             io::ErrorKind::BrokenPipe => Self::OutputClosed,
@@ -52,7 +52,7 @@ impl Failure {
         }
     }
 
-    /// The exit code: 0, 1 or 2.
+    /// Exit code: 0, 1 or 2.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::OutputClosed => 0,
@@ -62,7 +62,7 @@ impl Failure {
     }
 }
 
-/// The system's own words, without `(os error 2)`.
+/// Message of the operating system without `(os error 2)`.
 fn plain(error: &io::Error) -> String {
     let text = error.to_string();
     match text.split_once(" (os error") {
@@ -71,7 +71,7 @@ fn plain(error: &io::Error) -> String {
     }
 }
 
-/// `a, b and c`
+/// Joins items to a list: `a, b and c`.
 pub fn listed<T: Display>(items: impl IntoIterator<Item = T>) -> String {
     let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
     match items.as_slice() {

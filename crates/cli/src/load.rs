@@ -1,4 +1,4 @@
-//! Documents from files: a base document with the translations beside it, or the sources inside an exported page or a project.
+//! Reading of documents: a base document with its translations, or the sources inside an exported page or a project.
 
 use crate::failure::Failure;
 use crate::terminal::quoted::quoted;
@@ -10,7 +10,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use units::{Words, words};
 
-/// The texts of a document: the base first, then its translations.
+/// Texts of a document: the base first, then its translations.
 #[derive(Debug)]
 pub struct Sources {
     files: Vec<File>,
@@ -18,40 +18,40 @@ pub struct Sources {
 
 #[derive(Debug)]
 struct File {
-    /// As it is called in messages.
+    /// Name for messages.
     path: PathBuf,
-    /// As it is called inside an exported page.
+    /// Name in an exported page.
     name: String,
     text: String,
 }
 
 impl Sources {
-    /// A text that stands in no file.
+    /// A text without a file.
     pub fn of_text(name: &str, text: &str) -> Self {
         Self { files: vec![File { path: name.into(), name: name.to_owned(), text: text.to_owned() }] }
     }
 
-    /// The base document, as it is called in messages.
+    /// Path of the base document, for messages.
     pub fn path(&self) -> &Path {
         self.file_path(0)
     }
 
-    /// The file that a finding's index names.
+    /// Path of the file with the index that a finding states.
     pub fn file_path(&self, index: usize) -> &Path {
         self.files.get(index).map_or(Path::new(""), |file| &file.path)
     }
 
-    /// The paths and texts, base first.
+    /// Paths and texts, base first.
     pub fn texts(&self) -> impl Iterator<Item = (&Path, &str)> {
         self.files.iter().map(|file| (file.path.as_path(), file.text.as_str()))
     }
 
-    /// As an exported page carries them.
+    /// Files in the form in which an exported page contains them.
     pub fn embedded(&self) -> Vec<Source> {
         self.files.iter().map(|file| Source { name: file.name.clone(), text: file.text.clone() }).collect()
     }
 
-    /// Whether writing to `path` would destroy one of them.
+    /// True if writing to `path` would overwrite one of the files.
     pub fn contains(&self, path: &Path) -> bool {
         let Ok(path) = path.canonicalize() else {
             return false;
@@ -66,12 +66,12 @@ impl Sources {
     }
 }
 
-/// Sources and what they say.
+/// Sources and the document parsed from them.
 #[derive(Debug)]
 pub struct Loaded {
     /// The texts.
     pub sources: Sources,
-    /// The document, and what is wrong with it.
+    /// The document and its findings.
     pub opened: Opened,
 }
 
@@ -84,13 +84,13 @@ impl Loaded {
         Self { sources, opened }
     }
 
-    /// How many errors there are.
+    /// Number of errors.
     pub fn errors(&self) -> usize {
         self.opened.diagnostics.iter().filter(|(_, diagnostic)| diagnostic.severity == Severity::Error).count()
     }
 }
 
-/// The text of one file, `-` being the standard input.
+/// Text of one file; `-` is the standard input.
 pub fn text_of(path: &Path) -> Result<String, Failure> {
     if is_page(path) || is_project(path) {
         return Err(Failure::with_hint(
@@ -101,8 +101,8 @@ pub fn text_of(path: &Path) -> Result<String, Failure> {
     if path == Path::new("-") { standard_input() } else { read_text(path) }
 }
 
-/// Reads what belongs to `path`: `-` is the standard input, a page or a project gives the sources inside it, a translation its base,
-/// and a base its translations.
+/// Reads the files of the document at `path`. `-` is the standard input. A page or a project gives the sources inside
+/// it. For a translation, its base is read; for a base, its translations.
 pub fn sources(path: &Path) -> Result<Sources, Failure> {
     if path == Path::new("-") {
         let text = standard_input()?;
@@ -129,8 +129,8 @@ pub fn sources(path: &Path) -> Result<Sources, Failure> {
     with_translations(&base, text, Some(path))
 }
 
-/// The base and every `NAME.LANGUAGE.md` beside its `NAME.md`, in the order of their names; and `asked`, whatever it is
-/// called.
+/// The base and every `NAME.LANGUAGE.md` beside its `NAME.md`, in the order of their names, and `asked`, under any
+/// name.
 fn with_translations(base: &Path, text: String, asked: Option<&Path>) -> Result<Sources, Failure> {
     let mut paths = siblings(base);
     if let Some(asked) = asked.filter(|asked| !paths.iter().any(|path| path.as_path() == *asked)) {
@@ -165,7 +165,7 @@ fn siblings(base: &Path) -> Vec<PathBuf> {
     names.into_iter().map(|name| base.with_file_name(name)).collect()
 }
 
-/// `es` of `utube.es.md` for the stem `utube`.
+/// Language in a file name: `es` of `utube.es.md` for the stem `utube`.
 fn language_of<'a>(name: &'a str, stem: &str) -> Option<&'a str> {
     let language = name.strip_prefix(stem)?.strip_prefix('.')?.strip_suffix(".md")?;
     let primary = language.split('-').next()?;
@@ -201,7 +201,7 @@ fn inside_project(path: &Path, text: &str) -> Result<Sources, Failure> {
     Project::read(text).map(|project| inside(path, project.documents)).map_err(refused)
 }
 
-/// Sources that stand in another file.
+/// Sources inside another file.
 fn inside(path: &Path, sources: Vec<Source>) -> Sources {
     let files = sources.into_iter().map(|source| File {
         path: format!("{}:{}", path.display(), source.name).into(),
@@ -219,11 +219,11 @@ fn read_text(path: &Path) -> Result<String, Failure> {
     text(bytes, &path.display().to_string())
 }
 
-/// A folder where a document is asked for, with the documents in it.
+/// Error for a folder in place of a document. The hint names a document in it.
 fn folder(path: &Path) -> Failure {
     let entries = std::fs::read_dir(path).into_iter().flatten();
     let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-    // Translations have their language before the ending.
+    // Names of translations contain a dot before their language.
     let document = names.filter(|name| name.strip_suffix(".md").is_some_and(|stem| !stem.contains('.'))).min();
     let (name, shown) = (path.display(), quoted(path));
     let hint = match document {
@@ -249,7 +249,7 @@ fn standard_input() -> Result<String, Failure> {
     text(bytes, "the standard input")
 }
 
-/// UTF-8, without the byte-order mark that some editors write.
+/// Decodes UTF-8 and removes the byte-order mark that some editors write.
 fn text(bytes: Vec<u8>, name: &str) -> Result<String, Failure> {
     let text = String::from_utf8(bytes).map_err(|error| {
         let line =

@@ -30,7 +30,7 @@ fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            // Help and version come this way too. If they cannot be written, there is no way to report that.
+            // Help and version are errors of clap too. If they cannot be written, that cannot be reported either.
             let _ = error.print();
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }

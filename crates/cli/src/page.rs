@@ -1,4 +1,4 @@
-//! The pages of the laboratory and of a single simulation, which are inside the program where they were built before it.
+//! Pages of the laboratory and of the player, which are embedded in the program if they were built before it.
 
 use crate::failure::Failure;
 use crate::load::Sources;
@@ -18,7 +18,7 @@ const PLAYER: Option<&str> = Some(include_str!(env!("MENISCUS_PLAYER")));
 #[cfg(not(page_inside))]
 const PLAYER: Option<&str> = None;
 
-/// The laboratory with the document it comes with.
+/// The laboratory with its default document.
 pub fn own() -> Result<&'static str, Failure> {
     PAGE.ok_or_else(missing)
 }
@@ -35,19 +35,20 @@ fn missing() -> Failure {
     )
 }
 
-/// The page that plays a document, which stands beside the simulation in it.
+/// Page that plays a document and contains its source.
 pub fn player(sources: &Sources, document: &Document) -> Result<String, Failure> {
     played(bare_player()?, &sources.embedded(), &document.program)
 }
 
-/// A player with a simulation, and with these sources beside it.
+/// Player with a compiled simulation and these sources.
 pub fn played(player: &str, sources: &[Source], program: &Program) -> Result<String, Failure> {
     let bundle = bundle::write(program)
         .map_err(|_| Failure::request("this document is too large for a page that plays it; try `--lab`"))?;
     document::page::played(player, sources, program, gzip(&bundle)?).ok_or_else(no_place)
 }
 
-/// The laboratory with these sources instead. `document` is what they say, where they could be read.
+/// The laboratory with these sources. `document`: the parsed sources, `None` if they have errors that leave no
+/// document.
 pub fn with(sources: &Sources, document: Option<&Document>) -> Result<String, Failure> {
     let options = Options {
         title: document.map(|document| document.program.title.clone()),
@@ -57,12 +58,12 @@ pub fn with(sources: &Sources, document: Option<&Document>) -> Result<String, Fa
     embed(own()?, &sources.embedded(), &options).ok_or_else(no_place)
 }
 
-/// The page inside this program is not made as it should be.
+/// Error for an embedded page without the expected place.
 pub fn no_place() -> Failure {
     Failure::request("the page inside this program has no place for documents")
 }
 
-/// Gzipped, without a time or a name in it: the same content gives the same bytes.
+/// Compresses with gzip, without a time or a name: the same content gives the same bytes.
 pub fn gzip(content: &[u8]) -> Result<Vec<u8>, Failure> {
     let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
     let packed = gzip.write_all(content).and_then(|()| gzip.finish());

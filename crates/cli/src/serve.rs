@@ -1,4 +1,4 @@
-//! `meniscus serve`: the laboratory at 127.0.0.1, for this computer alone.
+//! `meniscus serve`: the laboratory at 127.0.0.1, accessible from this computer only.
 
 use crate::arguments::Serve;
 use crate::failure::Failure;
@@ -23,27 +23,27 @@ use std::time::Duration;
 use tokio::sync::Semaphore;
 use tokio::time::{sleep, timeout};
 
-/// How long a connection may last. The page is one answer over the loopback device; a connection that is open longer
-/// waits for a request that does not come.
+/// Maximum duration of a connection. The page is a single response over the loopback device; a longer connection waits
+/// for a request that does not come.
 const CONNECTION: Duration = Duration::from_secs(10);
-/// How many connections are open at once.
+/// Maximum number of simultaneous connections.
 const CONNECTIONS: usize = 64;
-/// The pause after a connection could not be accepted, for instance for want of file descriptors.
+/// Pause after a connection could not be accepted, for example for lack of file descriptors.
 const PAUSE: Duration = Duration::from_millis(200);
 
-/// The port unless one is asked for, and how many after it are tried.
+/// Default port. `TRIED`: number of ports that are tried from there on.
 const PORT: u16 = 4242;
 const TRIED: u16 = 20;
 
-/// Where the page asks for the files of the document as they are now, so that it follows them while they are written.
+/// Path at which the page requests the present files of the document, so that it follows their edits.
 const DOCUMENT: &str = "/document";
 
-/// What a request needs.
+/// State of the server.
 #[derive(Clone, Debug)]
 struct Laboratory {
-    /// The document whose files the page follows, if there is one.
+    /// Document whose files the page follows; `None` if there is none.
     followed: Option<PathBuf>,
-    /// The page as it was at the beginning.
+    /// The page at the start of the server.
     page: Arc<str>,
     terminal: Terminal,
     port: u16,
@@ -52,7 +52,7 @@ struct Laboratory {
 /// Serves until Ctrl-C.
 pub fn serve(arguments: &Serve, terminal: Terminal) -> Result<(), Failure> {
     page::own()?;
-    // Read once before anything is opened, so that a wrong name is an error here and not a broken page.
+    // The document is read once before anything is opened, so that a wrong name is reported here.
     let document = arguments.document.as_deref();
     let page: Arc<str> = laboratory_page(document, terminal)?.into();
     let listener = listen(arguments.port)?;
@@ -99,7 +99,7 @@ async fn answer(listener: TcpListener, laboratory: Laboratory) -> io::Result<()>
     }
 }
 
-/// Answers one request on each connection, within a limited time.
+/// Serves one request per connection, within a limited time.
 async fn accept(listener: tokio::net::TcpListener, routes: Router) {
     let places = Arc::new(Semaphore::new(CONNECTIONS));
     loop {
@@ -111,15 +111,15 @@ async fn accept(listener: tokio::net::TcpListener, routes: Router) {
         let service = TowerToHyperService::new(routes.clone());
         let connection = http1::Builder::new().keep_alive(false).serve_connection(TokioIo::new(stream), service);
         tokio::spawn(async move {
-            // A client that leaves or stays silent is no concern of the others.
+            // A failure or timeout of one connection does not affect the others.
             let _ = timeout(CONNECTION, connection).await;
             drop(place);
         });
     }
 }
 
-/// Refuses requests under another name: a page elsewhere could give its own name the address 127.0.0.1 and read the
-/// document through the person's browser.
+/// Refuses requests with another host name. Otherwise a foreign page could point its name to 127.0.0.1 (DNS rebinding)
+/// and read the document through the user's browser.
 async fn only_this_computer(State(laboratory): State<Laboratory>, request: Request, next: Next) -> Response {
     if is_local(request.headers(), laboratory.port) {
         next.run(request).await
@@ -135,9 +135,9 @@ fn is_local(headers: &HeaderMap, port: u16) -> bool {
         .any(|name| host == Some(&format!("{name}:{port}")) || (port == 80 && host == Some(*name)))
 }
 
-/// The page, with the document as it is now.
+/// The page with the present document.
 async fn index(State(laboratory): State<Laboratory>) -> Response {
-    // Only as a header can a policy forbid that other sites put the page into a frame.
+    // Only a header, not the page itself, can forbid that other sites frame the page.
     let policy = format!("{}; frame-ancestors 'self'", policy(laboratory.followed.as_deref()));
     let headers = [
         (header::CONTENT_SECURITY_POLICY, policy.as_str()),
@@ -148,7 +148,7 @@ async fn index(State(laboratory): State<Laboratory>) -> Response {
     ];
     let page = match laboratory.followed.as_deref() {
         Some(path) => laboratory_page(Some(path), laboratory.terminal),
-        // The standard input has been read already.
+        // The standard input can be read only once.
         None => Ok(laboratory.page.to_string()),
     };
     match page {
@@ -161,7 +161,7 @@ async fn index(State(laboratory): State<Laboratory>) -> Response {
     }
 }
 
-/// The files of the document.
+/// The files of the document as JSON.
 async fn document(State(laboratory): State<Laboratory>) -> Response {
     let headers = [
         (header::CONTENT_TYPE, "application/json"),
@@ -171,23 +171,23 @@ async fn document(State(laboratory): State<Laboratory>) -> Response {
     let sources = laboratory.followed.as_deref().map(load::sources);
     match sources {
         Some(Ok(sources)) => (headers, write_list(&sources.embedded())).into_response(),
-        // An editor may have the file away for a moment while it saves.
+        // An editor may remove the file for a moment while it saves.
         _ => StatusCode::NOT_FOUND.into_response(),
     }
 }
 
-/// The document whose files the page follows. The standard input can be read once only.
+/// Document whose files the page follows; `None` for the standard input, which can be read only once.
 fn followed(document: Option<&Path>) -> Option<&Path> {
     document.filter(|path| *path != Path::new("-"))
 }
 
-/// The policy of the page: one that follows a document asks its server for it.
+/// Content security policy of the page. A page that follows a document may connect to its server.
 fn policy(document: Option<&Path>) -> String {
     let asks = if followed(document).is_some() { "; connect-src 'self'" } else { "" };
     format!("{POLICY}{asks}")
 }
 
-/// The page with a document, whose findings go to the terminal too; a document with errors is shown with them.
+/// The page with a document. Findings are also written to the terminal; a document with errors is shown with them.
 fn laboratory_page(document: Option<&Path>, terminal: Terminal) -> Result<String, Failure> {
     let Some(path) = document else {
         return page::own().map(str::to_owned);

@@ -1,39 +1,41 @@
-//! What happened, for screen readers and the line of messages.
+//! Announcements of events for screen readers and the status line.
 
 use play::Prominence;
 use std::collections::VecDeque;
 
-/// Something happened that a screen reader should tell.
+/// An event to be announced by a screen reader.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Announcement {
-    /// What happened to the simulation itself.
+    /// An event of the simulation itself.
     Play(play::Announcement),
-    /// A record of this name was read.
+    /// The record of this name was read.
     RecordAdded(String),
     /// The open film has been tracked.
     FilmTracked,
-    /// A file of this name was given up before it was read.
+    /// Reading the file of this name was cancelled.
     RecordCancelled(String),
-    /// Velocity and acceleration were made of a column of this record.
+    /// Velocity and acceleration were computed from a column of the record of this name.
     DerivativesMade(String),
     /// The record of this name was removed.
     RecordRemoved(String),
-    /// The fit of this theory was removed.
+    /// The fit of the theory of this title was removed.
     FitRemoved(String),
-    /// The fit, or the last of several, is finished; why its numbers are not in the sliders, where there is a doubt about them.
+    /// The fit, or the last of several, is finished. If the result is doubtful: the reason why it was not applied to
+    /// the sliders.
     FitFinished(Option<String>),
-    /// Theories that could not be fitted, each with the reason.
+    /// Theories that could not be fitted, each with the reason, in one text.
     TheoriesLeftOut(String),
-    /// A fit has found nothing.
+    /// The fit ended without a result.
     FitFailed,
-    /// The fit was given up.
+    /// The fit was cancelled.
     FitCancelled,
-    /// What a fit has found stands in the sliders; of several records, what belongs to the one of this name.
+    /// The fitted values were set on the sliders. After a fit of several records: the name of the record whose values
+    /// were set, otherwise empty.
     FitApplied(String),
 }
 
 impl Announcement {
-    /// Whether it is shown besides being spoken.
+    /// Prominence of the announcement on the page.
     pub fn prominence(&self) -> Prominence {
         match self {
             Self::Play(announcement) => announcement.prominence(),
@@ -42,7 +44,7 @@ impl Announcement {
         }
     }
 
-    /// Whether [`crate::Desk::undo`] takes it back.
+    /// True if [`crate::Desk::undo`] can undo the event.
     pub fn can_be_undone(&self) -> bool {
         match self {
             Self::Play(announcement) => announcement.can_be_undone(),
@@ -51,15 +53,15 @@ impl Announcement {
     }
 }
 
-/// No more announcements than this wait at once.
+/// Capacity of the queue of announcements.
 const MOST: usize = 16;
 
-/// Announcements that have not been taken.
+/// Queue of announcements that have not been taken yet.
 #[derive(Debug, Default)]
 pub(crate) struct Announcements(VecDeque<Announcement>);
 
 impl Announcements {
-    /// Adds one; where too many wait, the oldest gives way.
+    /// Adds an announcement. Drops the oldest one if the queue is full.
     pub fn push(&mut self, announcement: Announcement) {
         if self.0.len() == MOST {
             self.0.pop_front();
@@ -67,12 +69,12 @@ impl Announcements {
         self.0.push_back(announcement);
     }
 
-    /// Takes the oldest one.
+    /// Takes the oldest announcement.
     pub fn take(&mut self) -> Option<Announcement> {
         self.0.pop_front()
     }
 
-    /// Forgets those that have not been taken.
+    /// Drops all announcements that have not been taken.
     pub fn clear(&mut self) {
         self.0.clear();
     }

@@ -1,4 +1,4 @@
-//! The laboratory without a screen: a simulation, and what is measured and fitted beside it.
+//! The laboratory without a screen: a simulation, measured records and fits.
 
 use crate::announcement::{Announcement, Announcements};
 use crate::cycles::drawn::CyclePlot;
@@ -12,16 +12,16 @@ use crate::writing::{Sketching, Writing};
 use document::Document;
 use play::{Play, PlotId};
 
-/// Counts changes, so that the shell draws only what has changed.
+/// Counters of changes, so that the page redraws only what has changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Revision {
-    /// What has changed of the simulation.
+    /// Changes of the simulation.
     pub play: play::Revision,
-    /// Records and what their columns are taken for.
+    /// Changes of the records and of the meanings of their columns.
     pub records: u64,
-    /// What fits vary, what is being fitted, and what has come of it.
+    /// Changes of the fit settings, of running fits and of results.
     pub fits: u64,
-    /// The film that is open, and the work on it.
+    /// Changes of the open film and of the work on it.
     pub films: u64,
 }
 
@@ -29,7 +29,7 @@ pub struct Revision {
 #[derive(Debug)]
 pub struct Desk {
     pub(crate) play: Play,
-    /// The document of the simulation, for reports and for fits that come back at the next visit.
+    /// The document of the simulation. Reports and stored fits need its text.
     pub(crate) document: Document,
     pub(crate) revision: Revision,
     pub(crate) announcements: Announcements,
@@ -40,19 +40,19 @@ pub struct Desk {
     pub(crate) intake: Option<Intake>,
     pub(crate) cycle_view: CycleView,
     pub(crate) cycles: CyclePlot,
-    /// The plots of the residuals and of the cycles.
+    /// Plot of the residuals. `cycle_plot` is the plot of the cycles.
     pub(crate) residual_plot: PlotId,
     pub(crate) cycle_plot: PlotId,
     /// The last removal and its number.
     pub(crate) removed: Option<(u32, Removed)>,
     /// The texts in the editor.
     pub(crate) writing: Writing,
-    /// What was read of the drawing, once it is changed by hand.
+    /// The parsed drawing of the document; `None` until it is edited by hand.
     pub(crate) sketching: Option<Sketching>,
 }
 
 impl Desk {
-    /// Opens a document: the first row is drawn and the run stands still at 0.
+    /// Opens a document. The first row is drawn and the run is paused at time 0.
     pub fn open(document: Document) -> Self {
         let mut play = Play::open(document.program.clone());
         let (residual_plot, cycle_plot) = (play.add_plot(), play.add_plot());
@@ -86,7 +86,7 @@ impl Desk {
         &self.play
     }
 
-    /// The simulation, to be played with. What is measured follows it with [`Desk::follow`].
+    /// The simulation, for changes. Call [`Desk::follow`] afterwards to update measured data.
     pub fn play_mut(&mut self) -> &mut Play {
         &mut self.play
     }
@@ -106,7 +106,7 @@ impl Desk {
         self.cycle_plot
     }
 
-    /// Chooses the language of everything; any tag.
+    /// Sets the language of all texts from a language tag. Any tag is accepted.
     pub fn set_language(&mut self, language: &str) {
         self.play.set_language(language);
         self.begin_outline();
@@ -114,12 +114,13 @@ impl Desk {
         self.label_cycles();
     }
 
-    /// What has changed how often.
+    /// The counters of changes.
     pub fn revision(&self) -> Revision {
         Revision { play: self.play.revision(), ..self.revision }
     }
 
-    /// Brings what is measured up to the run: to be called before plots are drawn.
+    /// Updates residuals, cycles and the outline to the present state of the run. Must be called before plots are
+    /// drawn.
     pub fn follow(&mut self) {
         if let Some(time) = self.play.take_rewritten() {
             self.truncate_residuals(time);
@@ -129,7 +130,7 @@ impl Desk {
         self.follow_outline();
     }
 
-    /// The next thing to tell: what the simulation tells first.
+    /// Takes the next announcement. Announcements of the simulation come first.
     pub fn take_announcement(&mut self) -> Option<Announcement> {
         let of_play = self.play.take_announcement().map(Announcement::Play);
         of_play.or_else(|| self.announcements.take())
@@ -139,7 +140,7 @@ impl Desk {
         self.announcements.push(announcement);
     }
 
-    /// Forgets what has not been taken.
+    /// Drops all announcements that have not been taken.
     pub(crate) fn forget_announcements(&mut self) {
         self.announcements.clear();
         while self.play.take_announcement().is_some() {}

@@ -1,18 +1,18 @@
-//! What a measurer and an author do in the laboratory, as plain state and transitions: records beside a simulation, their cycles, fits
-//! of theories to them, reports, and what is kept for the next visit. No DOM, no clock, no storage.
+//! Laboratory for one document as plain state and transitions: records beside a simulation, their cycles, fits of
+//! theories, reports, and the data stored for the next visit. No DOM, no clock, no storage.
 //!
-//! | folder | what it holds |
+//! | folder | content |
 //! |---|---|
-//! | `films` | films: what is followed in one, lengths, the record that it becomes, the model over it |
-//! | `records` | files that are read, their columns, derivatives, virtual measurements |
+//! | `films` | open film, tracked objects, calibration, the resulting record, the model drawn over the film |
+//! | `records` | reading of files, columns, derivatives, virtual measurements |
 //! | `measured` | points over curves, residuals, the outline in the scene |
 //! | `cycles` | an oscillation cycle by cycle |
-//! | `fits` | what is varied, the queue, the results, the fit in the sliders, reports |
-//! | `saved` | records, fits and answers for the next visit, in one format |
-//! | `writing` | the texts of the document while they are written |
+//! | `fits` | fit settings, queue, results, application to the sliders, reports |
+//! | `saved` | records, films, fits and answers stored for the next visit, in one format |
+//! | `writing` | editing of the texts of the document |
 //!
-//! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
-//! the chosen language. No method panics; an index that does not exist is ignored or refused.
+//! A [`Refusal`] is the error for rejected input; the state is then unchanged. Getters that return texts use the chosen
+//! language. No method panics; an index that does not exist is ignored or refused.
 
 mod announcement;
 mod cycles;

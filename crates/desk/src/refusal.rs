@@ -1,50 +1,50 @@
-//! Why input was not taken.
+//! Reasons to reject input.
 
-/// Why input was not taken; nothing has changed then, except as [`play::Refusal::PartlyRestored`] says.
+/// Reason to reject input. The state is then unchanged, except after [`play::Refusal::PartlyRestored`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
-    /// What concerns the simulation itself.
+    /// Rejected by the simulation.
     Play(play::Refusal),
-    /// No more records can be held.
+    /// The maximum number of records is reached.
     TooManyRecords {
-        /// How many there may be.
+        /// Maximum number of records.
         most: usize,
     },
-    /// The text of a record is too long for the page.
+    /// The file of a record is too large for the page.
     RecordTooLong {
-        /// How many mebibytes there may be.
+        /// Maximum size in MiB.
         most: usize,
     },
-    /// The text of a record is no table.
+    /// The file of a record is not a table.
     UnreadableRecord {
-        /// What it is called.
+        /// Name of the record.
         name: String,
-        /// Where and why, in the chosen language.
+        /// Reason and remedy, in the chosen language.
         why: String,
     },
-    /// There is no smoothing polynomial of this window and degree.
+    /// No smoothing polynomial exists for this window and degree.
     NoSuchPolynomial,
     /// No row of the column has the neighbours that a derivative needs.
     NoDerivative,
-    /// The model cannot be built with a size.
+    /// The model cannot be built with a requested size.
     Size {
-        /// Why, in the chosen language.
+        /// Reason, in the chosen language.
         why: String,
     },
-    /// A film cannot be opened, tracked or measured so.
+    /// A film cannot be opened, tracked or measured as requested.
     Film {
-        /// Why and what to do, in the chosen language.
+        /// Reason and remedy, in the chosen language.
         why: String,
     },
     /// A fit cannot be made.
     Fit {
-        /// Why, in the chosen language.
+        /// Reason, in the chosen language.
         why: String,
     },
 }
 
 impl Refusal {
-    /// Nothing of that number or name exists.
+    /// No item of this number or name exists.
     pub(crate) fn unknown(name: impl ToString) -> Self {
         Self::Play(play::Refusal::Unknown { name: name.to_string() })
     }

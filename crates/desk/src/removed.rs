@@ -1,9 +1,9 @@
-//! What was removed last.
+//! The last removal, for undo.
 
 use crate::fits::fit::Fitted;
 use crate::records::record::Record;
 
-/// What the last removal took away, with its place in its list.
+/// A removed item with its index in its list.
 #[derive(Debug)]
 pub(crate) enum Removed {
     Record(usize, Box<Record>),

@@ -1,17 +1,16 @@
-//! Undo: puts back what was removed or overwritten last, here or in the simulation.
+//! Undo: restores the last item that was removed or overwritten, here or in the simulation.
 
 use crate::removed::Removed;
 use crate::{Announcement, Desk};
 
 impl Desk {
-    /// Names what [`Desk::undo`] would put back; `None` if there is nothing to undo.
+    /// Number of the removal that [`Desk::undo`] would undo; `None` if there is nothing to undo.
     pub fn undo_number(&self) -> Option<u32> {
         let own = self.removed.as_ref().map(|(number, _)| *number);
         self.play.undo_number().or(own.filter(|number| *number == self.play.removals()))
     }
 
-    /// Puts back what the removal of this number took away. Only the last removal can be undone; returns whether it was
-    /// the one asked for.
+    /// Undoes the removal of this number. Only the last removal can be undone; returns true if it was this one.
     pub fn undo(&mut self, number: u32) -> bool {
         if self.undo_number() != Some(number) {
             return false;
@@ -36,7 +35,7 @@ impl Desk {
         true
     }
 
-    /// Remembers a removal, in place of the one before.
+    /// Records a removal for undo. Replaces the previous one.
     pub(crate) fn can_undo(&mut self, removed: Removed) {
         self.removed = Some((self.play.number_removal(), removed));
     }

@@ -1,10 +1,10 @@
-//! The words of measuring and fitting in every language.
+//! Texts about measuring and fitting in every language.
 
 use crate::{Announcement, Desk, Refusal};
 use analysis::fit::FitError;
 use units::Language;
 
-/// What the plot of the residuals is called and what it shows.
+/// Title and description of the plot of the residuals.
 pub(crate) fn residuals(language: Language) -> (&'static str, &'static str) {
     language.pick(
         ("Residuals", "measured minus computed, against time."),
@@ -12,12 +12,12 @@ pub(crate) fn residuals(language: Language) -> (&'static str, &'static str) {
     )
 }
 
-/// What the zeros of clock and scale are called.
+/// Labels of the zeros of the clock and of the scale.
 pub(crate) fn zeros(language: Language) -> [&'static str; 2] {
     language.pick(["Zero of the clock", "Zero of the scale"], ["Cero del reloj", "Cero de la escala"])
 }
 
-/// How a fit of the page is made again, of one record or several.
+/// Instructions to repeat a fit made on the page. `several`: true for several records.
 pub(crate) fn how_to_repeat(language: Language, several: bool) -> &'static str {
     if several {
         return language.pick(
@@ -35,17 +35,17 @@ pub(crate) fn record(language: Language) -> &'static str {
     language.pick("record", "registro")
 }
 
-/// Of a fit that did not come to its end.
+/// Text for a search that did not converge.
 pub(crate) fn not_converged(language: Language) -> &'static str {
     language.pick("The search did not come to its end.", "La búsqueda no llegó a su fin.")
 }
 
-/// Of a fit without a finite curve.
+/// Text for a fitted curve that is not finite.
 pub(crate) fn not_finite(language: Language) -> &'static str {
     language.pick("The fitted curve is not finite.", "La curva ajustada no es finita.")
 }
 
-/// Of numbers that stand at an end of their range.
+/// Text for estimates at a bound of their range.
 pub(crate) fn stopped(language: Language, names: &str) -> String {
     language.pick(
         format!("The search has stopped at an end of the range: {names}."),
@@ -53,17 +53,17 @@ pub(crate) fn stopped(language: Language, names: &str) -> String {
     )
 }
 
-/// Of a curve that has little to do with the data.
+/// Text for a curve that does not follow the data.
 pub(crate) fn missed(language: Language) -> &'static str {
     language.pick("The curve misses what the data show.", "La curva no capta lo que muestran los datos.")
 }
 
-/// Of a fit that values far from all others have decided.
+/// Text for a fit that is dominated by outliers.
 pub(crate) fn misled(language: Language) -> &'static str {
     language.pick("Values far from all others have decided it.", "Lo han decidido valores muy alejados de los demás.")
 }
 
-/// Of a curve at an alias of the frequency.
+/// Text for a fitted curve that oscillates faster than the samples can show (aliasing).
 pub(crate) fn undersampled(language: Language) -> &'static str {
     language.pick(
         "The curve oscillates faster than the samples can show.",
@@ -71,7 +71,7 @@ pub(crate) fn undersampled(language: Language) -> &'static str {
     )
 }
 
-/// At which reading of a record's clock initial values hold, and how many values lie before it.
+/// Text about the clock reading at which the initial values hold. `early`: number of values before it.
 pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) -> String {
     let mut text = language.pick(
         format!("The initial values hold at {at} on the record's clock."),
@@ -86,7 +86,7 @@ pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) ->
     text
 }
 
-/// Of which values the record itself holds the standard errors, in sentences.
+/// Sentences about the observations that were weighted with standard errors from the record, one per record.
 pub(crate) fn given_errors(language: Language, task: &analysis::fit::Task) -> Vec<String> {
     let with_errors = |record: &analysis::fit::Record| {
         let known = record.observations.iter().filter(|one| one.errors.is_some()).map(|one| one.name.clone());
@@ -105,7 +105,8 @@ pub(crate) fn given_errors(language: Language, task: &analysis::fit::Task) -> Ve
     task.records.iter().map(with_errors).filter(|(_, names)| !names.is_empty()).map(sentence).collect()
 }
 
-/// That a fit has not used the standard errors of a column, since some are missing.
+/// Text for standard errors that were ignored because some are missing. The last argument is the number of missing ones
+/// and of all rows.
 pub(crate) fn missing_errors(language: Language, record: &str, name: &str, (missing, rows): (usize, usize)) -> String {
     language.pick(
         format!(
@@ -119,12 +120,12 @@ pub(crate) fn missing_errors(language: Language, record: &str, name: &str, (miss
     )
 }
 
-/// Of a number that the data do not determine.
+/// Text for a number that the data do not determine.
 pub(crate) fn undetermined(language: Language) -> &'static str {
     language.pick("not determined by the data", "los datos no lo determinan")
 }
 
-/// The truth behind a virtual measurement, and how many standard errors the answer is off.
+/// True value of a virtual measurement, and the deviation of the estimate in standard errors.
 pub(crate) fn truth_is(language: Language, truth: &str, off: Option<&str>) -> String {
     let off = off.map(|off| language.pick(format!("; off by {off} σ"), format!("; desviación de {off} σ")));
     let off = off.unwrap_or_default();
@@ -135,7 +136,7 @@ pub(crate) fn run(language: Language) -> &'static str {
     language.pick("run", "serie")
 }
 
-/// Why a fit cannot be made.
+/// Reason why a fit cannot be made.
 pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
     let text = match error {
         FitError::NothingVaried => language.pick("Tick what is to be varied.", "Marca lo que debe variar."),
@@ -180,7 +181,7 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
 }
 
 impl Desk {
-    /// A refusal in the chosen language.
+    /// Text of a refusal in the chosen language.
     pub fn refusal_text(&self, refusal: &Refusal) -> String {
         let language = self.play.language();
         match refusal {
@@ -214,7 +215,7 @@ impl Desk {
         }
     }
 
-    /// An announcement in the chosen language.
+    /// Text of an announcement in the chosen language.
     pub fn announcement_text(&self, announcement: &Announcement) -> String {
         let say = |english: &str, spanish: &str| self.play.language().pick(english, spanish).to_owned();
         let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);

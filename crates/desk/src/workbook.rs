@@ -1,4 +1,4 @@
-//! The run and the records as one workbook, and a record as a file.
+//! Export of the run and the records as one workbook, and of a record as a file.
 
 use crate::fits::reporting::{dialect, export, stem};
 use crate::records::record::Record;
@@ -7,7 +7,7 @@ use analysis::csv;
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 
 impl Desk {
-    /// The whole run and the records as a workbook, each on a sheet of its own.
+    /// Workbook with the whole run on the first sheet and one sheet per record.
     pub fn workbook(&self) -> Vec<u8> {
         let head = self.play.table_header().into_iter().map(Cell::Text).collect();
         let cell = |cell: engine::table::Cell| match cell {
@@ -26,8 +26,8 @@ impl Desk {
         Workbook { sheets: std::iter::once(run).chain(records).collect() }.xlsx()
     }
 
-    /// A record as a file: all its columns with their units, also those that were made of others, and the error of a film's scale. A
-    /// workbook has a second sheet about the film. `None` where there is no such record, and for what is no table.
+    /// Exports a record: all columns with their units, including computed ones, and the relative error of a film's
+    /// scale. A workbook has a second sheet about the film. `None` if the record does not exist or `kind` is a report.
     pub fn export_record(&self, id: u32, kind: ExportKind) -> Option<Export> {
         let record = self.record(id)?;
         let view = self.records().into_iter().find(|view| view.id == id)?;
@@ -45,7 +45,7 @@ impl Desk {
         Some(export(stem(&record.name), kind, bytes))
     }
 
-    /// What is known of the film from which a record comes.
+    /// Sheet of facts about the film of a record; `None` if the record is not from a film.
     fn film_sheet(&self, record: u32) -> Option<Sheet> {
         let film = self.film_described(record)?;
         let pick = |english, spanish| self.play.language().pick(english, spanish);
@@ -58,7 +58,7 @@ impl Desk {
         Some(Sheet { name: pick("Film", "Vídeo").to_owned(), rows, header: false })
     }
 
-    /// What of the laboratory a link does not hold, in the chosen language.
+    /// Names of the data that a link does not contain, in the chosen language.
     pub fn missing_in_link(&self) -> Vec<&'static str> {
         let pick = |english, spanish| self.play.language().pick(english, spanish);
         let own = [
@@ -70,7 +70,7 @@ impl Desk {
     }
 }
 
-/// The headings and values of a record.
+/// Headings and values of the columns of a record.
 fn columns<'a>(view: &'a RecordView, record: &'a Record) -> (Vec<&'a str>, Vec<&'a [f64]>) {
     let heads = view.columns.iter().map(|column| column.head.as_str());
     (heads.collect(), record.table.columns.iter().map(|column| column.values.as_slice()).collect())

@@ -1,4 +1,5 @@
-//! Prints how long a fit of the measured record U3 takes, natively; of a made one where that is absent.
+//! Prints the time of a native fit of the measured record U3, in milliseconds. A generated record is used if U3 is
+//! absent.
 
 use std::time::Instant;
 
@@ -20,7 +21,7 @@ fn main() -> Result<(), String> {
     Ok(())
 }
 
-/// Times and levels: of the reference data beside the project, or of a damped cosine at 30 frames a second.
+/// Times in s and levels in m: of the reference data beside the project, or of a damped cosine at 30 frames per second.
 fn record() -> (Vec<f64>, Vec<f64>) {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data/utube/U3.txt");
     let rows = std::fs::read_to_string(path).unwrap_or_default();

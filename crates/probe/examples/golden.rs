@@ -1,4 +1,4 @@
-//! Prints the golden runs as this machine finds them; where the bits have changed for a good reason:
+//! Prints the golden runs of this machine. To update them after an intended change of bits:
 //! `cargo run --release --package probe --example golden > crates/probe/golden.txt`
 
 fn main() {

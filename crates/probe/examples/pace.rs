@@ -1,4 +1,4 @@
-//! Prints how many million steps of the U-tube are made in a second: `machine 12.3` and `hand 45.6`.
+//! Prints the number of steps of the U-tube per second in millions: `machine 12.3` and `hand 45.6`.
 
 use probe::Pace;
 use std::hint::black_box;
@@ -10,7 +10,7 @@ const ROUNDS: usize = 5;
 fn main() -> Result<(), String> {
     let pace = Pace::new()?;
     let (mut machine, mut hand) = (0.0_f64, 0.0_f64);
-    // In turns, and the best of each, so that what else the machine does counts little.
+    // Alternating, with the best of each, to reduce the influence of other load on the machine.
     for _ in 0..ROUNDS {
         let start = Instant::now();
         black_box(pace.machine(STEPS)?);

@@ -1,11 +1,11 @@
-//! Prints how many microseconds a step of each system takes, as `chain-machine 1.2` and `chain-hand 0.9`, and how many
-//! milliseconds it takes to check a document of 2,000 lines.
+//! Prints the time per step of each system in microseconds, as `chain-machine 1.2` and `chain-hand 0.9`, and the time
+//! to check a document of 2,000 lines in milliseconds.
 
 use probe::{System, check, long_document};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Name, and how many steps are measured at a time.
+/// Name of each system and number of steps per measurement.
 const SYSTEMS: [(&str, u32); 3] = [("chain", 20_000), ("string", 5_000), ("gas", 500)];
 const ROUNDS: usize = 5;
 
@@ -13,7 +13,7 @@ fn main() -> Result<(), String> {
     for (name, steps) in SYSTEMS {
         let system = System::new(name)?;
         let (mut machine, mut hand) = (f64::INFINITY, f64::INFINITY);
-        // In turns, and the best of each, so that what else the computer does counts little.
+        // Alternating, with the best of each, to reduce the influence of other load on the machine.
         for _ in 0..ROUNDS {
             let start = Instant::now();
             black_box(system.machine(steps)?);

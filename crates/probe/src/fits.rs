@@ -1,4 +1,4 @@
-//! How fast a measured record is fitted: by a formula, and by the equation of motion.
+//! Speed of fits of a measured record by a formula and by the equation of motion.
 
 use analysis::fit::{Fit, Observation, Outcome, Record, Task, Varied};
 use document::Document;
@@ -7,8 +7,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 const FORMULA: &str = include_str!("../../../simulations/theories/cosine.md");
 const MOTION: &str = include_str!("../../../simulations/theories/linear.md");
 
-/// A record of a level, ready to be fitted by the damped cosine and by the linear equation of motion, from the documents' own
-/// values.
+/// Tasks to fit a record of a level by the damped cosine and by the linear equation of motion, starting from the values
+/// in the documents.
 #[wasm_bindgen]
 pub struct Fits {
     documents: [Document; 2],
@@ -17,7 +17,7 @@ pub struct Fits {
 
 #[wasm_bindgen]
 impl Fits {
-    /// Opens the documents; the record is in seconds and metres.
+    /// Opens the documents. `times` in s, `level` in m, one value per time.
     ///
     /// # Errors
     /// A document has errors, or has no level `y`.
@@ -47,18 +47,18 @@ impl Fits {
         Ok(Self { documents: [formula.0, motion.0], tasks: [formula.1, motion.1] })
     }
 
-    /// So many fits of the formula; the root of the mean square of the residuals.
+    /// Fits the formula `count` times. Returns the root mean square of the residuals, in m.
     ///
     /// # Errors
-    /// The fit does not come to its end.
+    /// The fit does not converge.
     pub fn formula(&self, count: u32) -> Result<f64, String> {
         self.fit(0, count)
     }
 
-    /// So many fits of the equation of motion; the root of the mean square of the residuals.
+    /// Fits the equation of motion `count` times. Returns the root mean square of the residuals, in m.
     ///
     /// # Errors
-    /// The fit does not come to its end.
+    /// The fit does not converge.
     pub fn motion(&self, count: u32) -> Result<f64, String> {
         self.fit(1, count)
     }

@@ -3,8 +3,9 @@
 use engine::{Advance, Method, Run, Setup};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Name, text, method and end of each golden run: every method, every function, events, random draws, tables, vectors,
-/// columns, and equations that are solved in every step. The end is short, since the bits of two runs that differ at all differ early.
+/// Name, text, method and end (SI) of each golden run. They cover every method, every function, events, random draws,
+/// tables, vectors, columns, and equations that are solved in every step. The runs are short, because runs that differ
+/// at all differ early.
 const RUNS: [(&str, &str, Method, f64); 20] = [
     ("utube", UTUBE, Method::RungeKutta4, 100.0),
     ("utube", UTUBE, Method::Euler, 20.0),
@@ -38,7 +39,7 @@ const FUNCTIONS: &str = include_str!("../golden/functions.md");
 const CHANCE: &str = include_str!("../golden/chance.md");
 const TABLES: &str = include_str!("../golden/tables.md");
 
-/// The fingerprints of all golden runs, one in each line: `name method end fingerprint`. They are kept in `golden.txt`.
+/// Fingerprints of all golden runs, one line each: `name method end fingerprint`. They are stored in `golden.txt`.
 #[wasm_bindgen]
 pub fn golden() -> String {
     RUNS.iter()
@@ -49,8 +50,8 @@ pub fn golden() -> String {
         .collect()
 }
 
-/// The fingerprint of a run of a document from its start to `until` (SI), by the method of this name: that of its history
-/// in hexadecimal digits, or what was wrong.
+/// Fingerprint of a run from its start to `until`, SI: the hash of its history in 16 hexadecimal digits, or an error
+/// message. `method`: name of the method.
 #[wasm_bindgen]
 pub fn fingerprint(document: &str, method: &str, until: f64) -> String {
     match run(document, method, until) {
@@ -72,7 +73,7 @@ fn run(text: &str, method: &str, until: f64) -> Result<Run, String> {
     Ok(run)
 }
 
-/// A document and the setup that it states.
+/// Opens a document. Returns it with the setup that it states.
 pub(crate) fn setup(text: &str) -> Result<(document::Document, Setup), String> {
     let opened = document::open(text, &[]);
     let document = opened.document.ok_or_else(|| {

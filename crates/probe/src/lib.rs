@@ -1,5 +1,5 @@
-//! What tests and benchmarks run natively and inside WebAssembly, to compare the two: golden runs, whose bits must be the
-//! same everywhere, and steps, fits and checks of documents, whose speed is measured.
+//! Programs that tests and benchmarks run both natively and in WebAssembly: golden runs, whose bits must be equal
+//! everywhere, and steps, fits and checks of documents, whose speed is measured.
 
 mod fits;
 mod golden;

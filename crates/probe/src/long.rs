@@ -1,14 +1,15 @@
-//! How fast a long document is checked.
+//! Speed of checking a long document.
 
 use std::fmt::Write;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// How many oscillators the document has, of [`PART`] lines each.
+/// Number of oscillators in the document; each has the lines of [`PART`].
 const PARTS: usize = 50;
-/// The lines about one of them.
+/// Lines about one oscillator. `@` stands for its number.
 const PART: &str = include_str!("../systems/oscillator.md");
 
-/// A document of 2,000 lines: fifty damped oscillators, each with its equations, a preset, checks, a question and prose.
+/// Document of about 2,000 lines: fifty damped oscillators, each with its equations, a preset, checks, a question and
+/// prose.
 #[wasm_bindgen]
 pub fn long_document() -> String {
     let mut text =
@@ -19,10 +20,10 @@ pub fn long_document() -> String {
     text
 }
 
-/// Opens a document so many times; how many states its model has.
+/// Opens a document `times` times. Returns the number of states of its model.
 ///
 /// # Errors
-/// It has errors.
+/// The document has errors.
 #[wasm_bindgen]
 pub fn check(text: &str, times: u32) -> Result<usize, String> {
     let mut states = 0;

@@ -1,4 +1,4 @@
-//! How fast the U-tube steps: in the engine's virtual machine, and in the same loop written by hand.
+//! Speed of the steps of the U-tube in the engine's virtual machine and in a hand-written loop.
 
 use engine::{Method, Stepper};
 use std::hint::black_box;
@@ -6,18 +6,18 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::golden::{UTUBE, setup};
 
-/// A run begins again after so many steps: much later the damped motion would be made of subnormal numbers, which are slow
-/// on some processors.
+/// Number of steps after which a run is restarted. Much later the damped motion would consist of subnormal numbers,
+/// which are slow on some processors.
 const STEPS_OF_A_RUN: u32 = 20_000;
 
-/// The U-tube of the document, ready to step by the classical Runge-Kutta method, without recording.
+/// The U-tube of the document, ready for steps of the classical Runge-Kutta method without recording.
 #[wasm_bindgen]
 pub struct Pace {
     stepper: Stepper,
     tube: Tube,
 }
 
-/// The quantities of the equation of motion, SI.
+/// Parameters of the equation of motion, SI. `start`: displacement and velocity.
 #[derive(Clone, Copy)]
 struct Tube {
     rho: f64,
@@ -34,7 +34,7 @@ impl Pace {
     /// Opens the document and compiles its model.
     ///
     /// # Errors
-    /// The document has errors, or is no longer a U-tube with the parameters of this one.
+    /// The document has errors, or does not have the states and parameters of a U-tube.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Result<Pace, String> {
         let (document, mut setup) = setup(UTUBE)?;
@@ -60,10 +60,10 @@ impl Pace {
         Ok(Pace { stepper, tube })
     }
 
-    /// So many steps in the virtual machine; the last displacement.
+    /// Computes `steps` steps in the virtual machine. Returns the last displacement, SI.
     ///
     /// # Errors
-    /// A state that is no longer finite.
+    /// A state is not finite.
     pub fn machine(&self, steps: u32) -> Result<f64, String> {
         let mut last = 0.0;
         for run in runs(steps) {
@@ -76,7 +76,8 @@ impl Pace {
         Ok(last)
     }
 
-    /// So many steps in a loop as one writes it by hand, with the parameters known only now; the last displacement.
+    /// Computes `steps` steps in a hand-written loop whose parameters are known only at run time. Returns the last
+    /// displacement, SI.
     pub fn by_hand(&self, steps: u32) -> f64 {
         let mut last = 0.0;
         for run in runs(steps) {
@@ -86,14 +87,14 @@ impl Pace {
     }
 }
 
-/// The lengths of the runs that make so many steps.
+/// Lengths of the runs that together have `steps` steps.
 fn runs(steps: u32) -> impl Iterator<Item = u32> {
     let rest = steps % STEPS_OF_A_RUN;
     let whole = (0..steps / STEPS_OF_A_RUN).map(|_| STEPS_OF_A_RUN);
     whole.chain((rest > 0).then_some(rest))
 }
 
-/// The classical Runge-Kutta method for rho S L y'' + b y' + 2 rho S g y = 0.
+/// Classical Runge-Kutta method for rho S L y'' + b y' + 2 rho S g y = 0. Returns the last displacement, SI.
 #[inline(never)]
 fn by_hand(tube: Tube, steps: u32) -> f64 {
     let Tube { rho, area, length, damping, gravity, start: [mut y, mut v], step: h } = tube;

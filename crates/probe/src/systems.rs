@@ -1,4 +1,4 @@
-//! How fast systems of many equal parts step: in the engine's virtual machine, and in loops written by hand.
+//! Speed of the steps of systems of many equal parts in the engine's virtual machine and in hand-written loops.
 
 use engine::Stepper;
 use std::hint::black_box;
@@ -13,28 +13,29 @@ const DOCUMENTS: [(&str, &str); 3] = [
     ("gas", include_str!("../systems/gas.md")),
 ];
 
-/// A system of many equal parts, ready to step by the classical Runge-Kutta method, without recording.
+/// A system of many equal parts, ready for steps of the classical Runge-Kutta method without recording.
 #[wasm_bindgen]
 pub struct System {
     stepper: Stepper,
     forces: Forces,
     step: f64,
-    /// The numbers of the positions among the states of the model; each velocity follows its position.
+    /// Indices of the positions among the states of the model. Each velocity follows its position.
     positions: Vec<usize>,
 }
 
-/// The accelerations of a system, SI.
+/// Law of the accelerations of a system, SI.
 #[derive(Clone, Copy)]
 enum Forces {
-    /// Neighbours pull with `stiffness` per mass (1/s^2); both ends are fixed.
+    /// Chain of elements with fixed ends: `stiffness` is the coupling of neighbours divided by the mass, in 1/s^2.
     Line { stiffness: f64 },
-    /// Discs of mass `m` and diameter `d` in a square box of side `l` repel each other with the energy `epsilon*(d/r)^6`.
+    /// Discs of mass `m` and diameter `d` in a square box of side `l`, with the repulsive energy `epsilon*(d/r)^6`.
     Discs { m: f64, epsilon: f64, d: f64, l: f64 },
 }
 
 #[wasm_bindgen]
 impl System {
-    /// Opens the document of a system and compiles its model: `chain` has 200 masses, `string` 1,000 points, `gas` 100 discs.
+    /// Opens the document of a system and compiles its model: `chain` has 200 masses, `string` 1,000 points, `gas` 100
+    /// discs.
     ///
     /// # Errors
     /// There is no such system, or its document has errors.
@@ -61,10 +62,10 @@ impl System {
         Ok(Self { stepper, forces, step: setup.step, positions })
     }
 
-    /// So many steps from the start in the virtual machine; all positions.
+    /// Computes `steps` steps from the start in the virtual machine. Returns all positions, SI.
     ///
     /// # Errors
-    /// A state that is no longer finite.
+    /// A state is not finite.
     pub fn machine(&self, steps: u32) -> Result<Vec<f64>, String> {
         let mut stepper = self.stepper.clone();
         for _ in 0..steps {
@@ -73,7 +74,8 @@ impl System {
         Ok(self.positions.iter().map(|&position| stepper.state()[position]).collect())
     }
 
-    /// So many steps from the start in loops as one writes them by hand, with the parameters known only now; all positions.
+    /// Computes `steps` steps from the start in hand-written loops whose parameters are known only at run time. Returns
+    /// all positions, SI.
     pub fn by_hand(&self, steps: u32) -> Vec<f64> {
         let start = self.stepper.initial();
         let velocities = self.positions.iter().map(|&position| start[position + 1]);
@@ -91,7 +93,8 @@ impl System {
     }
 }
 
-/// The classical Runge-Kutta method for positions, and behind them their velocities; `accelerations` has those at positions.
+/// Classical Runge-Kutta method. `state`: all positions, followed by all velocities. `accelerations` writes the
+/// acceleration of each position.
 fn runge_kutta(state: &mut [f64], step: f64, steps: u32, accelerations: impl Fn(&[f64], &mut [f64])) {
     let size = state.len();
     let mut rates = [vec![0.0; size], vec![0.0; size], vec![0.0; size], vec![0.0; size]];
@@ -116,7 +119,7 @@ fn runge_kutta(state: &mut [f64], step: f64, steps: u32, accelerations: impl Fn(
     }
 }
 
-/// Each point is pulled by its two neighbours.
+/// Accelerations of a chain with couplings between neighbours.
 fn line(stiffness: f64, x: &[f64], accelerations: &mut [f64]) {
     let last = x.len() - 1;
     accelerations[0] = stiffness * (x[1] - 2.0 * x[0]);
@@ -126,7 +129,7 @@ fn line(stiffness: f64, x: &[f64], accelerations: &mut [f64]) {
     accelerations[last] = stiffness * (x[last - 1] - 2.0 * x[last]);
 }
 
-/// Each disc is pushed by the walls and by all others; `r` has x of all, and behind them y of all.
+/// Accelerations of discs by the walls and by all other discs. `r`: x of all discs, followed by y of all.
 fn discs(m: f64, epsilon: f64, d: f64, l: f64, r: &[f64], accelerations: &mut [f64]) {
     let seventh = |q: f64| q * q * q * (q * q * q) * q;
     for (acceleration, place) in accelerations.iter_mut().zip(r) {

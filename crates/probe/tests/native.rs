@@ -1,4 +1,4 @@
-//! The probe natively: the golden runs, and that both loops whose speed is compared go the same way.
+//! Native tests of the probe: the golden runs, and agreement of the loops whose speed is compared.
 
 use probe::{Pace, System, check, fingerprint, golden, long_document};
 
@@ -21,7 +21,8 @@ fn both_loops_solve_the_same_equation() {
     let pace = Pace::new().unwrap();
     for steps in [1, 100, 2000, 19_999, 20_000] {
         let (machine, hand) = (pace.machine(steps).unwrap(), pace.by_hand(steps));
-        // Equal but for rounding, whose order the virtual machine chooses itself: 1e-16 of the amplitude in each step.
+        // The results differ only by rounding, about 1e-16 of the amplitude per step: the virtual machine chooses the
+        // order of operations.
         assert!((machine - hand).abs() < 1e-12, "{machine} and {hand} after {steps} steps");
     }
     // The closed form after 5 s, weakly damped.

@@ -1,13 +1,13 @@
-//! Doubts about the numbers of a fit themselves: values far from all others that have decided it, a best value at an end of the
-//! range in which it was searched, and a curve that oscillates faster than its record was sampled.
+//! Doubts about the results of a fit: dominating outliers, a best value at the bound of its search range, and a fitted
+//! curve that oscillates faster than the sampling can show.
 
 use crate::outliers::outliers;
 use crate::written::{of_record, quantity};
 use analysis::fit::{Estimate, Outcome, Task};
 use units::{Language, Unit};
 
-/// A text of the values far from all others, for each number that the end of its range has stopped, and for each record that is
-/// undersampled; `independent` is the name and the unit of the independent variable.
+/// Sentences about outliers that dominate the fit, about each estimate at a bound of its range, and about each
+/// undersampled record. `independent`: name and unit of the independent variable.
 pub fn doubts(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
     let misled = outliers(outcome, task, independent, language).filter(|_| outcome.misled);
     let at_ends = outcome.stopped().map(|one| at_end(one, task, language));

@@ -1,4 +1,4 @@
-//! The figures: measured values over the fitted curve, and below, on the same axis, what is left over.
+//! Figures: measured values over the fitted curve, and below, on the same time axis, the residuals.
 
 use crate::Report;
 use crate::markup::plain_symbol;
@@ -7,39 +7,40 @@ use analysis::fit::ObservationFit;
 use figure::{Axis, Figure, Interval, Palette, Plot, Series, Settings, Style, View, layout};
 use units::number::unit_text;
 
-/// The width of a figure, and of one of two side by side.
+/// Width of a figure in pixels. `HALF` is the width of one of two side by side.
 pub const WIDTH: f64 = 700.0;
 pub const HALF: f64 = 345.0;
 const UPPER: f64 = 300.0;
 const LOWER: f64 = 190.0;
 const SLIM: f64 = 190.0;
-/// More points than this are not drawn one by one.
+/// Maximum number of drawn points; longer observations are thinned.
 const MOST_POINTS: usize = 4000;
-/// The colours of the data, of the curve, of outliers, and of what was not fitted.
+/// Indices of colours: data, curve, outliers, and values that were not fitted.
 const DATA: u8 = 0;
 const CURVE: u8 = 1;
 const OUTLIER: u8 = 3;
 const UNUSED: u8 = 4;
 
-/// The columns of one observation in the units of its axes.
+/// Data of one observation in the units of its axes.
 struct Columns {
-    /// Of the values that were fitted, of those that were not, and of outliers: time, value, its error (if known), and residual and error
-    /// in the unit of residuals.
+    /// Points of fitted values, of values that were not fitted, and of outliers. Each has time, value, standard error
+    /// of the value (empty if unknown), residual, and standard error in `unit`.
     points: [[Vec<f64>; 5]; 3],
-    /// The unit of residuals.
+    /// Unit of the residuals.
     unit: String,
-    /// How much of the unit of the observation it is.
+    /// Size of `unit` in units of the observation.
     part: f64,
-    /// The curve: times, and twice the standard error in the unit of values and in that of residuals.
+    /// Times of the points of the curve. `spread`: twice its standard error, in the unit of the values and in that of
+    /// the residuals.
     times: Vec<f64>,
     spread: [Vec<f64>; 2],
-    /// The curve in the fitted part and outside, NaN elsewhere.
+    /// Fitted curve inside the fitted part, NaN elsewhere. `predicted`: the curve outside.
     fitted: Vec<f64>,
     predicted: Vec<f64>,
 }
 
-/// The figures of all observations as one standalone SVG, one below the other: the measured values over the fitted curve, and
-/// what is left over below.
+/// Figures of all observations as one standalone SVG, one below the other: the measured values over the fitted curve,
+/// with the residuals below.
 pub fn figure(report: &Report<'_>) -> String {
     let language = report.language;
     let title = report.document.program.edition(language.tag()).title.as_str();
@@ -52,24 +53,25 @@ pub fn figure(report: &Report<'_>) -> String {
     svg(&parts, height)
 }
 
-/// How many values stand for one that is drawn.
+/// Number of values per drawn point.
 pub fn thinned(fit: &ObservationFit) -> usize {
     fit.times.len().div_ceil(MOST_POINTS).max(1)
 }
 
-/// Both panels of one observation as one SVG, without a title.
+/// SVG of both panels of one observation, without a title.
 pub fn panels(report: &Report<'_>, fit: &ObservationFit) -> String {
     let mut parts = String::new();
     let height = add_panels(&mut parts, report, fit, "", 0.0);
     svg(&parts, height)
 }
 
-/// Adds both panels of one observation from `top` on; the result is where they end. `title` may be empty.
+/// Adds both panels of one observation at the height `top`. Returns the height of their lower end. `title` may be
+/// empty.
 fn add_panels(parts: &mut String, report: &Report<'_>, fit: &ObservationFit, title: &str, mut top: f64) -> f64 {
     let columns = columns(report, fit, greatest(fit));
     let drawn = [(UPPER, title), (LOWER, "")]
         .map(|(height, title)| (draw(report, fit, &columns, title, height, 0.0, None), height, title));
-    // One axis of time for both: the panel with the narrower numbers begins further right and is as much narrower.
+    // Both panels share one time axis: the one with the narrower labels is shifted to the right and made narrower.
     let left = drawn.iter().map(|(figure, ..)| figure.panel.x).fold(0.0, f32::max);
     for (figure, height, title) in drawn {
         let shift = f64::from(left - figure.panel.x);
@@ -80,7 +82,7 @@ fn add_panels(parts: &mut String, report: &Report<'_>, fit: &ObservationFit, tit
     top
 }
 
-/// An SVG of this height around its parts.
+/// SVG element of this height around `parts`.
 fn svg(parts: &str, height: f64) -> String {
     let (width, height) = (WIDTH.to_string(), height.to_string());
     let ground = Palette::LIGHT.ground.to_string();
@@ -106,13 +108,12 @@ fn svg(parts: &str, height: f64) -> String {
     pieces.concat()
 }
 
-/// The residuals of one observation as an SVG of such a width, on an axis that shows as much as `reach` (SI) to either
-/// side.
+/// SVG of the residuals of one observation, `width` pixels wide. The axis extends to `reach`, SI, on either side.
 pub fn residuals(report: &Report<'_>, fit: &ObservationFit, title: &str, reach: f64, width: f64) -> String {
     draw(report, fit, &columns(report, fit, reach), title, SLIM, WIDTH - width, Some(reach)).svg(&Palette::LIGHT)
 }
 
-/// One of the panels, identified by its height, so much narrower than the page.
+/// Draws a panel, identified by its height and `narrower` pixels narrower than the page.
 fn draw(
     report: &Report<'_>,
     fit: &ObservationFit,
@@ -163,7 +164,7 @@ fn draw(
     } else {
         series.insert(0, of_curve("", Style::Line, &zero));
     }
-    // Residuals of several theories on one scale: what lies beyond it is not drawn.
+    // Residuals of several theories share one scale. Larger residuals are not drawn.
     let limits = reach.map(|reach| size(&fit.unit, reach) / columns.part);
     let view = View { x: None, y: limits.map(|limit| Interval::new(-limit, limit)).into_iter().collect() };
     let plot = Plot {
@@ -182,20 +183,20 @@ fn draw(
     )
 }
 
-/// A figure inside another SVG.
+/// Embeds a figure in another SVG.
 fn place(out: &mut String, figure: &Figure, x: f64, y: f64) {
     let svg = figure.svg(&Palette::LIGHT);
     let rest = svg.strip_prefix("<svg").unwrap_or(&svg);
     out.extend(["<svg x=\"", &x.to_string(), "\" y=\"", &y.to_string(), "\"", rest]);
 }
 
-/// The greatest residual, SI.
+/// Largest absolute residual, SI.
 pub fn greatest(fit: &ObservationFit) -> f64 {
     greatest_where(fit, |_| true)
 }
 
-/// The greatest residual that tells one theory from another, SI: of those outside the fitted part, what is more than three
-/// times as large as the greatest inside would only flatten the rest.
+/// Largest absolute residual that is relevant to compare theories, SI. Residuals outside the fitted part count up to
+/// three times the largest one inside, because larger ones would only flatten the figure.
 pub fn telling(fit: &ObservationFit) -> f64 {
     let fitted = greatest_where(fit, |inside| inside);
     fitted.max(greatest(fit).min(3.0 * fitted))
@@ -207,13 +208,13 @@ fn greatest_where(fit: &ObservationFit, wanted: impl Fn(bool) -> bool) -> f64 {
     residuals.filter(|size| size.is_finite()).fold(0.0, f64::max)
 }
 
-/// `reach` is the SI size of residuals that their unit is to suit.
+/// Data of one observation. `reach`: size of a residual, SI, from which the unit of residuals is chosen.
 fn columns(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> Columns {
     let residual_unit = fit.unit.for_residuals(size(&fit.unit, reach).abs());
     let (part, unit) = (residual_unit.factor / fit.unit.factor, unit_text(&residual_unit.text));
     let clock = &report.document.program.model.independent.unit;
     let value = |si: f64| fit.unit.from_si(si);
-    // A difference on a scale has its factor, not its zero.
+    // A difference is scaled by the factor of the unit, without its zero.
     let difference = |si: f64| size(&fit.unit, si);
     let errors = errors(report, fit);
     let mut points: [[Vec<f64>; 5]; 3] = Default::default();
@@ -223,7 +224,7 @@ fn columns(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> Columns {
     let every = thinned(fit);
     for row in 0..fit.times.len() {
         let kind = if outlying.contains(&row) { 2 } else { usize::from(!fit.inside[row]) };
-        // An outlier is drawn in any case.
+        // Outliers are never thinned.
         if row % every != 0 && kind != 2 {
             continue;
         }
@@ -241,7 +242,7 @@ fn columns(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> Columns {
         Some(trace) => (&trace.times[..], &trace.values[..], &trace.stderr[..]),
         None => (&fit.times[..], &fit.fitted[..], &[][..]),
     };
-    // The two parts of the curve share the points where they meet.
+    // The two parts of the curve share their end points.
     let piece = |wanted: bool| -> Vec<f64> {
         let near = |row: usize| times.get(row).is_some_and(|time| report.task.covers(*time) == wanted);
         let belongs = |row: usize| near(row) || (!wanted && (near(row + 1) || (row > 0 && near(row - 1))));
@@ -259,7 +260,8 @@ fn columns(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> Columns {
     }
 }
 
-/// The errors that were given for the values of an observation, if any: rows are found by time and value.
+/// Standard errors given for the values of an observation, SI, NaN if a row is not found; empty if none were given.
+/// Rows are matched by time and value.
 fn errors(report: &Report<'_>, fit: &ObservationFit) -> Vec<f64> {
     let observation = report.task.records.get(fit.record).and_then(|record| record.observations.get(fit.observation));
     let Some((given, observation)) = observation.and_then(|one| Some((one.errors.as_ref()?, one))) else {

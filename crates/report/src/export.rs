@@ -1,4 +1,4 @@
-//! The same as numbers: a workbook and CSV.
+//! Data of the report: workbook and CSV.
 
 use crate::Report;
 use crate::results::{label, quoted, readable_units, size};
@@ -7,8 +7,8 @@ use analysis::fit::{Estimate, ObservationFit};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 use units::number::with_unit;
 
-/// What was measured, fitted and left over, row by row, as CSV: of each observation the time, the measured value, the
-/// fitted one, the residual, and 1 where the value was fitted. `decimal_comma` is for a spreadsheet that expects one.
+/// CSV of the data, row by row: for each observation the time, the measured value, the fitted value, the residual, and
+/// 1 if the value was fitted. `decimal_comma`: for spreadsheets that expect it.
 pub fn csv(report: &Report<'_>, decimal_comma: bool) -> String {
     let (headers, columns) = data(report);
     let headers: Vec<&str> = headers.iter().map(String::as_str).collect();
@@ -16,7 +16,7 @@ pub fn csv(report: &Report<'_>, decimal_comma: bool) -> String {
     csv::write(&headers, &columns, if decimal_comma { Dialect::Semicolons } else { Dialect::Commas })
 }
 
-/// The report as an XLSX workbook: results, data, curves, correlations, and how to repeat it, on sheets of their own.
+/// The report as an XLSX workbook, with sheets for results, data, curves, correlations, and origin.
 pub fn workbook(report: &Report<'_>) -> Vec<u8> {
     let language = report.language;
     let (headers, columns) = data(report);
@@ -31,14 +31,14 @@ pub fn workbook(report: &Report<'_>) -> Vec<u8> {
     Workbook { sheets }.xlsx()
 }
 
-/// A sheet of columns of numbers.
+/// Sheet of numeric columns.
 fn sheet(name: &str, headers: &[String], columns: &[Vec<f64>]) -> Sheet {
     let headers: Vec<&str> = headers.iter().map(String::as_str).collect();
     let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
     Sheet::of_columns(name, &headers, &columns)
 }
 
-/// A heading with its unit; with the record's name where there are several.
+/// Heading with its unit, preceded by the record's name if there are several.
 fn heading(report: &Report<'_>, record: usize, name: &str, unit: &str) -> String {
     let mut text = name.to_owned();
     if !unit.is_empty() {
@@ -57,7 +57,7 @@ fn data(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
     let mut columns = Vec::new();
     let mut times: Option<(usize, &[f64])> = None;
     for fit in &report.outcome.observations {
-        // Observations of one record at the same times share the column.
+        // Observations of one record at the same times share the time column.
         if times.is_none_or(|(record, known)| record != fit.record || known != fit.times) {
             headers.push(heading(report, fit.record, &clock.name, &clock.unit.text));
             columns.push(fit.times.iter().map(|time| clock.unit.from_si(*time)).collect());

@@ -1,4 +1,4 @@
-//! What the residuals say, what was predicted, and what the data cannot tell.
+//! Sections about the residuals, the prediction, and undetermined parameters.
 
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
@@ -7,7 +7,7 @@ use analysis::fit::{Estimate, ObservationFit, Outcome, Verdict};
 use units::Unit;
 use units::number::{Group, Style, fixed, near_one, plain};
 
-/// The numbers at the head of a report.
+/// Adds the statistics at the head of a report.
 pub fn numbers(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let (outcome, style) = (report.outcome, language.style());
@@ -35,17 +35,17 @@ pub fn numbers(page: &mut Page, report: &Report<'_>) {
     pair("BIC", fixed(outcome.bic, 1, style));
 }
 
-/// The root mean square of the residuals with its unit.
+/// Root mean square of the residuals with its unit.
 pub fn rmse(outcome: &Outcome, style: Style) -> String {
     with_unit(outcome.rmse, &outcome.rmse_unit, style)
 }
 
-/// A difference of SI size with three digits and a unit that suits it.
+/// A difference, given in SI, with three digits and a suitable unit.
 pub fn with_unit(si: f64, shown: &Unit, style: Style) -> String {
     Group::of_residuals(shown, &[si], 3, style).quantity(si).replace(' ', "\u{a0}")
 }
 
-/// Whether the verdict is a warning, or the numbers are in doubt.
+/// True if the verdict is a warning, or the results are doubtful.
 pub fn warns(outcome: &Outcome) -> bool {
     !matches!(outcome.verdict(), Verdict::Exact | Verdict::Compatible)
         || !outcome.outliers.is_empty()
@@ -53,7 +53,7 @@ pub fn warns(outcome: &Outcome) -> bool {
         || !outcome.undersampled.is_empty()
 }
 
-/// What cannot be determined, what was stopped, and whether the search came to its end.
+/// Adds the warnings: a search that did not converge, doubts, undetermined parameters, and another minimum.
 pub fn warnings(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let outcome = report.outcome;
@@ -76,7 +76,8 @@ pub fn warnings(page: &mut Page, report: &Report<'_>) {
     page.raw("</div>\n");
 }
 
-/// What the errors mean, and by how much the textbook's are too small.
+/// Adds the explanation of the standard errors, and the factor by which the errors for independent residuals are too
+/// small.
 pub fn errors(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let outcome = report.outcome;
@@ -109,7 +110,7 @@ pub fn errors(page: &mut Page, report: &Report<'_>) {
     page.element("p class=\"note\"", &text);
 }
 
-/// What the residuals say.
+/// Adds the section about the residuals.
 pub fn residuals(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let (outcome, style) = (report.outcome, language.style());
@@ -147,7 +148,7 @@ pub fn residuals(page: &mut Page, report: &Report<'_>) {
     }
 }
 
-/// How each observation was fitted, where there are several.
+/// Adds a table of the quality of the fit of each observation.
 fn by_observation(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let style = language.style();
@@ -182,12 +183,12 @@ fn by_observation(page: &mut Page, report: &Report<'_>) {
     page.end_table();
 }
 
-/// The name of the record of an observation.
+/// Name of the record of an observation.
 pub fn record<'a>(report: &Report<'a>, fit: &ObservationFit) -> &'a str {
     report.task.records.get(fit.record).map_or("", |record| &record.name)
 }
 
-/// How well the rest was predicted, where a part was fitted.
+/// Adds the section about the prediction of the values outside the fitted part, if there are any.
 pub fn prediction(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let style = language.style();

@@ -1,7 +1,7 @@
-//! What is handed in after a fit: one HTML page that prints well, a workbook, CSV and figures, in English and Spanish.
+//! Reports of a fit: one printable HTML page, a workbook, CSV and figures, in English and Spanish.
 //!
-//! Everything is made from a finished [`analysis::fit::Outcome`] and its document; nothing more is computed, and nothing
-//! is read from or written to a disk. The page holds no script and makes no request.
+//! All are made from a finished [`analysis::fit::Outcome`] and its document. Nothing else is computed, and no file is
+//! read or written. The page contains no script and makes no request.
 
 mod doubt;
 mod drawing;

@@ -1,10 +1,10 @@
-//! Pieces of HTML.
+//! Elements of HTML.
 
 use std::fmt::Display;
 
 pub use units::markup::escaped;
 
-/// A name of the model, or one that a fit made from it (`y'_offset`), as mathematics.
+/// Name of the model, or a name derived from it (`y'_offset`), as mathematical markup.
 pub fn symbol(name: &str) -> String {
     let base = name.trim_end_matches('\'');
     let simple = base.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -16,12 +16,12 @@ pub fn symbol(name: &str) -> String {
     }
 }
 
-/// A name as plain text, for the axes of a figure: `ω0`, `y′`.
+/// Name as plain text for the axes of a figure: `ω0`, `y′`.
 pub fn plain_symbol(name: &str) -> String {
     without_tags(&symbol(name)).replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&")
 }
 
-/// The text of some markup, still escaped.
+/// Text of markup without its tags; entities stay escaped.
 fn without_tags(markup: &str) -> String {
     let mut out = String::new();
     let mut inside = false;
@@ -36,24 +36,24 @@ fn without_tags(markup: &str) -> String {
     out
 }
 
-/// A growing page.
+/// Content of a page under construction.
 #[derive(Default)]
 pub struct Page {
     pub out: String,
 }
 
 impl Page {
-    /// Markup, as it is.
+    /// Appends markup unchanged.
     pub fn raw(&mut self, markup: &str) {
         self.out.push_str(markup);
     }
 
-    /// A text inside an element, which may have attributes: `p class="note"`.
+    /// Appends an element with text, which is escaped. `element` may have attributes: `p class="note"`.
     pub fn element(&mut self, element: &str, text: &str) {
         self.wrapped(element, &escaped(text));
     }
 
-    /// Markup inside an element.
+    /// Appends an element with markup.
     pub fn wrapped(&mut self, element: &str, markup: &str) {
         let name = element.split(' ').next().unwrap_or(element);
         for piece in ["<", element, ">", markup, "</", name, ">\n"] {
@@ -61,8 +61,8 @@ impl Page {
         }
     }
 
-    /// The header of a row or a column, markup, with attributes. Not every screen reader takes mathematics for words, so a
-    /// header that holds any is heard as plain text.
+    /// Appends the header of a row or column with attributes. Some screen readers do not read mathematics, so a header
+    /// with mathematics also has a plain text for them.
     pub fn header(&mut self, attributes: &str, markup: &str) {
         let element = ["th ", attributes].concat();
         if !markup.contains("<math") {
@@ -72,12 +72,12 @@ impl Page {
         self.wrapped(&element, &[&heard, "<span aria-hidden=\"true\">", markup, "</span>"].concat());
     }
 
-    /// The heading of a section, which ends with the next one.
+    /// Appends the heading of a section.
     pub fn heading(&mut self, text: &str) {
         self.element("h2", text);
     }
 
-    /// The head of a table with such columns; those that hold numbers are marked with a leading `#`.
+    /// Appends the head of a table. A leading `#` marks the headings of numeric columns.
     pub fn table(&mut self, class: &str, headings: &[&str]) {
         for piece in ["<div class=\"scroll\"><table class=\"", class, "\"><thead><tr>"] {
             self.out.push_str(piece);
@@ -91,12 +91,13 @@ impl Page {
         self.raw("</tr></thead><tbody>\n");
     }
 
-    /// A row of cells, each markup; those that hold numbers are marked with a leading `#`. The first one heads the row.
+    /// Appends a row of cells with markup. A leading `#` marks cells with numbers. The first cell is the header of the
+    /// row.
     pub fn row(&mut self, cells: &[&str]) {
         self.row_of("", cells);
     }
 
-    /// A row of a class.
+    /// Appends a row with a class.
     pub fn row_of(&mut self, class: &str, cells: &[&str]) {
         match class {
             "" => self.raw("<tr>"),
@@ -104,7 +105,7 @@ impl Page {
         }
         for (place, cell) in cells.iter().enumerate() {
             match (place, cell.strip_prefix('#')) {
-                // A header without words would head nothing: a record that has no name.
+                // A header must not be empty, as for a record without a name.
                 (0, None) if cell.is_empty() => self.raw("<td></td>"),
                 (0, None) => self.header("scope=\"row\"", cell),
                 (0, Some(cell)) => self.header("scope=\"row\" class=\"n\"", cell),
@@ -115,25 +116,25 @@ impl Page {
         self.raw("</tr>\n");
     }
 
-    /// The end of a table.
+    /// Appends the end of a table.
     pub fn end_table(&mut self) {
         self.raw("</tbody></table></div>\n");
     }
 
-    /// Pairs of a term and its value.
+    /// Appends a term and its value.
     pub fn pair(&mut self, term: &str, value: &dyn Display) {
         self.element("dt", term);
         self.element("dd", &value.to_string());
     }
 }
 
-/// A number in a cell of a table.
+/// Markup of a numeric cell.
 pub fn cell(number: &str) -> String {
     ["#", &escaped(number)].concat()
 }
 
-/// A page of this crate with a font for its equations in it (WOFF2 in base64, of characters `A-Z a-z 0-9 + / =`): without a
-/// mathematical font a browser draws roots that do not fit what they enclose, and many systems have none.
+/// Embeds a font for the equations in a page of this crate: WOFF2 in base64, of characters `A-Z a-z 0-9 + / =`. Many
+/// systems have no mathematical font, and without one browsers draw roots that do not fit their content.
 pub fn with_math_font(page: &str, font: &str) -> String {
     let face = [
         "<style>\n@font-face { font-family: \"Meniscus Math\"; src: url(\"data:font/woff2;base64,",
@@ -143,7 +144,7 @@ pub fn with_math_font(page: &str, font: &str) -> String {
     page.replacen("</head>", &face.concat(), 1)
 }
 
-/// A page of its own around sections.
+/// Complete HTML page with this body.
 pub fn document(title: &str, language: &str, version: &str, body: &str) -> String {
     let title = escaped(title);
     let pieces = [

@@ -1,14 +1,15 @@
-//! The values of a record that are off the others, in words.
+//! Outliers of a fit as text.
 
 use crate::written::{of_record, quantity};
 use analysis::fit::{Outcome, Outlier, Task};
 use units::number::{Style, fixed, plain};
 use units::{Language, Unit};
 
-/// No more outliers than this are named one by one, those farthest off.
+/// Maximum number of outliers that are listed, those with the largest deviations.
 const NAMED: usize = 5;
 
-/// `y = 3.2 cm at t = 1.4 s (+21 standard deviations from the others)`
+/// Sentence about the outliers with value, time and deviation in standard deviations of the others; `None` if there are
+/// none.
 pub fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Option<String> {
     let mut farthest: Vec<&Outlier> = outcome.outliers.iter().collect();
     farthest.sort_by(|one, other| other.sigmas.abs().total_cmp(&one.sigmas.abs()));
@@ -45,7 +46,7 @@ pub fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), lang
     Some([&count, head, &language.join(&list), advice(outcome, one, language)].concat())
 }
 
-/// What follows the list of outliers.
+/// Second part of the sentence about outliers: consequence and remedy.
 fn advice(outcome: &Outcome, one: bool, language: Language) -> &'static str {
     match (outcome.misled, one) {
         (true, true) => language.pick(
@@ -74,7 +75,7 @@ fn advice(outcome: &Outcome, one: bool, language: Language) -> &'static str {
     }
 }
 
-/// A signed number of standard deviations.
+/// A signed number of standard deviations, with the sign `+` or `−`.
 pub fn sigmas(sigmas: f64, style: Style) -> String {
     let size = sigmas.abs();
     let number = match size {

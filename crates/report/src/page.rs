@@ -1,10 +1,10 @@
-//! The report of one fit as a page.
+//! The report of one fit as an HTML page.
 
 use crate::markup::{self, Page};
 use crate::{Report, drawing, export, film, findings, results, theory};
 use units::Language;
 
-/// More figures than this are not drawn.
+/// Maximum number of figures.
 const FIGURES: usize = 12;
 
 /// The report as one self-contained HTML page in its language.
@@ -59,7 +59,7 @@ fn header(page: &mut Page, report: &Report<'_>, title: &str) {
     page.raw("</dl>\n");
 }
 
-/// The figures of the observations, as many as are worth the paper.
+/// Adds the figures of the observations, at most [`FIGURES`].
 fn figures(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let observations = &report.outcome.observations;
@@ -96,7 +96,7 @@ fn figures(page: &mut Page, report: &Report<'_>) {
     }
 }
 
-/// The end of a page.
+/// Adds the footer of a page.
 pub fn footer(page: &mut Page, language: Language, version: &str, date: &str) {
     let mut text = [language.pick("Made with Meniscus ", "Hecho con Meniscus "), version].concat();
     if !date.is_empty() {

@@ -1,17 +1,18 @@
-//! Grey pictures as PNG files (ISO/IEC 15948).
+//! Encoding of grey pictures as PNG files (ISO/IEC 15948).
 
 use analysis::spreadsheet::checksum;
 
-/// The longest block of a zlib stream that is stored as it is.
+/// Maximum length of a stored block in a zlib stream, in bytes.
 const LONGEST_BLOCK: usize = 65_535;
 
-/// A picture of 16 grey values, half a byte for each pixel; `grey` has one of 256 for each, row by row. What rounding takes from a
-/// pixel is added to the next one, so that the mean of an area stays (R. W. Floyd & L. Steinberg, Proc. SID 17 (1976) 75, along
-/// the row alone). Nothing is deflated: the noise of a camera would hardly become smaller, and a page would need the code.
+/// PNG file with 16 grey values, half a byte per pixel. `grey`: values from 0 to 255, row by row. The rounding error of
+/// a pixel is added to the next one, which preserves the mean of an area (R. W. Floyd & L. Steinberg, Proc. SID 17
+/// (1976) 75, along the row only). The data are not compressed, because camera noise hardly compresses and the page
+/// would need the code.
 pub fn png(width: usize, height: usize, grey: &[u8]) -> Vec<u8> {
     let mut rows = Vec::with_capacity(height * (width / 2 + 2));
     for row in grey.chunks_exact(width.max(1)).take(height) {
-        // No filter.
+        // Filter type 0 (none).
         rows.push(0);
         let mut error = 0;
         let mut level = |value: &u8| {
@@ -41,7 +42,7 @@ fn chunk(out: &mut Vec<u8>, kind: &[u8; 4], content: &[u8]) {
     out.extend(checksum(&checked).to_be_bytes());
 }
 
-/// A zlib stream (RFC 1950) of stored blocks.
+/// zlib stream (RFC 1950) of stored blocks.
 fn stored(bytes: &[u8]) -> Vec<u8> {
     let mut out = vec![0x78, 0x01];
     let mut blocks = bytes.chunks(LONGEST_BLOCK).peekable();
@@ -52,7 +53,7 @@ fn stored(bytes: &[u8]) -> Vec<u8> {
         out.extend((!length).to_le_bytes());
         out.extend(block);
     }
-    // Adler-32.
+    // Checksum Adler-32.
     let (a, b) = bytes.iter().fold((1_u32, 0_u32), |(a, b), byte| {
         let a = (a + u32::from(*byte)) % 65_521;
         (a, (a + b) % 65_521)
@@ -76,7 +77,7 @@ mod tests {
         assert_eq!(&file[file.len() - 12..], b"\0\0\0\0IEND\xae\x42\x60\x82");
     }
 
-    /// Half of 17 steps: every other pixel is lighter, and the mean stays.
+    /// A grey value halfway between two of the 16 levels: pixels alternate between both, and the mean is preserved.
     #[test]
     fn the_mean_of_an_area_stays() {
         let rows = png(100, 1, &[128; 100]);

@@ -1,4 +1,4 @@
-//! Several theories of the same data, side by side.
+//! Comparison of several theories of the same data.
 
 use crate::findings;
 use crate::markup::{self, Page, cell, escaped};
@@ -12,25 +12,26 @@ use units::number::{Group, fixed, plain};
 /// Fits of several theories to the same data.
 #[derive(Clone, Copy, Debug)]
 pub struct Ranking<'a> {
-    /// One finished fit for each theory, in any order. Language, version and date are those of the first.
+    /// One finished fit per theory, in any order. Language, version and date are those of the first.
     pub theories: &'a [Report<'a>],
-    /// The command that repeats the comparison; may be empty.
+    /// Command that repeats the comparison; may be empty.
     pub command: &'a str,
 }
 
-/// A difference of AICc within which theories are equally good, and one beyond which a theory is
-/// ruled out (Burnham & Anderson, Model Selection, 2002, section 2.6).
+/// Difference of AICc below which theories are equally good. `RULED_OUT`: difference from which a theory is ruled out
+/// (Burnham & Anderson, Model Selection, 2002, section 2.6).
 const ALIKE: f64 = 2.0;
 const RULED_OUT: f64 = 10.0;
 
-/// A theory's row.
+/// Row of a theory.
 struct Row<'a> {
     report: &'a Report<'a>,
     ranked: Ranked,
     title: &'a str,
-    /// How many numbers were determined from the data.
+    /// Number of parameters that the data determined.
     numbers: usize,
-    /// The root mean square of what was predicted of the first observation, all records together.
+    /// Root mean square of the predicted values of the first observation over all records, SI; `None` if all values were
+    /// fitted.
     predicted: Option<f64>,
 }
 
@@ -39,7 +40,7 @@ impl<'a> Ranking<'a> {
         self.theories.first().map_or(Language::English, |report| report.language)
     }
 
-    /// Best first.
+    /// The rows, best theory first.
     fn rows(&self) -> Vec<Row<'a>> {
         let tag = self.language().tag();
         let outcomes: Vec<&Outcome> = self.theories.iter().map(|report| report.outcome).collect();
@@ -56,7 +57,7 @@ impl<'a> Ranking<'a> {
         rank(&outcomes).into_iter().filter_map(row).collect()
     }
 
-    /// For each place that theories share, a sentence.
+    /// One sentence per place that several theories share.
     fn ties(&self) -> Vec<(usize, String)> {
         let tag = self.language().tag();
         let outcomes: Vec<&Outcome> = self.theories.iter().map(|report| report.outcome).collect();
@@ -64,7 +65,7 @@ impl<'a> Ranking<'a> {
         ties(&rank(&outcomes), &outcomes, self.language(), title)
     }
 
-    /// For how much of a value each one counts, by the residuals of the best theory.
+    /// Number of independent values per measured value, from 0 to 1, by the residuals of the best theory.
     fn worth(rows: &[Row<'_>]) -> f64 {
         rows.first().map_or(1.0, |row| worth(row.report.outcome))
     }
@@ -108,7 +109,8 @@ pub fn ranking_html(ranking: &Ranking<'_>) -> String {
     markup::document(title, language.tag(), version, &page.out)
 }
 
-/// What the data favour, what they cannot tell apart, what they rule out, and what predicts better.
+/// Adds the conclusion: the favoured theory, those that are equally good, those that are ruled out, and a theory that
+/// predicts better.
 fn judgement(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     let Some(best) = rows.first().filter(|row| row.ranked.difference == 0.0) else {
         return;
@@ -128,7 +130,7 @@ fn judgement(page: &mut Page, language: Language, rows: &[Row<'_>]) {
         let start = language.pick(" They cannot tell it from ", " No la distinguen de ");
         text.extend([start, &language.join(&alike), "."]);
     }
-    // What predicts better is not ruled out.
+    // A theory that predicts better is not ruled out.
     let better = |row: &&Row<'_>| row.predicted.zip(best.predicted).is_some_and(|(own, of_best)| own < of_best);
     let out: Vec<String> = apart(RULED_OUT, f64::MAX).filter(|row| !better(row)).map(quoted).collect();
     if !out.is_empty() {
@@ -228,7 +230,7 @@ fn table(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     page.end_table();
 }
 
-/// What correlated residuals do to the comparison.
+/// Adds the explanation of AICc and the effect of correlated residuals on the comparison.
 fn caution(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     let mut text = language
         .pick(
@@ -257,7 +259,7 @@ fn caution(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     page.element("p class=\"note\"", &text);
 }
 
-/// The residuals of every theory, those of one record on one scale.
+/// Adds the residuals of all theories. Those of one record share one scale.
 fn residuals(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     page.heading(language.pick("What they leave over", "Lo que dejan sin explicar"));
     let records = rows.iter().map(|row| row.report.task.records.len()).max().unwrap_or(0);
@@ -296,7 +298,7 @@ fn residuals(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     }
 }
 
-/// The table of theories with its header.
+/// The table of theories with its header row.
 fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
     let language = ranking.language();
     let rows = ranking.rows();
@@ -339,7 +341,8 @@ fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
     table
 }
 
-/// The comparison as a workbook: the table of theories, and the results of each on a sheet of its own.
+/// The comparison as a workbook: the table of theories on the first sheet, and the results of each theory on its own
+/// sheet.
 pub fn ranking_workbook(ranking: &Ranking<'_>) -> Vec<u8> {
     let language = ranking.language();
     let rows = numbers(ranking);
@@ -352,7 +355,7 @@ pub fn ranking_workbook(ranking: &Ranking<'_>) -> Vec<u8> {
     Workbook { sheets }.xlsx()
 }
 
-/// The table of theories as CSV. Titles stand in the first column, in quotation marks.
+/// The table of theories as CSV. Titles are in the first column, in quotation marks.
 pub fn ranking_csv(ranking: &Ranking<'_>, decimal_comma: bool) -> String {
     let rows = numbers(ranking);
     let dialect = if decimal_comma { Dialect::Semicolons } else { Dialect::Commas };

@@ -1,5 +1,5 @@
-//! What has to be known beside the numbers of a fit: the scales of films, values that are off, and a record too short for its
-//! correlation.
+//! Remarks about a fit besides its numbers: scales of films, outliers, and records that are short for the correlation
+//! of their errors.
 
 use crate::doubt;
 use crate::outliers::{outliers, sigmas};
@@ -8,23 +8,25 @@ use analysis::fit::{Estimate, FilmScale, Loss, Outcome, Task};
 use units::number::{Group, fixed, plain};
 use units::{Language, Unit};
 
-/// Sentences in English or Spanish, doubts about the numbers first; `independent` is the name and the unit of the independent variable.
+/// Sentences in English or Spanish, with doubts about the results first. `independent`: name and unit of the
+/// independent variable.
 pub fn remarks(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
     let doubts = doubt::doubts(outcome, task, independent, language);
     doubts.into_iter().chain(beside(outcome, task, independent, language)).collect()
 }
 
-/// The same without doubts about the numbers.
+/// Remarks as in [`remarks`], without the doubts.
 pub fn beside(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
     let outliers = outliers(outcome, task, independent, language).filter(|_| !outcome.misled);
     let sentences = [loss(outcome, language), outliers, short(outcome, language)];
     scales(outcome, task, language).into_iter().chain(sentences.into_iter().flatten()).collect()
 }
 
-/// A scale that is more standard errors of its calibration than this away from 1 contradicts it.
+/// Deviation of a film's scale from 1, in standard errors of its calibration, beyond which they contradict each other.
 const CONTRADICTS: f64 = 3.0;
 
-/// `Scale of the film 1.0003 ± 0.0012 (prior 1 ± 0.0015)`, and whether that contradicts the prior.
+/// Sentences about the scales of films: `Scale of the film 1.0003 ± 0.0012 (prior 1 ± 0.0015)`, and whether it
+/// contradicts the prior.
 fn scales(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
     let sentence = |scale: &FilmScale| {
         let error = scale.stderr.unwrap_or(scale.prior);
@@ -57,7 +59,8 @@ fn scales(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
     outcome.scales.iter().map(sentence).collect()
 }
 
-/// What a robust loss has changed: how many values count less, and the greatest change of a number.
+/// Sentence about the effect of a robust loss: the number of values with reduced weight, and the largest change of an
+/// estimate.
 fn loss(outcome: &Outcome, language: Language) -> Option<String> {
     let robust = outcome.reweighted.as_ref()?;
     let style = language.style();
@@ -65,7 +68,7 @@ fn loss(outcome: &Outcome, language: Language) -> Option<String> {
     let [less, half, count] = [robust.less, robust.half, robust.count].map(|count| count.to_string());
     let of_all = [language.pick::<&str>(" of ", " de "), &count, language.pick(" values", " valores")].concat();
     match robust.loss {
-        // With Tukey's loss all values count less.
+        // Tukey's loss reduces the weight of all values, so only weights below one half are counted.
         Loss::Squares | Loss::Tukey => text.extend([
             language.pick::<&str>("the weight is below one half for ", "el peso es menor que la mitad para "),
             &half,
@@ -105,7 +108,7 @@ fn loss(outcome: &Outcome, language: Language) -> Option<String> {
     Some(text)
 }
 
-/// That standard errors are uncertain themselves.
+/// Warning that the standard errors are uncertain; `None` if the record is long enough.
 fn short(outcome: &Outcome, language: Language) -> Option<String> {
     if !outcome.is_short() {
         return None;

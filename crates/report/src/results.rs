@@ -1,4 +1,4 @@
-//! The tables of what a fit found.
+//! Tables of the results of a fit.
 
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
@@ -7,10 +7,11 @@ use program::Program;
 use units::number::{DASH, Style, concise, fixed, plain, steady, unit_text};
 use units::{Language, Unit};
 
-/// A matrix of more columns would not fit the page.
+/// Maximum number of parameters for which the full correlation matrix is shown.
 const MATRIX: usize = 10;
 
-/// The number to quote for an estimate, in its unit: rounded by the error that is honest about correlated residuals.
+/// Value of an estimate in its unit, rounded by its standard error for correlated residuals, otherwise by the ordinary
+/// one. A dash if undetermined.
 pub fn quoted(estimate: &Estimate, style: Style) -> String {
     let value = estimate.unit.from_si(estimate.value);
     if !estimate.determined {
@@ -19,12 +20,12 @@ pub fn quoted(estimate: &Estimate, style: Style) -> String {
     concise(value, estimate.stderr_hac.or(estimate.stderr).map(|error| size(&estimate.unit, error)), style)
 }
 
-/// A difference of SI size in a unit.
+/// Converts a difference from SI to a unit, without the zero of the unit.
 pub fn size(unit: &Unit, si: f64) -> f64 {
     unit.from_si(si) - unit.from_si(0.0)
 }
 
-/// The same estimates with units in which they need no power of ten: one for all of the same quantity.
+/// Estimates with units in which they need no power of ten. All estimates of one quantity get the same unit.
 pub fn readable_units(estimates: &[Estimate]) -> Vec<Estimate> {
     let of_size = |one: &Estimate| {
         let alike = estimates.iter().filter(|other| other.name == one.name && other.determined);
@@ -35,7 +36,7 @@ pub fn readable_units(estimates: &[Estimate]) -> Vec<Estimate> {
     estimates.iter().map(|one| Estimate { unit: of_size(one), ..one.clone() }).collect()
 }
 
-/// What an estimate of this program is called; nothing where it has no label.
+/// Label of an estimate; empty if it has none.
 pub fn label(program: &Program, language: Language, estimate: &Estimate) -> String {
     if let Some(label) = &estimate.label {
         return program.text(language.tag(), label).to_owned();
@@ -52,7 +53,7 @@ pub fn label(program: &Program, language: Language, estimate: &Estimate) -> Stri
     }
 }
 
-/// Derived quantities, those that are the same in every record only once.
+/// Derived quantities, with one entry for those that are equal in all records.
 pub fn once(derived: &[Estimate]) -> Vec<Estimate> {
     let mut result: Vec<Estimate> = Vec::new();
     for estimate in derived {
@@ -69,7 +70,7 @@ pub fn once(derived: &[Estimate]) -> Vec<Estimate> {
     result
 }
 
-/// The table of the parameters or of the derived quantities.
+/// Adds the table of the parameters or, if `derived`, of the derived quantities.
 pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], derived: bool) {
     let language = report.language;
     let profiles = if derived { &[][..] } else { report.intervals };
@@ -89,7 +90,7 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
     }
     page.table("wide", &headings);
     let estimates = &readable_units(estimates);
-    // What holds for all records first, then record by record.
+    // Estimates that hold for all records come first, then those of each record.
     let mut order: Vec<usize> = (0..estimates.len()).collect();
     order.sort_by_key(|&index| estimates[index].record.map_or(0, |record| record + 1));
     let mut group = None;
@@ -146,7 +147,7 @@ fn row(page: &mut Page, report: &Report<'_>, estimate: &Estimate, interval: Opti
     page.row(&cells);
 }
 
-/// `0.383 … 0.391`, to the digits that the width of the interval allows.
+/// Interval `0.383 … 0.391`, with the digits that its width justifies.
 fn ends(estimate: &Estimate, interval: Interval, style: Style) -> String {
     let [low, high] = [interval.low, interval.high].map(|end| end.map(|si| estimate.unit.from_si(si)));
     let width = match (low, high) {
@@ -156,7 +157,7 @@ fn ends(estimate: &Estimate, interval: Interval, style: Style) -> String {
     let write = |end: Option<f64>| match end {
         Some(value) => {
             let text = concise(value, Some(width), style);
-            // Without the error in parentheses; what follows it is the power of ten.
+            // Removes the error in parentheses; a power of ten may follow it.
             match (text.find('('), text.find(')')) {
                 (Some(open), Some(close)) => [&text[..open], &text[close + 1..]].concat(),
                 _ => text,
@@ -167,7 +168,7 @@ fn ends(estimate: &Estimate, interval: Interval, style: Style) -> String {
     [&write(low), " … ", &write(high)].concat()
 }
 
-/// The matrix of correlations, or for many parameters the strongest ones.
+/// Adds the correlation matrix, or for many parameters a list of the strongest correlations.
 pub fn correlations(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let (parameters, matrix) = (&report.outcome.parameters, &report.outcome.correlation);
@@ -228,13 +229,13 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
     }
 }
 
-/// A cell whose colour says sign and size: blue for what grows together, orange for what does not.
+/// Table cell whose colour shows a correlation: blue for positive, orange for negative, darker for stronger.
 fn tinted(value: f64) -> String {
     if !value.is_finite() {
         return "td".to_owned();
     }
     let colour = if value > 0.0 { "11,90,168" } else { "209,70,0" };
-    // Squared, so that the strong ones stand out; never so dark that the number could not be read.
+    // The square emphasises strong correlations. The depth is limited so that the number stays legible.
     let depth = (value * value).min(1.0) * 0.42;
     ["td style=\"background:rgba(", colour, ",", &fixed(depth, 3, Style::POINT), ")\""].concat()
 }

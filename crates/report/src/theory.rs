@@ -1,4 +1,4 @@
-//! The theory, the data, and what is needed to repeat the fit.
+//! Sections about the theory, the data, and the repetition of the fit.
 
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
@@ -7,10 +7,10 @@ use analysis::fit::Target;
 use program::Parameter;
 use units::number::{fixed, plain, unit_text};
 
-/// Data beyond this are not written into the page.
+/// Maximum number of rows of data that are written into the page.
 const MOST_ROWS: usize = 5000;
 
-/// The equations, and the parameters that were held.
+/// Adds the equations and the fixed parameters.
 pub fn theory(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let model = &report.document.program.model;
@@ -57,7 +57,7 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
     page.end_table();
 }
 
-/// What was measured.
+/// Adds the section about the data.
 pub fn data(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let style = language.style();
@@ -99,7 +99,7 @@ pub fn data(page: &mut Page, report: &Report<'_>) {
     }
 }
 
-/// Everything that is needed to repeat it.
+/// Adds everything needed to repeat the fit.
 pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
     let language = report.language;
     page.heading(language.pick("To repeat this", "Para repetirlo"));
@@ -129,7 +129,7 @@ pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
     }
 }
 
-/// What was varied, and where it was to begin and to stay if that was said.
+/// Varied numbers, each with its start and bounds if stated.
 fn varied(report: &Report<'_>) -> Vec<String> {
     let language = report.language;
     let model = &report.document.program.model;
@@ -164,7 +164,7 @@ fn varied(report: &Report<'_>) -> Vec<String> {
     report.task.varied.iter().filter_map(describe).collect()
 }
 
-/// Which part was fitted.
+/// Text of the fitted part.
 fn part(report: &Report<'_>) -> String {
     let language = report.language;
     let independent = &report.document.program.model.independent;
@@ -180,7 +180,7 @@ fn part(report: &Report<'_>) -> String {
     }
 }
 
-/// How it was computed.
+/// Text of the method of the fit.
 fn method(report: &Report<'_>) -> String {
     let language = report.language;
     let mut text = language

@@ -1,22 +1,22 @@
-//! Numbers with units as a sentence or a table has them.
+//! Formatting of numbers with units for sentences and tables.
 
 use analysis::fit::{Outcome, Task};
 use units::Unit;
 use units::number::{Group, Style, plain, with_unit};
 
-/// `run 2: `, where there are several records.
+/// Prefix with the record's name, `run 2: `; empty if there is only one record.
 pub fn of_record(record: Option<usize>, task: &Task) -> String {
     let record = record.and_then(|record| task.records.get(record)).filter(|_| task.records.len() > 1);
     record.map_or_else(String::new, |record| [&record.name, ": "].concat())
 }
 
-/// An SI value with five digits and a unit in which it needs no power of ten.
+/// A value, given in SI, with five digits and a unit in which it needs no power of ten.
 pub fn quantity(si: f64, unit: &Unit, style: Style) -> String {
     let unit = unit.for_size(unit.from_si(si).abs());
     with_unit(&plain(unit.from_si(si), 5, style), &unit)
 }
 
-/// How the residuals of all observations of the same name are written, in one unit: in the fitted part and outside.
+/// Common number format of the residuals of all observations of one name, inside and outside the fitted part.
 pub fn sizes(outcome: &Outcome, name: &str, style: Style) -> Group {
     let own = || outcome.observations.iter().filter(|one| one.name == name);
     let sizes: Vec<f64> = own().flat_map(|one| [Some(one.rmse), one.outside.map(|part| part.rmse)]).flatten().collect();

@@ -1,4 +1,4 @@
-//! What reports say of numbers that are in doubt, and how they write numbers.
+//! Reports of doubtful results, and the format of numbers.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by them")]
 
 mod support;
@@ -10,7 +10,7 @@ use support::{Fitted, fitted, level, observed, record, texts, theory};
 use units::Unit;
 use units::number::Style;
 
-/// The place of `gamma` among the parameters of the theory.
+/// Index of `gamma` among the parameters of the theory.
 const GAMMA: usize = 5;
 
 /// The record of known truth, fitted with its theory.
@@ -26,7 +26,7 @@ fn a_number_at_an_end_of_its_range_is_in_doubt() {
     let (times, values) = level();
     let mut document = theory("linear");
     let record = record(&mut document, "swing.txt", &times, &values);
-    // The record has 0.4 /s.
+    // The true damping of the record is 0.4 /s.
     let stopped = fitted("linear", document, vec![record], |task| {
         let name = |varied: &Varied| matches!(varied.target, Target::Parameter(index) if index == GAMMA);
         task.varied.iter_mut().filter(|varied| name(varied)).for_each(|varied| varied.bounds = Some((0.0, 0.3)));
@@ -44,11 +44,11 @@ fn a_number_at_an_end_of_its_range_is_in_doubt() {
         let said = |cell: &Data| matches!(cell, Data::String(text) if text.starts_with(expected));
         assert!(results.rows().any(|row| row.iter().any(said)), "{language}");
     }
-    // Within its range there is no doubt.
+    // Without an estimate at a bound there is no doubt.
     assert!(!texts(&html(&level_fitted().report("en"))).contains("is in doubt"));
 }
 
-/// Five values a second show 10 rad/s, three do not.
+/// Five values per second resolve 10 rad/s, three do not.
 #[test]
 fn an_alias_is_in_doubt() {
     let (times, values) = level();
@@ -68,7 +68,7 @@ fn an_alias_is_in_doubt() {
     assert_eq!([doubted(10, "en"), doubted(10, "es"), doubted(6, "en")], [1, 1, 0]);
 }
 
-/// The value that has decided the fit is named before all else, and not the good ones beside it.
+/// The outlier that dominates the fit is reported first, without the good values beside it.
 #[test]
 fn a_value_far_from_all_others_is_named() {
     let (times, mut values) = level();
@@ -93,7 +93,7 @@ fn a_value_far_from_all_others_is_named() {
     assert!(!robust.contains("Another minimum"), "{robust}");
 }
 
-/// Nine values are too few to judge residuals, which is no good news.
+/// Nine values are too few to judge residuals, which is a warning.
 #[test]
 fn a_verdict_is_a_warning_unless_it_is_good() {
     assert!(html(&level_fitted().report("en")).contains("<p class=\"verdict\">"));
@@ -104,7 +104,7 @@ fn a_verdict_is_a_warning_unless_it_is_good() {
     assert!(page.contains("<p class=\"verdict warn\">There are too few values"), "{page}");
 }
 
-/// The calibration says 1 ± 0.01, and the theory's lengths 1.1.
+/// The calibration gives the scale 1 ± 0.01, and the theory's lengths give 1.1.
 #[test]
 fn a_scale_that_contradicts_its_calibration_is_named() {
     let (times, values) = level();
@@ -113,7 +113,7 @@ fn a_scale_that_contradicts_its_calibration_is_named() {
         let observed =
             observed(&mut document, "y", &times, &values.iter().map(|value| 1.1 * value).collect::<Vec<_>>());
         let record = Record { observations: vec![observed], scale_error: Some(scale_error), ..Record::default() };
-        // Displacement, velocity and level are known, so that lengths tell the scale.
+        // Displacement, velocity and level are fixed, so that lengths determine the scale.
         let fit = fitted("linear", document, vec![record], |task| {
             task.parameters[1..4].copy_from_slice(&[0.042, -0.018, -0.003]);
             task.varied = [0, GAMMA].map(Varied::parameter).to_vec();
@@ -124,7 +124,7 @@ fn a_scale_that_contradicts_its_calibration_is_named() {
     }
 }
 
-/// Residuals of one quantity stand in one unit, however much they differ.
+/// Residuals of one quantity share one unit, regardless of their sizes.
 #[test]
 fn a_column_has_one_unit() {
     let (times, values) = level();
@@ -143,7 +143,7 @@ fn a_column_has_one_unit() {
     }
 }
 
-/// In a workbook a rounded number has its unit, in which it needs no power of ten.
+/// A rounded number in a workbook is given in a unit without a power of ten.
 #[test]
 fn rounded_numbers_have_their_unit() {
     let fit = level_fitted();
@@ -163,7 +163,7 @@ fn quantities_need_no_power_of_ten() {
     }
 }
 
-/// Only where something lies beyond the scale, the ranking says so.
+/// The ranking mentions residuals beyond the scale only if there are any.
 #[test]
 fn a_caption_says_what_is_not_drawn_where_there_is_such() {
     let (times, values) = level();

@@ -1,4 +1,4 @@
-//! Reports say what the fit found, in both languages, and are well-formed, harmless and complete.
+//! Reports contain the results of the fit in both languages, and are well-formed, safe and complete.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by them")]
 
 mod support;
@@ -8,7 +8,7 @@ use report::{Ranking, csv, figure, html, ranking_csv, ranking_html, ranking_work
 use support::{Fitted, fitted, level, observed, parsed, record, texts, theory};
 use units::number::Style;
 
-/// The record of known truth, fitted with a theory until 6 s.
+/// Fit of the record with known truth up to 6 s.
 fn fit(name: &str, file: &str) -> Fitted {
     let (times, values) = level();
     let mut document = theory(name);
@@ -43,7 +43,7 @@ fn the_page_says_what_was_found() {
         "meniscus fit linear.md U3.txt --observe y --until 6",
         "until 6 s",
         "L, gamma, y_0, v_0, c",
-        // The document, so that the page alone is enough.
+        // The document is included, so that the page is self-contained.
         "x'' + 2*gamma*x' + omega_0^2*x = 0",
         // The data: the first row.
         "t [s],y measured [m],y fitted [m],y residual [m],y used [1]".trim_end_matches(" [1]"),
@@ -53,7 +53,7 @@ fn the_page_says_what_was_found() {
     assert!(page.contains("<mfrac>") && page.contains("<msqrt>"), "equations are typeset");
     assert_eq!(page.matches("<svg").count(), 3, "two panels in one drawing");
     assert!(!page.contains("<script"));
-    // Names of XML vocabularies, which are never requested.
+    // Names of XML vocabularies, which are not requested.
     assert_eq!(
         page.matches("http").count(),
         page.matches("http://www.w3.org/").count() + page.matches("http-equiv").count()
@@ -73,7 +73,7 @@ fn the_page_speaks_spanish() {
     }
     let gamma = fit.outcome.estimate("gamma").unwrap();
     assert!(all.contains(&units::number::concise(gamma.value, gamma.stderr_hac, Style::COMMA)));
-    // Every language of the world that is not spoken reads English.
+    // A language without translation gets English.
     assert!(html(&fit.report("de")).contains("What the residuals say"));
 }
 
@@ -95,7 +95,7 @@ fn names_from_outside_do_no_harm() {
     texts(&page);
 }
 
-/// Where friction and density only occur as a quotient, the report says so and gives no number.
+/// If only the quotient of friction and density is determined, the report says so and gives no values for them.
 #[test]
 fn what_is_not_determined_has_no_number() {
     let source = "---\ntitle: A tube\n---\n```model\nparameter b = 50 [kg/s]\nparameter rho = 1000 [kg/m^3]\n\
@@ -129,7 +129,7 @@ fn the_figure_is_one_drawing_with_one_axis_of_time() {
         .filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "svg")))
         .collect();
     assert_eq!(panels.len(), 2);
-    // The grid of the upper panel begins where that of the lower one does: at the x of the texts "0" below both.
+    // The grids of both panels begin at the same abscissa, that of the texts "0" below them.
     let zero = |panel: &roxmltree::Node| {
         let shift: f64 = panel.attribute("x").unwrap().parse().unwrap();
         let labels = panel
@@ -166,7 +166,7 @@ fn the_workbook_holds_results_data_and_curves() {
     assert_eq!(curves.get_size(), (601, 3));
 }
 
-/// Two records, one of them with its velocity: columns and headings tell them apart.
+/// Columns and headings distinguish two records, one of which has its velocity.
 #[test]
 fn several_records_stand_side_by_side() {
     let (times, values) = level();
@@ -205,7 +205,7 @@ fn theories_are_ranked() {
     let ranking = Ranking { theories: &theories, command: "meniscus rank swing.txt" };
     let table = ranking_csv(&ranking, false);
     let order: Vec<&str> = table.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
-    // The formula and the equation are one theory.
+    // The formula and the equation are the same theory.
     assert_eq!(order.last(), Some(&"Quadratic damping"), "{order:?}");
     let page = ranking_html(&ranking);
     let all = texts(&page);
@@ -220,7 +220,7 @@ fn theories_are_ranked() {
     assert_eq!(ranking_csv(&nothing, false).lines().count(), 1);
 }
 
-/// AICc favours one theory, and another one predicts better: both are said, and none is ruled out.
+/// AICc favours one theory and another predicts better: both are reported, and neither is ruled out.
 #[test]
 fn a_better_prediction_contradicts_a_better_fit() {
     let mut fits = ["linear", "quadratic"].map(|name| fit(name, "swing.txt"));
@@ -248,7 +248,7 @@ fn a_better_prediction_contradicts_a_better_fit() {
 
 #[test]
 fn every_header_has_words_and_every_image_a_name() {
-    // An unnamed record, many parameters, two records: every kind of table.
+    // An unnamed record, many parameters and two records cover every kind of table.
     let fits = [fit("linear", "swing.txt"), fit("quadratic", "")];
     for language in ["en", "es"] {
         let reports: Vec<_> = fits.iter().map(|fit| fit.report(language)).collect();

@@ -1,4 +1,5 @@
-//! Circles between the files of a crate. Without them a file can be understood from itself and those below it.
+//! Check for circular dependencies between the files of a crate. Without circles a file can be understood from itself
+//! and the files below it.
 
 use crate::texts::root;
 use crate::uses::{Uses, uses};
@@ -6,14 +7,14 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs;
 
-/// The heading in ARCHITECTURE.md above the list of arrows that may close a circle. Each begins with the two files, as in
-/// "- `crates/a/src/b.rs` uses `crates/a/src/c.rs`:", and goes on with the reason.
+/// Heading in ARCHITECTURE.md of the list of permitted arrows that close a circle. Each entry begins with the two
+/// files, as in "- `crates/a/src/b.rs` uses `crates/a/src/c.rs`:", followed by the reason.
 const HEADING: &str = "### Files that use each other";
 
-/// An arrow from a file to one that it uses.
+/// Arrow from a file to a file that it uses.
 type Arrow = (String, String);
 
-/// The arrows that ARCHITECTURE.md excepts.
+/// Arrows permitted in ARCHITECTURE.md.
 fn excepted(text: &str) -> BTreeSet<Arrow> {
     let list = text.split_once(HEADING).map_or("", |(_, after)| after);
     let list = list.split("\n#").next().unwrap_or_default();
@@ -28,7 +29,7 @@ fn excepted(text: &str) -> BTreeSet<Arrow> {
         .collect()
 }
 
-/// The files from which `from` cannot be separated: each uses the other, directly or over further files.
+/// Files in a circle with `from`: each uses the other, directly or through further files.
 fn circle_of(from: &str, uses: &Uses) -> BTreeSet<String> {
     let reached_from = |start: &str| {
         let mut reached = BTreeSet::new();
@@ -42,12 +43,12 @@ fn circle_of(from: &str, uses: &Uses) -> BTreeSet<String> {
     reached_from(from).into_iter().filter(|file| reached_from(file).contains(from)).collect()
 }
 
-/// All circles, each as the files in it.
+/// All circles, each as the set of its files.
 fn circles(uses: &Uses) -> BTreeSet<BTreeSet<String>> {
     uses.keys().map(|(file, _)| circle_of(file, uses)).filter(|circle| circle.len() > 1).collect()
 }
 
-/// What a circle is and how it can be opened.
+/// Error message about a circle, with the names that its files use of each other.
 fn message(circle: &BTreeSet<String>, uses: &Uses) -> String {
     let mut text = format!("{} files use each other in a circle:\n", circle.len());
     for ((from, to), names) in uses.iter().filter(|((from, to), _)| circle.contains(from) && circle.contains(to)) {
@@ -85,7 +86,7 @@ fn no_circles_between_files() {
     );
 }
 
-/// A crate of three files and a folder, whose file `c` has the given text.
+/// Uses in a sample crate whose file `src/folder/c.rs` has the text `c`.
 fn small(c: &'static str) -> Uses {
     let read = move |path: &str| {
         let text = match path {
@@ -101,7 +102,7 @@ fn small(c: &'static str) -> Uses {
     uses("src/lib.rs", &read)
 }
 
-/// Each text of a file beside the circle that it closes.
+/// Cases: text of the file `c`, and the files of the circle that it closes.
 #[test]
 fn uses_are_found_in_imports_paths_and_macros() {
     let through_a = "src/a.rs src/folder/b.rs src/folder/c.rs";
@@ -114,7 +115,7 @@ fn uses_are_found_in_imports_paths_and_macros() {
         ("pub struct C; pub fn three() { println!(\"{:?}\", vec![crate::A]) }", through_a),
         ("pub struct C; pub fn three() -> usize { use super::two; two() }", through_b),
         ("use super::b as other; pub struct C; pub fn three() -> usize { other::two() }", through_b),
-        // A re-export, a visibility and a unit test use nothing.
+        // A re-export, a visibility and a unit test are not uses.
         ("pub use crate::A; pub struct C; pub(in crate::folder) fn three() {}", ""),
         ("pub struct C; #[cfg(test)] mod tests { use crate::A; } #[cfg(test)] fn test(_: crate::A) {}", ""),
     ] {

@@ -1,9 +1,9 @@
-//! The arrows between the crates, and what the crates of the core must not touch.
+//! Check of the dependencies between crates, and of the modules that the core crates must not use.
 
 use crate::texts::{product, root, texts};
 use std::fs;
 
-/// Which crates of the workspace each may use. The walls between them are the design (ARCHITECTURE.md).
+/// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
 const ARROWS: [(&str, &[&str]); 16] = [
     ("units", &[]),
     ("program", &["units"]),
@@ -23,7 +23,7 @@ const ARROWS: [(&str, &[&str]); 16] = [
     ("cli", &["analysis", "document", "engine", "figure", "film", "model", "program", "report", "units"]),
 ];
 
-/// The crates that do no I/O, read no clock and touch no DOM.
+/// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
 const CORE: [&str; 11] =
     ["units", "program", "model", "document", "engine", "analysis", "film", "figure", "report", "play", "desk"];
 const OUTSIDE: [&str; 8] =
@@ -34,7 +34,7 @@ fn crates_use_only_what_lies_below_them() {
     let names: Vec<&str> = ARROWS.iter().map(|(name, _)| *name).collect();
     for (name, allowed) in ARROWS {
         let manifest = fs::read_to_string(root().join("crates").join(name).join("Cargo.toml")).expect("a manifest");
-        // Tests may look anywhere: only the part before them counts.
+        // Dependencies of tests are not restricted.
         let product = manifest.split("[dev-dependencies]").next().unwrap_or_default();
         for used in
             product.lines().filter_map(|line| line.split(['.', ' ', '=']).next()).filter(|word| names.contains(word))

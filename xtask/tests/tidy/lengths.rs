@@ -1,11 +1,11 @@
-//! How long a file may be, and how many of them a folder may hold.
+//! Check of the length of files and of the number of files in a folder.
 
 use crate::texts::{all_texts, holds, root};
 
-/// Lines of code in one file, with its unit tests, without blank lines and comments.
+/// Maximum number of lines of code in a file, including unit tests, without blank lines and comments.
 const LONGEST: usize = 350;
 
-/// The lines that are neither blank nor part of a comment. A line that has code beside a comment is one of code.
+/// Number of lines that are neither blank nor part of a comment. A line with code and a comment counts.
 fn lines_of_code(text: &str) -> usize {
     let mut in_comment = false;
     let mut count = 0;
@@ -36,10 +36,10 @@ fn comments_and_blank_lines_do_not_count() {
     assert_eq!(lines_of_code(text), 3);
 }
 
-/// Files of code in one folder.
+/// Maximum number of files of code in a folder.
 const MOST: usize = 24;
 
-/// Folders that the layout of the page is going to divide.
+/// Folders that are exempt until the layout of the page divides them.
 const UNDIVIDED: [&str; 2] = ["crates/lab/src", "crates/view/src"];
 
 #[test]

@@ -1,5 +1,5 @@
-//! What no compiler checks: the arrows between the crates, circles between the files of a crate, what the core must not
-//! touch, long files, and paths of somebody's machine.
+//! Checks beyond the compiler: dependencies between crates, circles between the files of a crate, access of the core to
+//! the outside, long files, and paths of a machine.
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test that cannot go on has failed")]
 

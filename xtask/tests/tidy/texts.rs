@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The directory of the workspace.
+/// Root folder of the workspace.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().expect("the workspace is there")
 }
 
-/// All texts below a directory, without what is built or installed.
+/// Collects all texts below a folder, without built or installed files.
 pub fn texts(directory: &Path, found: &mut Vec<(PathBuf, String)>) {
     for entry in fs::read_dir(directory).expect("a directory") {
         let path = entry.expect("an entry").path();
@@ -30,12 +30,12 @@ pub fn all_texts() -> Vec<(PathBuf, String)> {
     found
 }
 
-/// A source without the unit tests at its end.
+/// Source text without the unit tests at its end.
 pub fn product(text: &str) -> &str {
     text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default()
 }
 
-/// Whether a name ends in `.ending`.
+/// True if a file name ends in `.ending`.
 pub fn holds(path: &Path, ending: &str) -> bool {
     path.extension().is_some_and(|own| own == ending)
 }

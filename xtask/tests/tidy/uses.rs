@@ -1,5 +1,4 @@
-//! Which file of a crate uses which: the modules of a crate with their imports and paths, read from the syntax trees of its
-//! files.
+//! Dependencies between the files of a crate, from the imports and paths in the syntax trees of its modules.
 
 use proc_macro2::{Spacing, TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,32 +8,32 @@ use syn::{Attribute, Item, UseTree};
 /// A path as written, or the path of a module below the root of its crate.
 type Names = Vec<String>;
 
-/// The names that one file uses of another, by the two files.
+/// Names that one file uses of another. The key is the using file and the used one.
 pub type Uses = BTreeMap<(String, String), BTreeSet<String>>;
 
-/// The modules of a crate by their paths.
+/// Modules of a crate by path.
 #[derive(Default)]
 struct Modules(BTreeMap<Names, Module>);
 
-/// What a module contains. Modules inside a file have the same file.
+/// Content of a module. Modules inside a file have the same `file`.
 #[derive(Default)]
 struct Module {
     file: String,
-    /// The names of its own items.
+    /// Names of its own items.
     items: BTreeSet<String>,
-    /// What its `use` lines bring, public or not: the path of each name.
+    /// Names imported by `use`, public or not, with the path of each.
     imports: BTreeMap<String, Names>,
-    /// The modules of which it imports everything.
+    /// Modules of which it imports everything.
     globs: Vec<Names>,
-    /// All other paths in it, and those of its private imports. A public import alone is a re-export, which uses nothing.
+    /// All other paths in it, and the paths of its private imports. A public import alone is a re-export and not a use.
     paths: BTreeSet<Names>,
 }
 
-/// What the files of a crate use of each other, without unit tests. `read` gives the text of a file, if there is one; `root`
-/// is the first file of the crate, such as `src/lib.rs`.
+/// Uses between the files of a crate, without unit tests. `root`: first file of the crate, such as `src/lib.rs`. `read`
+/// returns the text of a file, `None` if it does not exist.
 ///
 /// # Panics
-/// If a file is not Rust.
+/// A file is not Rust.
 pub fn uses(root: &str, read: &dyn Fn(&str) -> Option<String>) -> Uses {
     let mut modules = Modules::default();
     let directory = root.rsplit_once('/').map_or("", |(directory, _)| directory);
@@ -59,8 +58,8 @@ impl Modules {
         uses
     }
 
-    /// The module where `path`, written in the module `at`, begins, and the rest of the path. `None` for other crates and
-    /// for names of the module itself.
+    /// Module at which `path`, written in the module `at`, starts, and the rest of the path. `None` for other crates
+    /// and for names of the module itself.
     fn start<'a>(&self, at: &[String], path: &'a [String]) -> Option<(Names, &'a [String])> {
         let mut start = at.to_vec();
         match path.first()?.as_str() {
@@ -83,8 +82,8 @@ impl Modules {
         }
     }
 
-    /// The module that defines the item at the end of `path`, and the name of the item. Re-exports are followed, at most
-    /// 16 of them. `None` for modules themselves and for what belongs to other crates.
+    /// Module that defines the item at the end of `path`, and the name of the item. Follows at most 16 re-exports.
+    /// `None` for modules and for items of other crates.
     fn item(&self, at: &[String], path: &[String], followed: usize) -> Option<(&Module, String)> {
         if followed > 16 {
             return None;
@@ -100,7 +99,7 @@ impl Modules {
         loop {
             let module = self.0.get(&place)?;
             let (name, after) = rest.split_first()?;
-            // Where a module and an item share their name, the end of a path means the item.
+            // If a module and an item have the same name, the last part of a path refers to the item.
             if let Some(import) = module.imports.get(name)
                 && (after.is_empty() || !self.0.contains_key(&[place.as_slice(), &rest[..1]].concat()))
             {
@@ -123,20 +122,20 @@ impl Modules {
         }
     }
 
-    /// The module that `path` names.
+    /// Module with this path, written in the module `at`.
     fn module_at(&self, at: &[String], path: &[String]) -> Option<&Module> {
         let (start, rest) = self.start(at, path)?;
         self.0.get(&[start.as_slice(), rest].concat())
     }
 }
 
-/// Reads one module.
+/// Reader of one module.
 struct Reader<'a> {
     read: &'a dyn Fn(&str) -> Option<String>,
     modules: &'a mut Modules,
     path: Names,
     file: &'a str,
-    /// The directory with the files of its child modules.
+    /// Folder of the files of its child modules.
     children: String,
 }
 
@@ -185,16 +184,16 @@ impl Reader<'_> {
         if !public {
             self.here().paths.insert(path.clone());
         }
-        // `use name;` of a child module gives no further name.
+        // `use name;` of a child module adds no further name.
         if path.as_slice() != [alias.clone()] {
             self.here().imports.insert(alias, path);
         }
     }
 
-    /// The paths in the arguments of a macro.
+    /// Collects the paths in the arguments of a macro.
     fn tokens(&mut self, tokens: TokenStream) {
         let mut path = Names::new();
-        // How many colons follow the last name of the path.
+        // Number of colons after the last name of the path.
         let mut colons = 0;
         for tree in tokens {
             match tree {
@@ -272,7 +271,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
         self.tokens(called.tokens.clone());
     }
 
-    // `pub(in crate::fits)` uses nothing, and neither does an attribute.
+    // `pub(in crate::fits)` and attributes are not uses.
     fn visit_vis_restricted(&mut self, _: &'ast syn::VisRestricted) {}
     fn visit_attribute(&mut self, _: &'ast Attribute) {}
 }
@@ -302,7 +301,7 @@ fn attributes_of(item: &Item) -> &[Attribute] {
     }
 }
 
-/// The name under which other modules find an item.
+/// Name under which other modules find an item.
 fn name_of(item: &Item) -> Option<String> {
     let name = match item {
         Item::Const(item) => &item.ident,

@@ -1,15 +1,15 @@
-//! Arguments that name something and its value: `NAME=VALUE`, and what is observed, `y=COLUMN`.
+//! Arguments with a name and a value: `NAME=VALUE`, and observed quantities, `y=COLUMN`.
 
-/// A name and what it shall be.
+/// A name with a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assignment {
-    /// Before the equals sign.
+    /// Text before the equals sign.
     pub name: String,
-    /// After it.
+    /// Text after the equals sign.
     pub value: String,
 }
 
-/// Reads `NAME=VALUE`.
+/// Parses `NAME=VALUE`.
 pub fn assignment(text: &str) -> Result<Assignment, String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
@@ -19,7 +19,7 @@ pub fn assignment(text: &str) -> Result<Assignment, String> {
     }
 }
 
-/// Reads `BUTTON=T`, where the title of the button may have an equals sign of its own.
+/// Parses `BUTTON=T`. The title of the button may contain an equals sign.
 pub fn press(text: &str) -> Result<Assignment, String> {
     match text.rsplit_once('=') {
         Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
@@ -29,7 +29,7 @@ pub fn press(text: &str) -> Result<Assignment, String> {
     }
 }
 
-/// The names in a list with commas between them; those in brackets belong to a name, as in `T[30,30]`.
+/// Splits a list of names at its commas. Commas in brackets belong to a name, as in `T[30,30]`.
 pub fn names_in(text: &str) -> Vec<&str> {
     let mut names = Vec::new();
     let (mut start, mut depth) = (0, 0_usize);
@@ -48,16 +48,16 @@ pub fn names_in(text: &str) -> Vec<&str> {
     names
 }
 
-/// What `--observe y` or `--observe y=COLUMN` asks for.
+/// Argument of `--observe y` or `--observe y=COLUMN`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Observe {
-    /// What is observed: an expression of the model, or just a name.
+    /// Observed quantity: an expression of the model, or a name.
     pub quantity: String,
-    /// The column, if one is named.
+    /// Column of the data, if stated.
     pub column: Option<String>,
 }
 
-/// Reads `y`, `y=COLUMN`, `y'=v`, and `Run 2.y`, which is the `y` of a run or body.
+/// Parses `y`, `y=COLUMN`, `y'=v`, and `Run 2.y`, the `y` of a run or body.
 pub fn observe(text: &str) -> Result<Observe, String> {
     let (quantity, column) = match text.split_once('=') {
         Some((quantity, column)) => (quantity.trim(), Some(column.trim())),
@@ -72,7 +72,7 @@ pub fn observe(text: &str) -> Result<Observe, String> {
     Ok(Observe { quantity: quantity.to_owned(), column: column.map(str::to_owned) })
 }
 
-/// Whether what stands before a point is a body, and no part of an expression such as `2.5*y`.
+/// True if the text before a point is the name of a body, not part of an expression such as `2.5*y`.
 fn is_body(body: &str, name: &str) -> bool {
     body.contains(char::is_alphabetic)
         && !body.contains(['*', '/', '+', '^', '(', ')'])

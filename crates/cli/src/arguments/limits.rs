@@ -1,14 +1,14 @@
-//! `--from` and `--until`: which part of a record or of a film is used.
+//! `--from` and `--until`: the used part of a record or film.
 
 use crate::failure::Failure;
 use std::ops::RangeInclusive;
 use units::{Dimension, Unit, words};
 
-/// The part from `from` to `until` in SI units, unlimited where one is not stated. A number without a unit is in `unit`, that of the
-/// file, and in seconds where the file has none.
+/// Interval from `from` to `until`, SI; infinite where a limit is not stated. A number without a unit is in `unit`, the
+/// unit of the file, or in seconds if the file has none.
 ///
 /// # Errors
-/// A limit that is no finite number, or in another kind of unit, and an end that is not after the beginning.
+/// A limit is not a finite number or has a unit of another dimension, or the end is not after the beginning.
 pub fn limits(from: Option<&str>, until: Option<&str>, unit: Option<&Unit>) -> Result<RangeInclusive<f64>, Failure> {
     let limit = |name: &'static str, text: Option<&str>| text.map(|text| reading(name, text, unit)).transpose();
     let (begin, end) = (limit("--from", from)?, limit("--until", until)?);
@@ -20,7 +20,7 @@ pub fn limits(from: Option<&str>, until: Option<&str>, unit: Option<&Unit>) -> R
     Ok(begin.unwrap_or(f64::NEG_INFINITY)..=end.unwrap_or(f64::INFINITY))
 }
 
-/// `--until` is not after `--from`: both as they were typed.
+/// Error for `--until` not after `--from`. Both are given as typed.
 pub fn nothing_between(from: &str, until: &str) -> Failure {
     Failure::in_words(
         words!(
@@ -34,7 +34,8 @@ pub fn nothing_between(from: &str, until: &str) -> Failure {
     )
 }
 
-/// A value of the independent variable: `1.5` in the unit of the file, `1500 ms` or `1500 [ms]` in its own. The answer is SI.
+/// Parses a value of the independent variable: `1.5` in the unit of the file, `1500 ms` or `1500 [ms]` in its own.
+/// Returns SI.
 fn reading(name: &'static str, text: &str, unit: Option<&Unit>) -> Result<f64, Failure> {
     let text = text.trim();
     let hint = || {

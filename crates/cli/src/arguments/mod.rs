@@ -1,4 +1,4 @@
-//! What can be typed after `meniscus`.
+//! Arguments of the command line.
 
 pub(crate) mod assignments;
 pub(crate) mod limits;
@@ -37,7 +37,7 @@ Exit codes:
   1  the document has errors, its run failed, a claim of it does not hold, or its layout differs (format --check)
   2  wrong arguments, or a file that cannot be read or written";
 
-/// When messages are coloured.
+/// Choice of coloured messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Color {
     /// On a terminal, unless NO_COLOR is set.
@@ -186,7 +186,7 @@ pub struct Run {
     pub output: Option<PathBuf>,
 }
 
-/// The forms of a table.
+/// Formats of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// One header row with units, then numbers that read back exactly
@@ -234,7 +234,7 @@ pub struct Check {
     pub format: Findings,
 }
 
-/// The forms of findings.
+/// Formats of findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Findings {
     /// With the line of the source and a mark under the place
@@ -342,7 +342,7 @@ pub struct Derivatives {
     pub output: Option<PathBuf>,
 }
 
-/// Finite differences.
+/// Stencils of finite differences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Difference {
     /// As Tracker makes them
@@ -353,7 +353,7 @@ pub enum Difference {
     Backward,
 }
 
-/// The forms of a table of cycles.
+/// Formats of the result of `cycles`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CyclesFormat {
     /// A table with words about it

@@ -1,4 +1,4 @@
-//! From the words after `meniscus run DOC` to what the engine starts with.
+//! Conversion of the arguments of `meniscus run` to the setup of a run.
 
 use super::assignments::Assignment;
 use crate::arguments::Run;
@@ -13,7 +13,7 @@ use std::str::FromStr;
 use units::Unit;
 use units::nearest;
 
-/// The setup of a run and the value of the independent variable at its end, all SI.
+/// Setup of a run, and the value of the independent variable at its end, SI.
 pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Result<(Setup, f64), Failure> {
     let parameters = resize(document, &arguments.set)?;
     let mut setup = Setup::of(&document.program);
@@ -53,8 +53,8 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     Ok((setup, until))
 }
 
-/// For each of the assignments which button of [`program::Model::buttons`] it means: by its title, also a translated one, or
-/// by its name.
+/// Index in [`program::Model::buttons`] of the button of each assignment. A button is named by its title, also a
+/// translated one, or by its name.
 fn buttons(program: &Program, assignments: &[Assignment]) -> Result<Vec<usize>, Failure> {
     let buttons = &program.model.buttons;
     let titles = |button: &Button| -> Vec<String> {
@@ -71,7 +71,7 @@ fn buttons(program: &Program, assignments: &[Assignment]) -> Result<Vec<usize>, 
     assignments.iter().map(named).collect()
 }
 
-/// A model that counts goes by 1 and has no method.
+/// Refuses method, step and tolerance for a discrete model, which advances by 1.
 fn refuse_steps(arguments: &Run) -> Result<(), Failure> {
     let given = [
         ("--method", arguments.method.is_some()),
@@ -84,8 +84,8 @@ fn refuse_steps(arguments: &Run) -> Result<(), Failure> {
     }
 }
 
-/// Gives the sizes of families other values, as `--set N=50`: another size makes other equations, so the document is opened
-/// again. What is left of the assignments are those of parameters.
+/// Sets the sizes of families, as in `--set N=50`. Another size gives other equations, so the document is opened again.
+/// Returns the remaining assignments, those of parameters.
 fn resize<'a>(document: &mut Document, assignments: &'a [Assignment]) -> Result<Vec<&'a Assignment>, Failure> {
     let is_size =
         |assignment: &&Assignment| document.program.model.sizes.iter().any(|size| size.name == assignment.name);
@@ -101,16 +101,16 @@ fn resize<'a>(document: &mut Document, assignments: &'a [Assignment]) -> Result<
     Ok(parameters)
 }
 
-/// Values in the words of a command line, read with the document's names.
+/// Parser of typed values that may contain names of the document.
 pub struct Reader<'a> {
-    /// The document's model.
+    /// Model of the document.
     pub model: &'a mut Model,
-    /// Where errors of expressions are reported.
+    /// Output of errors in expressions.
     pub terminal: Terminal,
 }
 
 impl Reader<'_> {
-    /// `--set NAME=VALUE` (the option's name is `option`): which parameter, and its value.
+    /// Parses `NAME=VALUE` of a parameter. Returns its index and value, SI. `option`: name of the option, for messages.
     pub fn parameter(
         &mut self,
         option: &str,
@@ -129,7 +129,7 @@ impl Reader<'_> {
         Ok((index, value))
     }
 
-    /// The value of a switch or a choice, with or without quotation marks.
+    /// Value of a switch or a choice, with or without quotation marks.
     fn chosen(&self, option: &str, index: usize, text: &str) -> Result<f64, Failure> {
         let parameter = &self.model.parameters[index];
         let word = text.trim().trim_matches('"');
@@ -143,7 +143,7 @@ impl Reader<'_> {
         })
     }
 
-    /// What is said of a name that is no parameter.
+    /// Error for a name that is not a parameter.
     pub fn no_parameter(&self, name: &str) -> Failure {
         if self.model.quantities.iter().any(|quantity| quantity.name == name) {
             return Failure::request(format!(
@@ -159,7 +159,7 @@ impl Reader<'_> {
         unknown("parameter", name, self.model.parameters.iter().map(|parameter| parameter.name.as_str()))
     }
 
-    /// `--start NAME=VALUE`: the whole state, the document's where nothing else is asked for.
+    /// Initial state of the run, SI, one value per state: from `--start NAME=VALUE`, otherwise from the document.
     fn start(&mut self, assignments: &[Assignment], parameters: &[f64]) -> Result<Vec<f64>, Failure> {
         let nodes: Vec<_> = self.model.states.iter().map(|state| state.initial).collect();
         let zeros = vec![0.0; nodes.len()];
@@ -176,7 +176,8 @@ impl Reader<'_> {
         Ok(state)
     }
 
-    /// The presses at the times of the assignments; `buttons` are those of [`buttons`].
+    /// Presses of buttons at the times of the assignments. `buttons`: result of [`buttons`]. `until`: end of the run,
+    /// SI.
     fn presses(
         &mut self,
         buttons: &[usize],
@@ -198,7 +199,8 @@ impl Reader<'_> {
         Ok(presses)
     }
 
-    /// The SI value of a bare number in `unit`, of a number with a unit, or of an expression in the parameters.
+    /// SI value of a number in `unit`, of a number with its own unit, or of an expression in the parameters. `what`:
+    /// name of the value, for messages.
     pub fn value(&mut self, what: &str, text: &str, unit: &Unit, parameters: &[f64]) -> Result<f64, Failure> {
         if let Ok(number) = text.parse::<f64>() {
             return finite(what, unit.to_si(number));
@@ -228,7 +230,7 @@ impl Reader<'_> {
         finite(what, value.unwrap_or(f64::NAN))
     }
 
-    /// An expression of the document, compiled; errors in it are reported.
+    /// Compiles an expression with names of the document. Errors in it are reported.
     pub fn expression(&mut self, what: &str, text: &str) -> Result<Compiled, Failure> {
         let (expression, unit, mut diagnostics) = model::parse_expression(text, 0..text.len());
         if diagnostics.is_empty() {
@@ -245,7 +247,7 @@ impl Reader<'_> {
     }
 }
 
-/// `in kg/s`, or `a pure number`.
+/// Description of the expected value: `in kg/s`, or `a pure number`.
 fn expected(unit: &Unit) -> String {
     if unit.text.is_empty() { "a pure number".to_owned() } else { format!("in {unit}") }
 }
@@ -281,7 +283,7 @@ fn finite(what: &str, value: f64) -> Result<f64, Failure> {
     if value.is_finite() { Ok(value) } else { Err(Failure::request(format!("{what} must be a finite number"))) }
 }
 
-/// `value`, if it is greater than 0; `what` names it otherwise.
+/// Returns `value` if it is greater than 0 and finite. `what`: name of the value, for messages.
 pub fn positive(what: &str, value: f64) -> Result<f64, Failure> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
@@ -290,7 +292,7 @@ pub fn positive(what: &str, value: f64) -> Result<f64, Failure> {
     }
 }
 
-/// A name that the document does not have, with the near one or all of them.
+/// Error for a name that the document does not have. The hint is the nearest name, or all names.
 pub fn unknown<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Failure {
     let hint = match nearest(name, known.clone()) {
         Some(near) => format!("did you mean `{near}`?"),

@@ -1,4 +1,4 @@
-//! The columns that a person names, and the choice of the independent variable.
+//! Lookup of the columns that the user names, and choice of the independent variable.
 
 use super::assignments::{Assignment, Observe};
 use crate::failure::{Failure, listed};
@@ -8,20 +8,21 @@ use analysis::roles::Remark;
 use analysis::table::Table;
 use units::{Dimension, Language};
 
-/// What a person or a document says of the columns of a file.
+/// Statements of the user or a document about the columns of a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stated<'a> {
-    /// The units of columns.
+    /// Units of columns.
     pub units: &'a [Assignment],
-    /// The independent variables, as typed.
+    /// Independent variables, as typed.
     pub against: &'a [String],
-    /// Name and dimension of the document's independent variable, where there is a document.
+    /// Name and dimension of the document's independent variable; `None` without a document.
     pub variable: Option<(&'a str, Dimension)>,
-    /// What is observed.
+    /// Observed quantities.
     pub observed: &'a [Observe],
 }
 
-/// Measures the columns against those that `--against` names, or else against the one that suits the document; says so.
+/// Sets the independent variable from `--against`, or else to the one that suits the document. Returns a remark about
+/// the choice.
 pub fn choose(file: &str, table: &mut Table, stated: Stated) -> Result<Option<Remark>, Failure> {
     if !stated.against.is_empty() {
         let named = |name: &String| find(file, table, name, &|name| format!("--against {name}"));
@@ -34,7 +35,7 @@ pub fn choose(file: &str, table: &mut Table, stated: Stated) -> Result<Option<Re
     Ok(table.suit(name, dimension, &observed))
 }
 
-/// The column of this name or number. `option` is what is typed for a column.
+/// Index of the column of this name or number. `option` formats the option that selects a column, for hints.
 pub fn find(file: &str, table: &Table, which: &str, option: &dyn Fn(&str) -> String) -> Result<usize, Failure> {
     table.column(which).map_err(|error| match error {
         LookupError::Unknown => {
@@ -63,7 +64,7 @@ pub fn find(file: &str, table: &Table, which: &str, option: &dyn Fn(&str) -> Str
     })
 }
 
-/// The options that choose each of the readings of a table.
+/// Hint with the options that choose each of the possible independent variables of a table.
 pub fn choices(table: &Table) -> String {
     let option = |reading: &Vec<usize>| {
         let typed: Vec<String> = reading.iter().map(|index| table.typed(*index)).collect();
@@ -74,7 +75,7 @@ pub fn choices(table: &Table) -> String {
     format!("write {}", options.join(", or "))
 }
 
-/// A name as an argument of a shell.
+/// Quotes a name for a shell if necessary.
 pub fn quoted(name: &str) -> String {
     if name.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.' | ',')) {
         name.to_owned()

@@ -1,4 +1,4 @@
-//! What can be typed after `meniscus new` and `meniscus format`.
+//! Arguments of `meniscus new` and `meniscus format`.
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;

@@ -1,4 +1,4 @@
-//! `meniscus format`: documents in one layout.
+//! `meniscus format`: standard layout of documents.
 
 use super::arguments::Format;
 use crate::failure::Failure;
@@ -10,10 +10,10 @@ use model::Diagnostic;
 use std::path::Path;
 use units::{Language, words};
 
-/// Writes each document in the layout, or says whose layout differs.
+/// Formats each document, or reports those whose layout differs.
 ///
 /// # Errors
-/// A file cannot be read or written; a layout differs and only that was asked; or a part has errors and is left as it is.
+/// A file cannot be read or written; a layout differs with `--check`; or a part with errors was left unchanged.
 pub fn format(arguments: &Format, terminal: Terminal) -> Result<(), Failure> {
     let mut is_whole = true;
     for path in &arguments.documents {
@@ -22,7 +22,7 @@ pub fn format(arguments: &Format, terminal: Terminal) -> Result<(), Failure> {
     if is_whole { Ok(()) } else { Err(Failure::Document) }
 }
 
-/// Whether the document has the layout in all its parts, now or already.
+/// Formats one document. Returns true if all its parts now have the layout.
 fn format_one(path: &Path, only_check: bool, terminal: Terminal) -> Result<bool, Failure> {
     let text = text_of(path)?;
     let outline = read(&text);

@@ -1,4 +1,4 @@
-//! `meniscus new` and `meniscus format`: documents as their authors begin and keep them.
+//! `meniscus new` and `meniscus format`: creation and layout of documents.
 
 pub mod arguments;
 mod format;

@@ -1,4 +1,4 @@
-//! `meniscus new`: a folder with a document to begin with.
+//! `meniscus new`: creates a folder with a document from a template.
 
 use super::arguments::New;
 use crate::failure::Failure;
@@ -13,7 +13,7 @@ use units::{Language, words};
 /// Writes `DIR/DIR.md` from a template, in the language of messages.
 ///
 /// # Errors
-/// The folder has no name or cannot be made, or the document exists.
+/// The folder has no name or cannot be created, or the document exists.
 pub fn new(arguments: &New, terminal: Terminal) -> Result<(), Failure> {
     let directory = arguments.directory.as_path();
     let language = terminal.language;
@@ -49,7 +49,7 @@ pub fn new(arguments: &New, terminal: Terminal) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The last part of the folder's path; of `.` that of the folder itself.
+/// Name of the folder; `.` is resolved.
 fn name(directory: &Path) -> Result<String, Failure> {
     let whole = directory.canonicalize().map_err(|error| Failure::file("read", directory, &error))?;
     let name = whole.file_name().and_then(|name| name.to_str());

@@ -1,4 +1,4 @@
-//! `meniscus check --run`: whether what a document claims about its runs holds.
+//! `meniscus check --run`: tests the claims of a document about its runs.
 
 use crate::load::Loaded;
 use document::Document;
@@ -7,37 +7,37 @@ use model::{Diagnostic, Span};
 use program::Claim;
 use units::{Language, words};
 
-/// The claims of one document, each with what came of it.
+/// The tested claims of one document.
 pub struct Claims {
-    /// In the order of the text.
+    /// Results in the order of the text.
     judged: Vec<Judged>,
 }
 
 struct Judged {
-    /// Its name in the language of the messages.
+    /// Name in the language of messages.
     name: String,
     held: bool,
-    /// What came of it, in both languages.
+    /// Description of the result, in both languages.
     text: units::Words,
     place: Span,
-    /// The number of its line, from 1.
+    /// Number of its line, from 1.
     line: usize,
 }
 
 impl Claims {
-    /// Runs a document for its claims. None of a document with errors.
+    /// Runs a document to test its claims. Empty for a document with errors.
     pub fn judge(loaded: &Loaded, language: Language) -> Self {
         let sound = loaded.opened.document.as_ref().filter(|_| !loaded.opened.has_errors());
         let judged = sound.map_or_else(Vec::new, |document| judged(document, language));
         Self { judged }
     }
 
-    /// How many there are, and how many do not hold.
+    /// Number of claims, and number of those that do not hold.
     pub fn counts(&self) -> (usize, usize) {
         (self.judged.len(), self.judged.iter().filter(|judged| !judged.held).count())
     }
 
-    /// A line for each.
+    /// One line of text per claim.
     pub fn lines(&self, language: Language) -> String {
         let line = |judged: &Judged| {
             let (name, text) = (&judged.name, judged.text.text(language));
@@ -50,7 +50,7 @@ impl Claims {
         self.judged.iter().map(line).collect()
     }
 
-    /// A finding for each that does not hold.
+    /// One finding per claim that does not hold.
     pub fn findings(&self) -> impl Iterator<Item = Diagnostic> {
         let failed = self.judged.iter().filter(|judged| !judged.held);
         failed.map(|judged| {

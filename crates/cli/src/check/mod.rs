@@ -1,4 +1,4 @@
-//! `meniscus check`: what is wrong with documents, for people and for programs.
+//! `meniscus check`: findings in documents as text or JSON.
 
 mod claims;
 
@@ -47,7 +47,7 @@ pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
     if wrong { Err(Failure::Document) } else { Ok(()) }
 }
 
-/// A line for each document, and below it one for each of its claims.
+/// One line per document, followed by one line per claim.
 fn summary(documents: &[Loaded], claims: &[Option<Claims>], language: Language) -> String {
     let error = language.pick(["error", "errors"], ["error", "errores"]);
     let warning = language.pick(["warning", "warnings"], ["aviso", "avisos"]);
@@ -72,7 +72,7 @@ fn summary(documents: &[Loaded], claims: &[Option<Claims>], language: Language) 
     summary
 }
 
-/// `4 claims hold`
+/// Summary of the claims, such as `4 claims hold`.
 fn claimed(claims: &Claims, language: Language) -> String {
     match (claims.counts(), language) {
         ((0, _), Language::English) => "no claims".to_owned(),

@@ -1,4 +1,4 @@
-//! The cycles drawn: the record, and each quantity against time and against amplitude.
+//! Figure of the cycles: the record, and each quantity against time and against amplitude.
 
 use super::record::Record;
 use analysis::cycles::{Cycle, Measured, Quantity, well_known};
@@ -6,11 +6,11 @@ use figure::{Axis, Interval, Palette, Plot, Series, Settings, Style, View, layou
 use std::fmt::Write;
 use units::Language;
 
-/// The size of a panel in pixels.
+/// Size of a panel in pixels.
 const WIDTH: f64 = 460.0;
 const HEIGHT: f64 = 250.0;
 
-/// A quantity of the cycles, as a column.
+/// Values of one quantity, one per cycle.
 struct Column {
     label: &'static str,
     unit: String,
@@ -22,7 +22,7 @@ struct Column {
 impl Column {
     fn of(record: &Record, label: &'static str, unit: String, of: impl Fn(&Cycle) -> Measured) -> Self {
         let measured: Vec<Measured> = record.found.cycles.iter().map(of).collect();
-        // Room for the bars at the ends.
+        // Margin for the error bars at the ends.
         let limits = well_known(&measured).map(|(low, high)| (low, high, 0.05 * (high - low)));
         Self {
             label,
@@ -41,7 +41,7 @@ impl Column {
     }
 }
 
-/// All panels in one picture.
+/// SVG of all panels.
 pub fn svg(record: &Record) -> String {
     let time = Column::of(record, "t", "s".to_owned(), |cycle| cycle.time);
     let of = |quantity: Quantity| {
@@ -69,7 +69,7 @@ pub fn svg(record: &Record) -> String {
     out + "</svg>\n"
 }
 
-/// The record with the amplitudes above and below its middle.
+/// Panel of the record with its envelope: offset plus and minus amplitude.
 fn measured(record: &Record, time: &Column, amplitude: &Column) -> String {
     let offsets = record.found.cycles.iter().map(|cycle| cycle.offset.value);
     let (above, below): (Vec<f64>, Vec<f64>) =
@@ -88,13 +88,13 @@ fn measured(record: &Record, time: &Column, amplitude: &Column) -> String {
     })
 }
 
-/// `period` as `Period`.
+/// Capitalises the first letter: `period` becomes `Period`.
 fn capital(name: &str) -> String {
     let mut letters = name.chars();
     letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
-/// One quantity against another, with error bars; perhaps only as far as it is well known.
+/// Panel of one quantity against another, with error bars. `bounded`: limits the ordinate to the well-known values.
 fn panel(x: &Column, y: &Column, title: &str, bounded: bool) -> String {
     let limits = if bounded { y.limits.clone() } else { Vec::new() };
     let series = Series { style: Style::Points, x: &x.values, y: &y.values, spread: &y.errors, ..Series::default() };

@@ -1,4 +1,4 @@
-//! What was measured, and which part of it is divided into cycles.
+//! Selection of the column and the part of a file that is analysed.
 
 use crate::arguments::Cycles;
 use crate::arguments::assignments::Observe;
@@ -8,26 +8,26 @@ use crate::failure::Failure;
 use analysis::cycles;
 use units::Language;
 
-/// What was measured, and its cycles.
+/// The analysed record and its cycles.
 #[derive(Debug)]
 pub struct Record<'a> {
     /// The file.
     pub data: &'a Measured,
-    /// Which of its columns.
+    /// Index of the column.
     pub column: usize,
-    /// What is observed, as the person calls it.
+    /// Name of the observed quantity as typed; otherwise the name of the column.
     pub name: String,
-    /// Its unit, empty if the file gives none.
+    /// Unit of the values; empty if the file states none.
     pub unit: String,
-    /// Seconds, and the column's own unit; the part that was asked for.
+    /// Times of the selected part, in seconds.
     pub times: Vec<f64>,
-    /// The values at these times, of the same number.
+    /// Values in `unit`, one per time.
     pub values: Vec<f64>,
-    /// Its cycles.
+    /// The cycles.
     pub found: cycles::Cycles,
 }
 
-/// Takes what was asked for from the data.
+/// Selects the column and the part stated in the arguments, and finds the cycles.
 pub fn record<'a>(data: &'a Measured, arguments: &Cycles) -> Result<Record<'a>, Failure> {
     let column = match &arguments.observe {
         Some(observe) => data.column(observe, &[])?,
@@ -57,7 +57,7 @@ pub fn record<'a>(data: &'a Measured, arguments: &Cycles) -> Result<Record<'a>, 
     Ok(Record { data, column, name, unit, times, values, found })
 }
 
-/// The column that moves most among those of the first body that were measured and share the first one's unit.
+/// Column with the largest range of values. Considers measured columns with the clock and the unit of the first one.
 fn widest(data: &Measured) -> Result<usize, Failure> {
     let table = &data.table;
     let is_derived = |column: &usize| data.derived.iter().any(|derived| derived.column == *column);

@@ -1,4 +1,4 @@
-//! The table of cycles for people.
+//! The cycles as a table of text.
 
 use super::record::Record;
 use crate::columns;
@@ -6,13 +6,13 @@ use analysis::cycles::{Cycle, Measured, Quantity, Writing};
 use units::Language;
 use units::number::{self, Layout, Style};
 
-/// The widest line of words.
+/// Maximum width of wrapped text, in characters.
 const WIDTH: usize = 96;
 
-/// Significant digits of a value whose error is not known.
+/// Significant digits of a value with an unknown error.
 const DIGITS: usize = 4;
 
-/// What was measured, the quality of the data, its cycles, and what changes from one to the next.
+/// Text about the data, their quality, the cycles, and their changes.
 pub fn table(record: &Record) -> String {
     let mut out = heading(record);
     out.push_str("\nThe columns of the file\n");
@@ -64,7 +64,7 @@ fn seconds(time: f64) -> String {
     format!("{} s", number::fixed(time, 2, Style::POINT))
 }
 
-/// One column of the table: a heading, and values with errors, all with the same decimals.
+/// One column of the table: a heading and cells with the same number of decimals.
 struct Block {
     heading: String,
     cells: Vec<String>,
@@ -83,7 +83,7 @@ impl Block {
         Self { heading, cells: measured.iter().map(cell).collect() }
     }
 
-    /// The lines of this column, the heading first, all of the same width and the numbers at the right.
+    /// Lines of the column with the heading first, all of the same width, numbers aligned to the right.
     fn lines(&self) -> Vec<String> {
         let longest = self.cells.iter().map(|cell| cell.chars().count()).max().unwrap_or(0);
         let width = longest.max(self.heading.chars().count());
@@ -133,7 +133,7 @@ pub fn sentences(record: &Record) -> Vec<String> {
     )
 }
 
-/// Words in lines of bounded width; the lines after the first are as far in as the first one's text.
+/// Wraps words into lines of [`WIDTH`]. Lines after the first are indented by the length of `first`.
 fn wrapped(out: &mut String, first: &str, text: &str) {
     let mut width = first.chars().count();
     let indent = width;

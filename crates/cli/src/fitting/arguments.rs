@@ -1,4 +1,4 @@
-//! What can be typed after `meniscus fit` and `meniscus rank`.
+//! Arguments of `meniscus fit` and `meniscus rank`.
 
 use crate::arguments::assignments::{Assignment, Observe, assignment, observe};
 use analysis::fit::Loss;
@@ -29,7 +29,7 @@ Examples:
 The best theory, by AICc, comes first. With --predict-from T each theory is also fitted to what is before T alone, and the
 error of what it then predicts is shown: that is what tells a theory from a flexible curve.";
 
-/// What `fit` and `rank` have in common.
+/// Arguments common to `fit` and `rank`.
 #[derive(Debug, Args)]
 pub struct Common {
     /// What is observed, and its column by name, body.name or number; the columns in turn in a file without a header
@@ -133,7 +133,7 @@ pub struct Rank {
     pub output: Option<PathBuf>,
 }
 
-/// The losses.
+/// Loss functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum LossName {
     /// The sum of squares
@@ -154,7 +154,7 @@ impl From<LossName> for Loss {
     }
 }
 
-/// The forms of a result.
+/// Formats of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Form {
     /// Tables with words about them

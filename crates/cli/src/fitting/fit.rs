@@ -1,4 +1,4 @@
-//! `meniscus fit`: one theory, one or more records.
+//! `meniscus fit`: fits one theory to one or more records.
 
 use super::arguments::{Common, Fit as Arguments, Form, LossName};
 use super::fitted::Fitted;
@@ -20,10 +20,10 @@ use std::time::Duration;
 use units::Language;
 use units::number::{Style, plain};
 
-/// Points of a drawn curve.
+/// Number of points of a drawn curve.
 const POINTS: usize = 600;
 
-/// Fits the document to the data, prints what came of it and writes what is asked for.
+/// Fits the document to the data, prints the result and writes the output file.
 pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let kind = arguments.output.as_deref().map(kind).transpose()?;
     if arguments.profile && arguments.common.loss != LossName::LeastSquares {
@@ -48,7 +48,8 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     output::print(&shown)
 }
 
-/// Reads the data for a theory. What was understood of their columns is printed where the result has no place for it.
+/// Reads the data for a theory. The description of their columns is printed unless the format is JSON, which contains
+/// it.
 pub fn read(
     paths: &[PathBuf],
     arguments: &Common,
@@ -71,7 +72,7 @@ pub fn read(
     Ok(data)
 }
 
-/// Works on a fit to its end, with progress on a terminal if it takes long.
+/// Runs a fit to its end. Shows progress on a terminal.
 pub fn complete(theory: Theory, task: Task, with_profiles: bool) -> Result<Fitted, Failure> {
     let mut fit =
         Fit::new(&theory.document.program.model, task.clone()).map_err(|error| refused(&theory, &task, &error))?;
@@ -125,13 +126,13 @@ fn refused(theory: &Theory, task: &Task, error: &FitError) -> Failure {
     }
 }
 
-/// What was noticed about each file, in sentences of the report's language, which is that of the document.
+/// Findings about each file, in sentences of the report's language, which is that of the document.
 pub fn notes(data: &[Measured], theory: &Theory) -> Vec<Vec<String>> {
     let language = Language::of(&theory.document.program.language);
     data.iter().map(|one| one.findings.iter().map(|finding| finding.text(language)).collect()).collect()
 }
 
-/// What a file is to hold, by its ending.
+/// Type of an output file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     /// A report.
@@ -144,7 +145,7 @@ pub enum FileKind {
     Svg,
 }
 
-/// What `--output FILE` asks for.
+/// Type of the output file from its extension.
 pub fn kind(path: &Path) -> Result<FileKind, Failure> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
     match ending.as_str() {
@@ -169,13 +170,13 @@ fn write(path: &Path, kind: FileKind, data: &[PathBuf], report: &Report) -> Resu
     output::file(path, data, &bytes)
 }
 
-/// A report with the laboratory's mathematical font in it: the machine on which it is read may have none.
+/// Embeds the mathematical font of the laboratory in a report, because the reader's machine may not have one.
 pub fn with_font(page: &str) -> Vec<u8> {
     const FONT: &[u8] = include_bytes!("../../../view/page/math.woff2");
     report::with_math_font(page, &base64::engine::general_purpose::STANDARD.encode(FONT)).into_bytes()
 }
 
-/// Shown on a terminal after a moment; indicatif shows nothing where the standard error is none.
+/// Progress indicator. indicatif shows nothing if the standard error is not a terminal.
 fn progress(title: &str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr()).with_message(title.to_owned());
     let bar = match ProgressStyle::with_template("{spinner} {msg}: {pos} trials, {elapsed}") {

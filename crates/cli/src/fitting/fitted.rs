@@ -1,32 +1,32 @@
-//! A theory that has been fitted.
+//! Result of a fit on the command line.
 
 use super::prepare::Theory;
 use analysis::fit::{Interval, Outcome, Task, Trace};
 use report::Report;
 use units::Language;
 
-/// A theory that has been fitted.
+/// A fitted theory.
 pub struct Fitted {
     /// The theory.
     pub theory: Theory,
-    /// What was asked for.
+    /// The task of the fit.
     pub task: Task,
-    /// What came of it.
+    /// The result of the fit.
     pub outcome: Outcome,
     /// The fitted curves.
     pub traces: Vec<Trace>,
-    /// Profile intervals by parameter, where they were asked for.
+    /// Profile intervals at 68 % and 95 %, one pair per varied parameter; empty without `--profile`.
     pub intervals: Vec<Option<[Interval; 2]>>,
 }
 
 impl Fitted {
-    /// What has to be known beside the numbers, in sentences.
+    /// Remarks about the result, in sentences.
     pub fn remarks(&self) -> Vec<String> {
         let independent = &self.theory.document.program.model.independent;
         report::remarks(&self.outcome, &self.task, (&independent.name, &independent.unit), Language::English)
     }
 
-    /// As the report shows it.
+    /// The fit as input of a report.
     pub fn report<'a>(&'a self, notes: &'a [Vec<String>], command: &'a str) -> Report<'a> {
         let name = self.theory.sources.path().file_name().and_then(|name| name.to_str());
         Report {

@@ -1,4 +1,4 @@
-//! Results as JSON, in declared units; what is not known is null.
+//! Results as JSON, in declared units; unknown values are null.
 
 use super::fitted::Fitted;
 use crate::columns;
@@ -79,14 +79,14 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
     object
 }
 
-/// What was understood of a file.
+/// Description of a file.
 pub fn file(data: &Measured) -> Value {
     let findings: Vec<String> = data.findings.iter().map(|finding| finding.text(Language::English)).collect();
     json!({"name": data.name, "findings": findings, "columns": columns::as_json(data)})
 }
 
-/// Another minimum that fits as well within the noise, or null: by how many variances of a residual chi-square is larger
-/// there, and the values of what was varied.
+/// Another minimum that fits as well within the noise, or null: the excess of its chi-square in variances of a
+/// residual, and the values of the varied numbers.
 fn other_minimum(outcome: &Outcome) -> Value {
     let Some(rival) = &outcome.rival else { return Value::Null };
     let values = outcome.parameters.iter().zip(&rival.values);
@@ -96,14 +96,15 @@ fn other_minimum(outcome: &Outcome) -> Value {
     json!({"chi2_growth": rival.growth, "parameters": values})
 }
 
-/// The reading of a record's clock at which the initial values of equations of motion hold; null for formulas.
+/// Clock reading of a record at which the initial values of the equations hold; null for formulas.
 fn initial_values_at(fitted: &Fitted, record: usize) -> Value {
     let unit = &fitted.theory.document.program.model.independent.unit;
     let origin = fitted.outcome.origins.get(record);
     origin.map_or(Value::Null, |origin| json!({"value": in_unit(unit, *origin), "unit": unit.text}))
 }
 
-/// Those that belong to `record`, or to all; `least_squares` are the values that these find, with a robust loss.
+/// Estimates of `record`, or those that hold for all records if it is `None`. `least_squares`: estimates of least
+/// squares, given for a robust loss.
 fn estimates(
     estimates: &[Estimate],
     intervals: &[Option<[Interval; 2]>],
@@ -140,7 +141,8 @@ fn estimates(
     Value::Object(object)
 }
 
-/// The matrix as names of names; with several runs, what belongs to one has its name behind it.
+/// Correlation matrix as nested objects. With several runs, the name of a parameter of one run is followed by the run's
+/// name.
 fn correlation(fitted: &Fitted) -> Value {
     let outcome = &fitted.outcome;
     let names: Vec<String> = outcome
@@ -158,7 +160,7 @@ fn correlation(fitted: &Fitted) -> Value {
     names.iter().cloned().zip((0..).map(row)).collect()
 }
 
-/// The values far beyond the scatter of the others; times in the unit of the document's clock.
+/// Outliers; times in the unit of the document's clock.
 fn outliers(fitted: &Fitted) -> Value {
     let clock = &fitted.theory.document.program.model.independent.unit;
     let outcome = &fitted.outcome;

@@ -1,4 +1,4 @@
-//! From the words of a command line to a task.
+//! Conversion of the arguments to a fit task.
 
 use super::arguments::Common;
 use crate::arguments::assignments::Assignment;
@@ -16,15 +16,15 @@ use program::{Compiled, Kind};
 use std::path::Path;
 use units::{Unit, words};
 
-/// A theory.
+/// A document used as a theory.
 pub struct Theory {
-    /// Where it came from.
+    /// Source files.
     pub sources: Sources,
     /// The document.
     pub document: Document,
 }
 
-/// Opens a document as a theory; errors in it are reported.
+/// Opens a document as a theory. Errors in it are reported.
 pub fn theory(path: &Path, terminal: Terminal) -> Result<Theory, Failure> {
     let loaded = Loaded::open(load::sources(path)?);
     terminal.report(&loaded);
@@ -36,7 +36,7 @@ pub fn theory(path: &Path, terminal: Terminal) -> Result<Theory, Failure> {
     }
 }
 
-/// What the arguments ask for, with the document's names.
+/// Fit task of the arguments.
 pub fn task(
     document: &mut Document,
     data: &[Measured],
@@ -75,7 +75,7 @@ pub fn task(
         }
     }
     task.varied = if arguments.vary.is_empty() {
-        // What is held is not varied.
+        // A fixed parameter is not varied.
         let held = |index: usize| arguments.fix.iter().any(|fixed| fixed.name == reader.model.parameters[index].name);
         vary.into_iter().filter(|&index| !held(index)).map(Varied::parameter).collect()
     } else {
@@ -106,7 +106,7 @@ pub fn task(
     Ok(task)
 }
 
-/// Shares, starts and bounds of what is varied.
+/// Applies `--share`, `--start` and `--bounds` to the varied numbers.
 fn refine(reader: &mut Reader, task: &mut Task, arguments: &Common, names: &[String]) -> Result<(), Failure> {
     let values = task.parameters.clone();
     for name in &arguments.share {
@@ -146,7 +146,7 @@ fn refine(reader: &mut Reader, task: &mut Task, arguments: &Common, names: &[Str
     Ok(())
 }
 
-/// Refuses a start outside the range in which is searched, which would be moved to its end without a word.
+/// Refuses a start outside the search range, which the search would silently move to the nearest bound.
 fn starts_inside(reader: &Reader, varied: &Varied, start: &Assignment) -> Result<(), Failure> {
     let own = match varied.target {
         Target::Parameter(index) => reader.model.parameters.get(index).and_then(|parameter| parameter.range),
@@ -162,13 +162,13 @@ fn starts_inside(reader: &Reader, varied: &Varied, start: &Assignment) -> Result
     ))
 }
 
-/// `1..2`, `1. .. 2.`, `..2`: at the dots that leave both sides whole.
+/// Splits a range at the first double dot: `1..2`, `1. .. 2.`, `..2`.
 fn split_range(text: &str) -> Option<(&str, &str)> {
     let (low, high) = text.split_once("..")?;
     Some((low.trim(), high.trim()))
 }
 
-/// Observed expressions with the names they are asked for by.
+/// Compiled observed expressions with their names as typed.
 fn observed(
     document: &mut Document,
     arguments: &Common,
@@ -190,7 +190,7 @@ fn observed(
     Ok(observed)
 }
 
-/// A record with its observations, and the columns that these are.
+/// A record with its observations, and the index of the column of each.
 fn record(
     document: &Document,
     measured: &Measured,
@@ -222,12 +222,12 @@ fn record(
     Ok((record, columns))
 }
 
-/// The name of a file without its directory.
+/// File name without its directory.
 fn short_name(path: &str) -> String {
     Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
 }
 
-/// `--fix NAME=VALUE`, or as many values as there are records.
+/// `--fix NAME=VALUE`, with one value for all records or one per record.
 fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), Failure> {
     let values = task.parameters.clone();
     let several = listed_values(&fixed.value);
@@ -256,7 +256,7 @@ fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), F
     Ok(())
 }
 
-/// The values of a list, at the commas that no bracket encloses.
+/// Splits a list at the commas outside parentheses.
 fn listed_values(text: &str) -> Vec<&str> {
     let mut depth = 0_usize;
     let separates = |c: char| {
@@ -270,7 +270,7 @@ fn listed_values(text: &str) -> Vec<&str> {
     text.split(separates).map(str::trim).collect()
 }
 
-/// `--error y=VALUE` or `--error y=COLUMN`; `data` are the files, each with the columns of what is observed.
+/// `--error y=VALUE` or `--error y=COLUMN`. `data`: the files, each with the columns of its observations.
 fn errors(
     reader: &mut Reader,
     task: &mut Task,
@@ -304,8 +304,8 @@ fn errors(
     Ok(())
 }
 
-/// Takes the standard errors of what is observed from the files that have them beside it, as `meniscus track` writes them, and
-/// says so.
+/// Uses the standard errors that the files contain for an observed quantity, as written by `meniscus track`, and prints
+/// a note.
 fn errors_of_files(
     task: &mut Task,
     (data, columns): (&[Measured], &[Vec<usize>]),
@@ -326,7 +326,7 @@ fn errors_of_files(
     Ok(())
 }
 
-/// The errors of the values in column `observed`, row by row as those, without the rows that have no time or no value.
+/// Standard errors of the column `observed`, SI, one per row that has a time and a value.
 fn column_errors(measured: &Measured, column: usize, observed: usize, unit: &Unit) -> Result<Vec<f64>, Failure> {
     let table = &measured.table;
     let own = &table.columns[column];
@@ -341,7 +341,7 @@ fn column_errors(measured: &Measured, column: usize, observed: usize, unit: &Uni
     Ok(rows.filter(|((_, value), time)| value.is_finite() && time.is_finite()).map(|((error, _), _)| error).collect())
 }
 
-/// What a name means that can be varied.
+/// Varied number of this name: a parameter, `t_origin`, or `y_offset`.
 fn target(reader: &Reader, name: &str, observed: &[String]) -> Result<Target, Failure> {
     if let Some(index) = reader.model.parameters.iter().position(|parameter| parameter.name == name) {
         if reader.model.parameters[index].choices != program::Choices::Numbers {
@@ -358,7 +358,7 @@ fn target(reader: &Reader, name: &str, observed: &[String]) -> Result<Target, Fa
     Err(reader.no_parameter(name))
 }
 
-/// The place among what is varied of what an option names.
+/// Index of a varied number among the varied numbers of the task. `option`: name of the option, for messages.
 fn varied(reader: &Reader, task: &Task, option: &str, name: &str, observed: &[String]) -> Result<usize, Failure> {
     let target = target(reader, name, observed)?;
     task.varied.iter().position(|varied| varied.target == target).ok_or_else(|| {

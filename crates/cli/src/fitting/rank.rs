@@ -18,15 +18,15 @@ use units::Language;
 use units::Unit;
 use units::number::{Group, Style, plain};
 
-/// A theory's fit, and what it predicted after having seen the beginning alone.
+/// Fit of a theory, and its prediction from the beginning of the data.
 struct Contender {
     fitted: Fitted,
-    /// The errors of the first observation: before and after the moment of the prediction in the fit of everything, and of
-    /// what was predicted from there on.
+    /// Errors of the first observation: of the whole fit before and after the time of `--predict-from`, and of the
+    /// prediction after it. `None` without that option.
     parts: Option<[Outside; 3]>,
 }
 
-/// Fits every theory, and prints them best first.
+/// Fits all theories and prints them, best first.
 pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     if arguments.models.len() < 2 {
         return Err(Failure::with_hint("there is only one theory", "name another one with --model DOC"));
@@ -40,7 +40,7 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let Some(first) = theories.first() else { return Err(Failure::request("there is no theory")) };
     let data = read(&arguments.data, &arguments.common, first, terminal)?;
     if arguments.common.format == Form::Text {
-        // The table of theories has no place for these.
+        // The table of theories does not contain these findings.
         for finding in data.iter().flat_map(|one| &one.findings) {
             terminal.note(finding);
         }
@@ -90,7 +90,7 @@ fn contend(
         &task.parameters.clone(),
     )?;
     let mut fitted = complete(theory, task.clone(), false)?;
-    // What lies exactly at the moment is predicted.
+    // Values exactly at the time are predicted.
     task.until = Some(moment - 1e-9 * moment.abs().max(1e-9));
     let predicted = complete(prepare::theory(path, terminal)?, task, false)?;
     let (whole, after) = (&fitted.task, |time| time >= moment);
@@ -104,25 +104,25 @@ fn contend(
         ));
     }
     let prediction = error(&predicted, rest);
-    // The report shows the prediction where a fit of a part would have it.
+    // The report shows the prediction in the place of the values outside a fitted part.
     for (own, predicted) in fitted.outcome.observations.iter_mut().zip(&predicted.outcome.observations) {
         own.outside = Some(predicted.error_where(|time, _| rest(time))).filter(|part| part.n > 0);
     }
     Ok(Contender { fitted, parts: Some([before, after, prediction]) })
 }
 
-/// The root of the mean square of the first observation's residuals at some times, over all records.
+/// Root mean square of the first observation's residuals at times that satisfy `inside`, over all records.
 fn error(fitted: &Fitted, inside: impl Fn(f64) -> bool) -> Outside {
     let first = fitted.outcome.observations.iter().filter(|one| one.observation == 0);
     Outside::together(first.map(|one| one.error_where(|time, _| inside(time))))
 }
 
-/// How many numbers the data determined.
+/// Number of parameters that the data determined: values minus degrees of freedom.
 fn numbers(fitted: &Fitted) -> usize {
     fitted.outcome.n.saturating_sub(fitted.outcome.dof)
 }
 
-/// How the residuals of all theories are written.
+/// Common number format of the residuals of all theories.
 fn residuals(contenders: &[Contender]) -> Group {
     let outcomes = || contenders.iter().map(|one| &one.fitted.outcome);
     let parts = contenders.iter().filter_map(|one| one.parts.as_ref()).flatten().filter(|part| part.n > 0);
@@ -209,7 +209,7 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
     text
 }
 
-/// For each shared place a sentence.
+/// One sentence per place that several theories share.
 fn tied(contenders: &[Contender], ranked: &[Ranked]) -> Vec<(usize, String)> {
     let outcomes: Vec<&Outcome> = contenders.iter().map(|one| &one.fitted.outcome).collect();
     let title = |index: usize| contenders[index].fitted.theory.document.program.title.clone();

@@ -1,4 +1,4 @@
-//! Results for people, on a terminal.
+//! Results as text for a terminal.
 
 use super::fitted::Fitted;
 use analysis::fit::{Estimate, Interval, ObservationFit, Outcome};
@@ -7,7 +7,7 @@ use std::fmt::Write;
 use units::Language;
 use units::number::{self, Group, Style, concise, unit_text};
 
-/// Rows of cells, set in columns.
+/// Rows of cells that are aligned in columns.
 #[derive(Default)]
 pub struct Columns {
     rows: Vec<Vec<String>>,
@@ -19,7 +19,8 @@ impl Columns {
         self.rows.push(cells);
     }
 
-    /// The rows, each column as wide as its widest cell; the first at the left, the others at the right where `right` says so.
+    /// Text of the rows with aligned columns. Column `i` is aligned to the right if `right[i]` is true, otherwise to
+    /// the left.
     pub fn text(&self, right: &[bool]) -> String {
         let count = self.rows.iter().map(Vec::len).max().unwrap_or(0);
         let width =
@@ -43,7 +44,7 @@ impl Columns {
     }
 }
 
-/// A fit with everything that is known of it.
+/// Text of a fit with all its statistics.
 pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
     let outcome = &fitted.outcome;
     let mut text = String::new();
@@ -179,14 +180,14 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
     columns.text(&[])
 }
 
-/// From where was searched, and whether another minimum fits as well, in sentences.
+/// Sentences about the starts of the search and about another minimum.
 pub fn searches(outcome: &Outcome) -> Vec<String> {
     let quantity = |one: &Estimate, si: f64| report::quantity(si, &one.unit, Style::POINT);
     outcome.search_texts(Language::English).into_iter().chain(outcome.rival_text(Language::English, quantity)).collect()
 }
 
-/// Where the initial values of equations of motion hold: `t = 1.0333 s`, with what that means for earlier values. Of several
-/// records each has its own, and stands beside its name.
+/// Clock readings at which the initial values hold, one per record: `t = 1.0333 s`, with a remark about earlier values.
+/// Each is preceded by the record's name if there are several.
 pub fn beginnings(fitted: &Fitted) -> Vec<(String, String)> {
     let clock = &fitted.theory.document.program.model.independent;
     let beginning = |(record, origin): (usize, &f64)| {
@@ -202,7 +203,7 @@ pub fn beginnings(fitted: &Fitted) -> Vec<(String, String)> {
     fitted.outcome.origins.iter().enumerate().map(beginning).collect()
 }
 
-/// The name of an observation, with its record where there are several.
+/// Name of an observation, with its record if there are several.
 fn called(one: &ObservationFit, fitted: &Fitted) -> String {
     match fitted.task.records.get(one.record).filter(|_| fitted.task.records.len() > 1) {
         Some(record) => format!("{} ({})", one.name, record.name),
@@ -210,7 +211,7 @@ fn called(one: &ObservationFit, fitted: &Fitted) -> String {
     }
 }
 
-/// The size of a residual, SI, with a unit that suits it.
+/// Size of a residual, given in SI, in a suitable unit.
 fn in_unit(one: &ObservationFit, si: f64) -> String {
     Group::of_residuals(&one.unit, &[si], 3, Style::POINT).quantity(si)
 }

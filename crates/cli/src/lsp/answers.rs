@@ -1,4 +1,4 @@
-//! What an editor is answered.
+//! Responses to requests of an editor.
 
 use super::open_files::{OpenFile, OpenFiles};
 use super::positions::{offset, range};
@@ -15,7 +15,7 @@ use model::Severity;
 use std::collections::HashMap;
 use units::Language;
 
-/// What is wrong with a file.
+/// Diagnostics of a file.
 pub fn diagnostics(file: &OpenFile, language: Language, uri: &Uri) -> Vec<Diagnostic> {
     let own = file.opened.diagnostics.iter().filter(|(number, _)| *number == 0);
     own.map(|(_, finding)| diagnostic(file, finding, language, uri)).collect()
@@ -48,7 +48,7 @@ fn diagnostic(file: &OpenFile, finding: &model::Diagnostic, language: Language, 
     }
 }
 
-/// The remedies that can be carried out where the cursor or the selection is.
+/// Quick fixes for findings at the cursor or selection.
 pub fn remedies(files: &OpenFiles, asked: &CodeActionParams) -> Option<CodeActionResponse> {
     let uri = &asked.text_document.uri;
     let file = files.get(uri)?;
@@ -76,7 +76,7 @@ fn text_edits(text: &str, edits: &[Edit]) -> Vec<TextEdit> {
     edits.iter().map(|edit| TextEdit::new(range(text, edit.span), edit.text.clone())).collect()
 }
 
-/// What gives the file the one layout; the editor's own settings of it do not count.
+/// Edits that give the file the standard layout. Formatting options of the editor are ignored.
 pub fn formatting(files: &OpenFiles, asked: &DocumentFormattingParams) -> Option<Vec<TextEdit>> {
     let text = &files.get(&asked.text_document.uri)?.text;
     Some(text_edits(text, &document::format(&document::read(text)).edits))
@@ -84,19 +84,19 @@ pub fn formatting(files: &OpenFiles, asked: &DocumentFormattingParams) -> Option
 
 fn edited(uri: &Uri, text: &str, edits: &[Edit]) -> WorkspaceEdit {
     let edits = text_edits(text, edits);
-    // The address is a key here by the type of the protocol; it is not changed afterwards.
+    // The protocol demands the address as key; it is not changed afterwards.
     #[allow(clippy::mutable_key_type)]
     let changes = HashMap::from([(uri.clone(), edits)]);
     WorkspaceEdit::new(changes)
 }
 
-/// The file and the byte that a request is about.
+/// File and byte offset of a request.
 fn place<'a>(files: &'a OpenFiles, asked: &TextDocumentPositionParams) -> Option<(&'a OpenFile, usize)> {
     let file = files.get(&asked.text_document.uri)?;
     Some((file, offset(&file.text, asked.position)))
 }
 
-/// What can stand where the cursor is.
+/// Completions at the cursor.
 pub fn completion(files: &OpenFiles, asked: &CompletionParams) -> Option<CompletionResponse> {
     let (file, at) = place(files, &asked.text_document_position)?;
     let found = complete(&document::read(&file.text), file.program.as_ref(), at);
@@ -110,7 +110,7 @@ pub fn completion(files: &OpenFiles, asked: &CompletionParams) -> Option<Complet
             SuggestionKind::Part => CompletionItemKind::PROPERTY,
         }),
         detail: Some(suggestion.meaning.text(files.language()).to_owned()),
-        // Names come before functions, as they do here.
+        // The order of the suggestions is kept: names come before functions.
         sort_text: Some(format!("{number:05}")),
         text_edit: Some(CompletionTextEdit::Edit(TextEdit::new(replaced, suggestion.text.clone()))),
         label: suggestion.text,
@@ -119,7 +119,7 @@ pub fn completion(files: &OpenFiles, asked: &CompletionParams) -> Option<Complet
     Some(CompletionResponse::Array(items.collect()))
 }
 
-/// What the word under the cursor means.
+/// Explanation of the word under the cursor.
 pub fn hover(files: &OpenFiles, asked: &HoverParams) -> Option<Hover> {
     let (file, at) = place(files, &asked.text_document_position_params)?;
     let found = explain(&document::read(&file.text), file.program.as_ref(), at)?;
@@ -130,10 +130,10 @@ pub fn hover(files: &OpenFiles, asked: &HoverParams) -> Option<Hover> {
     })
 }
 
-/// Another name for the one under the cursor, everywhere in the document.
+/// Renames the name under the cursor everywhere in the document and its translations.
 ///
 /// # Errors
-/// No name of the model stands there, or the new one cannot be given; in words for people.
+/// There is no name of the model at the cursor, or the new name is not allowed; as text for users.
 pub fn rename(files: &OpenFiles, asked: &RenameParams) -> Result<Option<WorkspaceEdit>, String> {
     let Some((file, at)) = place(files, &asked.text_document_position) else { return Ok(None) };
     let uri = &asked.text_document_position.text_document.uri;
@@ -143,7 +143,7 @@ pub fn rename(files: &OpenFiles, asked: &RenameParams) -> Result<Option<Workspac
         .map_err(|refusal| refusal.words().text(files.language()).to_owned())?;
     let all = std::iter::once((uri, file.text.as_str())).chain(others.iter().map(|(uri, text)| (uri, text.as_str())));
     let changed = all.zip(&edits).filter(|(_, edits)| !edits.is_empty());
-    // The address is a key here by the type of the protocol; it is not changed afterwards.
+    // The protocol demands the address as key; it is not changed afterwards.
     #[allow(clippy::mutable_key_type)]
     let changes: HashMap<Uri, Vec<TextEdit>> =
         changed.map(|((uri, text), edits)| (uri.clone(), text_edits(text, edits))).collect();

@@ -1,5 +1,5 @@
-//! `meniscus lsp`: a language server for documents, so that any editor reports their errors, offers the remedies, completes,
-//! explains, renames and formats.
+//! `meniscus lsp`: a language server for documents. Any editor can report errors, offer fixes, complete, explain,
+//! rename and format.
 
 mod answers;
 mod open_files;
@@ -23,7 +23,7 @@ use serde::Serialize;
 use std::io::{self, BufRead, Write};
 use units::Language;
 
-/// Answers an editor until it says that it is done.
+/// Serves an editor until it sends `exit`.
 ///
 /// # Errors
 /// The streams to the editor cannot be read or written.
@@ -71,23 +71,24 @@ fn answer(input: &mut impl BufRead, output: &mut impl Write, language: Language)
     Ok(())
 }
 
-/// How far an editor has come.
+/// State of the session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
-    /// It has not said `initialize`.
+    /// Before `initialize`.
     New,
-    /// It asks and notifies.
+    /// Between `initialize` and `shutdown`.
     Ready,
-    /// It has said `shutdown`.
+    /// After `shutdown`.
     Done,
 }
 
-/// Notes what the editor has opened, changed or closed, and what is wrong now with that file and with those that depend on it.
+/// Processes the opening, change or closing of a file. Returns the diagnostics of this file and of those that depend on
+/// it.
 fn note(files: &mut OpenFiles, notification: Notification) -> Vec<PublishDiagnosticsParams> {
     noted(files, notification).into_iter().flatten().map(|uri| published(files, uri)).collect()
 }
 
-/// The files in which other things may be wrong now.
+/// Files whose diagnostics may have changed. `None` for other or malformed notifications.
 fn noted(files: &mut OpenFiles, notification: Notification) -> Option<Vec<Uri>> {
     Some(match notification.method.as_str() {
         DidOpenTextDocument::METHOD => {
@@ -96,7 +97,7 @@ fn noted(files: &mut OpenFiles, notification: Notification) -> Option<Vec<Uri>> 
         }
         DidChangeTextDocument::METHOD => {
             let mut changed = parameters::<DidChangeTextDocument>(notification.params)?;
-            // The whole text comes each time.
+            // Full synchronisation: each change contains the whole text.
             files.set(changed.text_document.uri, changed.content_changes.pop()?.text)
         }
         DidCloseTextDocument::METHOD => {
@@ -111,7 +112,7 @@ fn published(files: &OpenFiles, uri: Uri) -> PublishDiagnosticsParams {
     PublishDiagnosticsParams { diagnostics: diagnostics.unwrap_or_default(), uri, version: None }
 }
 
-/// What a notification says; none if it is not what the protocol has there.
+/// Parameters of a notification; `None` if they do not match the protocol.
 fn parameters<N: lsp_types::notification::Notification>(value: serde_json::Value) -> Option<N::Params> {
     serde_json::from_value(value).ok()
 }

@@ -1,4 +1,4 @@
-//! The files that an editor has open.
+//! The files that are open in the editor.
 
 use document::Opened;
 use lsp_types::Uri;
@@ -7,27 +7,27 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use units::{Language, words};
 
-/// A file that is open.
+/// An open file.
 #[derive(Debug)]
 pub struct OpenFile {
-    /// Its text in the editor.
+    /// Text in the editor.
     pub text: String,
-    /// What it says.
+    /// Result of opening the text as a document.
     pub opened: Opened,
-    /// The last program that could be made of it.
+    /// Last program that could be compiled from it.
     pub program: Option<Program>,
 }
 
-/// The files that an editor has open, by their addresses.
+/// The open files, by address.
 #[derive(Debug)]
 pub struct OpenFiles {
     language: Language,
-    // By text: an address has a part that it computes when it is first asked for.
+    // Keys are texts because an address computes a part of itself on first access.
     files: HashMap<String, OpenFile>,
 }
 
 impl OpenFiles {
-    /// None is open yet.
+    /// No open files.
     pub fn new(language: Language) -> Self {
         Self { language, files: HashMap::new() }
     }
@@ -42,8 +42,8 @@ impl OpenFiles {
         self.files.get(uri.as_str())
     }
 
-    /// Opens a file, or gives it another text. Returns the files in which other things may be wrong now: itself and, where it is a
-    /// document, its open translations.
+    /// Opens a file or replaces its text. Returns the files whose diagnostics may have changed: the file itself and,
+    /// for a document, its open translations.
     pub fn set(&mut self, uri: Uri, text: String) -> Vec<Uri> {
         let before = self.files.remove(uri.as_str()).and_then(|file| file.program);
         let file = self.open(&uri, text, before);
@@ -51,13 +51,14 @@ impl OpenFiles {
         self.check_translations(uri)
     }
 
-    /// Forgets a file. Returns the files in which other things may be wrong now.
+    /// Closes a file. Returns the files whose diagnostics may have changed.
     pub fn close(&mut self, uri: Uri) -> Vec<Uri> {
         self.files.remove(uri.as_str());
         self.check_translations(uri)
     }
 
-    /// Checks the open translations of a document with its text as it is now. Returns their addresses after that of the document.
+    /// Checks the open translations of a document against its present text. Returns the address of the document and
+    /// those of the translations.
     fn check_translations(&mut self, uri: Uri) -> Vec<Uri> {
         let Some((folder, name)) = parts(&uri) else { return vec![uri] };
         let open = self.files.iter().filter(|(other, file)| {
@@ -74,8 +75,8 @@ impl OpenFiles {
         std::iter::once(uri).chain(translations).collect()
     }
 
-    /// A text with what is wrong with it: a translation is checked with its document. Markdown that is no document of Meniscus has no
-    /// errors. `before` is the last program of the file.
+    /// Checks a text; a translation is checked with its document. Markdown without a model has no errors. `before`:
+    /// last program of the file.
     fn open(&self, uri: &Uri, text: String, before: Option<Program>) -> OpenFile {
         let outline = document::read(&text);
         let is_other = outline.blocks_of(document::BlockKind::Model).next().is_none();
@@ -88,7 +89,8 @@ impl OpenFiles {
         OpenFile { text, opened, program }
     }
 
-    /// A translation with its document, which is open or stands in a file beside it. Diagnostics are those of the translation.
+    /// Opens a translation with its document, which is open in the editor or in a file beside it. Contains only
+    /// diagnostics of the translation.
     fn translation(&self, uri: &Uri, base: &str, text: &str) -> Opened {
         let Some(source) = parts(uri).and_then(|(folder, _)| self.text_beside(folder, base)) else {
             let message = words!(
@@ -105,7 +107,7 @@ impl OpenFiles {
         opened
     }
 
-    /// The text of a file in a folder, as it is in the editor or else on the disk.
+    /// Text of a file in a folder, from the editor or else from the disk.
     fn text_beside(&self, folder: &str, name: &str) -> Option<String> {
         let is_meant = |address: &str| {
             let parts = address.rsplit_once('/');
@@ -114,13 +116,13 @@ impl OpenFiles {
         if let Some((_, file)) = self.files.iter().find(|(address, _)| is_meant(address)) {
             return Some(file.text.clone());
         }
-        // A name alone: no text of the editor leads out of the folder.
+        // Accepts a plain file name only, so that no text can refer to files outside the folder.
         let is_name = !name.contains(['/', '\\']);
         let path = is_name.then(|| path_of(folder)).flatten()?.join(name);
         std::fs::read_to_string(path).ok()
     }
 
-    /// The translations of a document with their addresses: those that are open, and those in files beside it.
+    /// Translations of a document with their addresses: open files, and files beside the document.
     pub fn translations(&self, uri: &Uri) -> Vec<(Uri, String)> {
         let Some((folder, name)) = parts(uri) else { return Vec::new() };
         let is_of = |text: &str| document::translates(text).is_some_and(|base| base == name);
@@ -143,18 +145,18 @@ impl OpenFiles {
     }
 }
 
-/// The address of the folder of a file, and the name of the file.
+/// Address of the folder of a file, and name of the file.
 fn parts(uri: &Uri) -> Option<(&str, String)> {
     let (folder, name) = uri.as_str().rsplit_once('/')?;
     Some((folder, decoded(name)?))
 }
 
-/// The path of a folder on this computer.
+/// Path of a folder from its `file://` address; `None` for other addresses.
 fn path_of(folder: &str) -> Option<PathBuf> {
     folder.strip_prefix("file://").and_then(decoded).map(PathBuf::from)
 }
 
-/// A part of an address without its percent signs.
+/// Decodes percent escapes; `None` if they are invalid.
 fn decoded(part: &str) -> Option<String> {
     let mut bytes = Vec::with_capacity(part.len());
     let mut rest = part.as_bytes();
@@ -171,7 +173,7 @@ fn decoded(part: &str) -> Option<String> {
     String::from_utf8(bytes).ok()
 }
 
-/// The name of a file as a part of an address (RFC 3986, section 2.3).
+/// Percent-encodes a file name (RFC 3986, section 2.3).
 fn encoded(name: &str) -> String {
     let one = |byte: u8| match byte {
         b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' => char::from(byte).to_string(),

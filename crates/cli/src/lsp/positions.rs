@@ -1,9 +1,9 @@
-//! Places as editors count them: lines from 0, and in a line the units of UTF-16.
+//! Positions of the protocol: lines from 0, and UTF-16 code units within a line.
 
 use lsp_types::{Position, Range};
 use model::Span;
 
-/// The position of a byte.
+/// Position of a byte offset.
 pub fn position(text: &str, offset: usize) -> Position {
     let offset = floor(text, offset);
     let start = text[..offset].rfind('\n').map_or(0, |end| end + 1);
@@ -16,7 +16,8 @@ pub fn range(text: &str, span: Span) -> Range {
     Range::new(position(text, span.start), position(text, span.end.max(span.start)))
 }
 
-/// The byte at a position; the end of its line where the line is shorter, the end of the text where that is.
+/// Byte offset of a position. A position behind the end of its line gives the end of the line, one behind the last line
+/// the end of the text.
 pub fn offset(text: &str, position: Position) -> usize {
     let lines = text.split_inclusive('\n').take(position.line as usize);
     let start: usize = lines.map(str::len).sum();

@@ -1,19 +1,19 @@
-//! Messages of the protocol as they go over a stream: header lines, an empty line, JSON. What is malformed is answered with an error
-//! and skipped, so that one bad message does not end the server.
+//! Framing of the messages of the protocol: header lines, an empty line, JSON. A malformed message is answered with an
+//! error and skipped, so that it does not end the server.
 
 use lsp_server::{ErrorCode, Message};
 use serde_json::{Value, json};
 use std::io::{self, BufRead, Read, Write};
 
-/// The longest message, in bytes; longer ones are skipped.
+/// Maximum length of a message in bytes. Longer ones are skipped.
 const LONGEST: usize = 64 << 20;
-/// The header whose value is the length of the message in bytes.
+/// Name of the header that states the length of the message in bytes.
 const LENGTH: &str = "content-length:";
 
-/// A message that cannot be understood.
+/// A message that cannot be parsed.
 #[derive(Debug)]
 pub struct Malformed {
-    /// The id of the request, null where there is none.
+    /// Id of the request; null if there is none.
     id: Value,
     code: ErrorCode,
     why: String,
@@ -47,7 +47,7 @@ pub fn read(input: &mut impl BufRead) -> io::Result<Option<Result<Message, Malfo
     Ok(Some(parsed(&bytes)))
 }
 
-/// Reads lines up to an empty one, and the length that they state; `None` at the end of the stream.
+/// Reads header lines up to an empty one. Returns the stated length; `None` at the end of the stream.
 fn header(input: &mut impl BufRead) -> io::Result<Option<Option<usize>>> {
     let mut length = None;
     loop {
@@ -59,7 +59,7 @@ fn header(input: &mut impl BufRead) -> io::Result<Option<Option<usize>>> {
         if line.trim().is_empty() {
             return Ok(Some(length));
         }
-        // Behind a message with a wrong length, the header does not begin a line.
+        // After a message with a wrong length, the header may not be at the start of a line.
         if let Some((_, value)) = line.rsplit_once(LENGTH) {
             length = value.trim().parse().ok();
         }
@@ -73,7 +73,7 @@ fn parsed(bytes: &[u8]) -> Result<Message, Malformed> {
         .map_err(|_| Malformed { id, ..Malformed::new(ErrorCode::InvalidRequest, "this is no message of JSON-RPC") })
 }
 
-/// Writes the answer to what could not be understood.
+/// Writes the error response to a malformed message.
 ///
 /// # Errors
 /// The stream cannot be written to.

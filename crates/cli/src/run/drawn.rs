@@ -1,4 +1,4 @@
-//! `--draw F=push.csv`: a curve from a file in the place of one that the reader of the document draws.
+//! `--draw F=push.csv`: replaces a curve drawn by the user of the document by one from a file.
 
 use crate::arguments::assignments::Assignment;
 use crate::arguments::settings::unknown;
@@ -9,8 +9,8 @@ use document::Document;
 use program::{Drawn, Interpolation, Table};
 use std::path::Path;
 
-/// Draws the curves of these files, each with two columns: argument and value, in the units of the table unless they have
-/// units of their own.
+/// Sets the curves from files with two columns, argument and value. The columns are in the units of the table unless
+/// they have units of their own.
 pub fn draw(document: &mut Document, assignments: &[Assignment]) -> Result<(), Failure> {
     let model = &mut document.program.model;
     let mut drawings = model.drawings();
@@ -31,7 +31,7 @@ pub fn draw(document: &mut Document, assignments: &[Assignment]) -> Result<(), F
     Ok(())
 }
 
-/// The values of the points of a curve from a file.
+/// Values of the points of a curve, interpolated from a file. SI.
 fn read(table: &Table, drawn: &Drawn, path: &Path) -> Result<Vec<f64>, Failure> {
     let measured = data::read(path, Stated::default())?;
     let what = format!("--draw {}: {}", table.name, measured.name);

@@ -1,4 +1,4 @@
-//! `meniscus run`: a document's table, row by row as it is computed.
+//! `meniscus run`: writes the table of a document row by row while it is computed.
 
 pub(crate) mod drawn;
 pub(crate) mod rows;
@@ -19,12 +19,12 @@ use rows::Rows;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
-/// Rows are collected to about this many bytes before they are written.
+/// Buffer size in bytes before rows are written.
 const CHUNK: usize = 1 << 16;
-/// How many bytes of written rows are kept before they are dropped together.
+/// Size in bytes of the run's history at which written rows are dropped.
 const HISTORY: usize = 1 << 20;
 
-/// Runs the document from 0 to the end asked for.
+/// Runs the document from 0 to the end.
 pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     let sources = load::sources(&arguments.document)?;
     // A button may be named by its translated title.
@@ -55,7 +55,7 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     };
     let failed = |error: RunError| failed(&sources, &document, &error, terminal);
     let mut run = engine::Run::start(model, setup).map_err(failed)?;
-    // That of the run: a model that counts goes by 1 whatever was asked for.
+    // Uses the step of the run: a discrete model always has step 1.
     let steps = steps(until, run.setup().step)?;
     let output = match &arguments.output {
         Some(path) => Output::to(path, &sources)?,
@@ -69,7 +69,7 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     progress.finish_and_clear();
     for notice in run.notices() {
         let (message, hint) = (notice.message(model), notice.hint());
-        // What has no event of its own is about the equations.
+        // A notice without a subject is attributed to the equations.
         let subject = notice.subject().unwrap_or(Subject::State(0));
         let span = place(&document, subject).unwrap_or_default();
         terminal.report_one(&sources, &Diagnostic::warning(notice.code(), message, span).with_hint(hint));
@@ -81,7 +81,7 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
             writer.finish()
         }
         Some(error) => {
-            // What is on the standard output stays well-formed; a file does not appear at all.
+            // The standard output stays well-formed. An output file is not created.
             if matches!(writer.output, Output::Standard(_)) {
                 writer.finish()?;
             }
@@ -90,15 +90,15 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     }
 }
 
-/// How many steps lie between 0 and the end, which counts if it is a step but for rounding.
+/// Number of whole steps between 0 and `until`, tolerant to rounding.
 fn steps(until: f64, step: f64) -> Result<u64, Failure> {
     let steps = (until / step * (1.0 + engine::ROUNDING)).floor();
-    // Beyond this the number of a step times the step is no longer exact.
+    // Above this limit, step number times step is no longer exact.
     const MOST: f64 = (1_u64 << 53) as f64;
     if steps < MOST { Ok(steps as u64) } else { Err(Failure::request("--until is too many steps away")) }
 }
 
-/// Writes all rows, so many steps and what happens up to the end (SI); the error that ended the run, if one did.
+/// Writes the rows of `steps` steps and the events up to `until`, SI. Returns the error that ended the run, if any.
 fn write_rows(
     run: &mut engine::Run,
     (steps, until): (u64, f64),
@@ -107,7 +107,7 @@ fn write_rows(
 ) -> Result<Option<RunError>, Failure> {
     writer.row(run.history(), 0)?;
     for done in 0..steps {
-        // What is written need not be kept; so no run is too long.
+        // Written rows are dropped, so the length of a run is not limited by memory.
         if run.history().bytes() > HISTORY {
             run.forget();
             progress.set_position(done);
@@ -129,7 +129,7 @@ fn write_rows(
     Ok(outcome.err())
 }
 
-/// Where a part of the model stands.
+/// Position of a part of the model in the document.
 fn place(document: &Document, subject: Subject) -> Option<Span> {
     let places = &document.places;
     let span = match subject {
@@ -140,7 +140,7 @@ fn place(document: &Document, subject: Subject) -> Option<Span> {
     span.copied()
 }
 
-/// Shows why a run cannot start or go on, with the place in the document where there is one.
+/// Reports why a run cannot start or continue, with the position in the document if known.
 fn failed(sources: &Sources, document: &Document, error: &RunError, terminal: Terminal) -> Failure {
     let span = error.subject().and_then(|subject| place(document, subject));
     let (message, hint) = (error.message(&document.program.model), error.hint());
@@ -165,7 +165,8 @@ fn format(arguments: &Run) -> Format {
     arguments.format.or_else(by_ending).unwrap_or(Format::Csv)
 }
 
-/// A bar on the terminal, unless the table itself goes there. indicatif shows nothing where the standard error is none.
+/// Progress bar on the terminal; hidden if the table is written there. indicatif shows nothing if the standard error is
+/// not a terminal.
 fn progress(steps: u64, output: Option<&Path>) -> ProgressBar {
     let table_on_screen = output.is_none_or(|path| path == Path::new("-")) && std::io::stdout().is_terminal();
     let target =
@@ -178,7 +179,7 @@ fn progress(steps: u64, output: Option<&Path>) -> ProgressBar {
     }
 }
 
-/// The table on its way out.
+/// Writer of the table.
 struct Writer {
     output: Output,
     rows: Rows,

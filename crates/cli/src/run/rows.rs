@@ -1,4 +1,4 @@
-//! The rows of a run as they are written: CSV, an array of JSON objects, or one JSON object on each line.
+//! Formats of the rows of a run: CSV, an array of JSON objects, or one JSON object per line.
 
 use crate::arguments::Format;
 use engine::History;
@@ -10,24 +10,24 @@ use serde_json::ser::Formatter;
 use std::io::{self, Write};
 use units::number::shortest;
 
-/// Writes the rows of a table one after the other.
+/// Writer of the rows of a table.
 pub struct Rows {
     table: Table,
     format: Format,
-    /// The keys of the objects: the headings of the columns.
+    /// Keys of the objects: the headings of the columns.
     keys: Vec<String>,
-    /// Whether a row has been written.
+    /// True if a row has been written.
     any: bool,
 }
 
 impl Rows {
-    /// The rows of this table.
+    /// Writer of the rows of `table`.
     pub fn new(table: Table, format: Format) -> Self {
         let keys = table.columns().iter().map(Column::heading).collect();
         Self { table, format, keys, any: false }
     }
 
-    /// Writes what comes before the first row.
+    /// Writes the text before the first row.
     pub fn head(&self, out: &mut String) {
         match self.format {
             // Writing to a string cannot fail.
@@ -53,7 +53,7 @@ impl Rows {
         }
     }
 
-    /// Writes what comes after the last row.
+    /// Writes the text after the last row.
     pub fn end(&self, out: &mut String) {
         if self.format == Format::Json {
             out.push_str("\n]\n");
@@ -61,11 +61,11 @@ impl Rows {
     }
 }
 
-/// A row as an object.
+/// A row as a JSON object.
 fn object(keys: &[String], cells: &[Cell]) -> String {
     let mut bytes = Vec::new();
     let mut serializer = serde_json::Serializer::with_formatter(&mut bytes, ShortestNumbers);
-    // Texts and numbers only: there is nothing in it that could not be written.
+    // Texts and numbers can always be serialised.
     let _ = Row { keys, cells }.serialize(&mut serializer);
     String::from_utf8(bytes).unwrap_or_default()
 }
@@ -81,7 +81,7 @@ impl Serialize for Row<'_> {
         let mut object = serializer.serialize_map(Some(self.keys.len()))?;
         for (key, cell) in self.keys.iter().zip(self.cells) {
             match cell {
-                // What is not finite becomes null.
+                // NaN and infinities become null.
                 Cell::Number(value) => object.serialize_entry(key, value)?,
                 Cell::Truth(value) => object.serialize_entry(key, value)?,
                 Cell::Text(text) => object.serialize_entry(key, &**text)?,
@@ -91,7 +91,7 @@ impl Serialize for Row<'_> {
     }
 }
 
-/// JSON with the same digits as the CSV of the same run: `5`, not `5.0`.
+/// JSON formatter with the same digits as the CSV of the run: `5`, not `5.0`.
 struct ShortestNumbers;
 
 impl Formatter for ShortestNumbers {

@@ -1,4 +1,4 @@
-//! The documents of a folder, in the order in which the site lists them.
+//! Collection of the documents of a folder, in the order of the site.
 
 use super::names::{INDEX, LABORATORY, percent_encoded};
 use crate::failure::{Failure, listed};
@@ -10,42 +10,42 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The longest name of a document in bytes, with its folders: that of a link to it.
+/// Maximum length of the path of a document in bytes; it is also that of a link to it.
 const LONGEST_NAME: usize = 200;
 
 /// A document that becomes a page.
 #[derive(Debug)]
 pub struct Simulation {
-    /// Its path below the folder, with slashes and without `.md`: `theories/linear`.
+    /// Path below the folder, with slashes and without `.md`: `theories/linear`.
     pub name: String,
-    /// Its files, the document first.
+    /// Files of the document, the base first.
     files: Vec<Source>,
-    /// What they say.
+    /// The document.
     pub document: Document,
 }
 
 impl Simulation {
-    /// The path of its page in the site.
+    /// Path of its page in the site.
     pub fn page(&self) -> String {
         format!("{}.html", self.name)
     }
 
-    /// Its folder; empty for those at the top.
+    /// Path of its folder; empty at the top level.
     pub fn folder(&self) -> &str {
         self.name.rsplit_once('/').map_or("", |(folder, _)| folder)
     }
 
-    /// How many folders it lies below the top.
+    /// Depth of its folder below the top level.
     pub fn depth(&self) -> usize {
         self.name.matches('/').count()
     }
 
-    /// The address of the laboratory with this document, from the top of the site.
+    /// Address of the laboratory with this document, relative to the top of the site.
     pub fn in_laboratory(&self) -> String {
         format!("{LABORATORY}#1&d={}.md", percent_encoded(&self.name))
     }
 
-    /// The text of its edition in a language; that of the document where there is none.
+    /// Text of the document in a language; the base text if there is no such translation.
     pub fn text(&self, language: &str) -> &str {
         let document = &self.document;
         let mut translations = document.program.languages().skip(1).zip(&document.translations);
@@ -53,7 +53,7 @@ impl Simulation {
         own.map_or(&document.source, |(_, text)| text)
     }
 
-    /// Its files as the laboratory calls them, by their paths below the folder.
+    /// Files with their paths below the folder, as named in the library of the laboratory.
     pub fn library(&self) -> impl Iterator<Item = Source> {
         let folder = self.folder();
         let slash = if folder.is_empty() { "" } else { "/" };
@@ -63,8 +63,8 @@ impl Simulation {
     }
 }
 
-/// The documents below `directory`, those of a folder before the folders in it. Reports what is wrong with them, and names
-/// what is left out.
+/// Collects the documents below `directory`; those of a folder come before its subfolders. Reports findings in them and
+/// names the files that are left out.
 pub fn collect(directory: &Path, site: &Path, terminal: Terminal) -> Result<Vec<Simulation>, Failure> {
     let mut walk = Walk { site: site.canonicalize().ok(), ..Walk::default() };
     walk.folder(directory)?;
@@ -73,7 +73,7 @@ pub fn collect(directory: &Path, site: &Path, terminal: Terminal) -> Result<Vec<
     for path in walk.texts {
         let sources = load::sources(&path)?;
         if sources.path() != path {
-            // A translation is read with its document if its name shows that it belongs there.
+            // A translation is read with its document if its name matches that of the document.
             other_names.push((path, sources.path().to_owned()));
             continue;
         }
@@ -120,15 +120,15 @@ pub fn collect(directory: &Path, site: &Path, terminal: Terminal) -> Result<Vec<
 
 #[derive(Default)]
 struct Walk {
-    /// The site itself, which may lie in the folder.
+    /// Folder of the site, which may be inside the folder of the documents.
     site: Option<PathBuf>,
     texts: Vec<PathBuf>,
     others: Vec<PathBuf>,
 }
 
 impl Walk {
-    /// Collects the files of a folder, then those of the folders in it, by name. What begins with a dot is hidden, and links to
-    /// folders may lead in circles: both are left out.
+    /// Collects the files of a folder, then those of its subfolders, by name. Hidden files (leading dot) and links to
+    /// folders, which may be circular, are left out.
     fn folder(&mut self, directory: &Path) -> Result<(), Failure> {
         let failure = |error| Failure::file("read", directory, &error);
         let entries = fs::read_dir(directory).map_err(failure)?;
@@ -150,7 +150,7 @@ impl Walk {
     }
 }
 
-/// What a document is called in the site.
+/// Name of a document in the site: its path below the folder without `.md`.
 fn name_of(directory: &Path, path: &Path) -> Result<String, Failure> {
     let refused =
         |why: &str| Failure::with_hint(format!("{} cannot be an address: {why}", path.display()), "rename it");
@@ -166,7 +166,7 @@ fn name_of(directory: &Path, path: &Path) -> Result<String, Failure> {
     Ok(name)
 }
 
-/// No two pages have one name, also where a host takes capital and small letters for the same.
+/// Refuses page names that collide with each other or with files of the site, regardless of case.
 fn check_names(simulations: &[Simulation]) -> Result<(), Failure> {
     let mut names: BTreeMap<String, &str> = BTreeMap::new();
     for simulation in simulations {
@@ -187,7 +187,7 @@ fn check_names(simulations: &[Simulation]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Names what did not become a page, the first ones of many.
+/// Prints the files that did not become a page; of many, only the first ones.
 fn name_left_out(paths: &[PathBuf], directory: &Path, terminal: Terminal) {
     const NAMED: usize = 8;
     if paths.is_empty() {

@@ -1,19 +1,21 @@
-//! The curve on the card of a simulation: the beginning of a run with the values of the document.
+//! Curve on the card of a simulation: the beginning of a run with the values of the document.
 
 use engine::{Advance, Readings, Run, Setup};
 use program::Program;
 use std::fmt::Write as _;
 
-/// The drawing is so wide and so high, in units of its view box.
+/// Width and height of the drawing, in units of its view box.
 pub const SIZE: (f64, f64) = (640.0, 144.0);
-/// The distance of the curve from the edges, so that its stroke is not cut.
+/// Distance of the curve from the edges, so that its stroke is not clipped.
 const MARGIN: f64 = 6.0;
-/// As many rows are drawn at most.
+/// Maximum number of rows that are drawn.
 const ROWS: usize = 300;
-/// A run of more floating-point operations is left without a curve; those that ship need less than a tenth of it.
+/// Maximum work of the run in floating-point operations; a longer run gets no curve. The shipped simulations need less
+/// than a tenth.
 const WORK: u64 = 200_000_000;
 
-/// The path of an SVG: what the first plot over time shows first. `None` where there is no such plot, or no run.
+/// SVG path of the first curve of the first plot against the independent variable. `None` if there is no such plot or
+/// the run fails.
 pub fn path(program: &Program) -> Option<String> {
     let plot = program.plots.iter().find(|plot| program.model.is_independent(plot.x.value.node))?;
     let roots = [plot.x.value.node, plot.curves.first()?.value.node];
@@ -36,7 +38,7 @@ pub fn path(program: &Program) -> Option<String> {
         (range.is_finite() && factor.is_finite()).then_some(move |value: f64| start + (value - least) * factor)
     };
     let (x, y) = (scale(|row| row.0, SIZE.0)?, scale(|row| row.1, SIZE.1)?);
-    // Differences of whole numbers: the shortest text, and no error adds up.
+    // Relative coordinates from rounded absolute ones: short text without accumulated rounding errors.
     let mut points = rows.iter().map(|row| (x(row.0).round() as i32, (SIZE.1 - y(row.1)).round() as i32));
     let mut last = points.next()?;
     let mut path = format!("M{} {}l", last.0, last.1);
@@ -48,7 +50,7 @@ pub fn path(program: &Program) -> Option<String> {
     Some(path)
 }
 
-/// The beginning of a run as the document describes it.
+/// The beginning of a run with the settings of the document.
 fn run(program: &Program) -> Option<Run> {
     let mut run = Run::start(&program.model, Setup::of(program)).ok()?;
     let end = program.until.unwrap_or(f64::INFINITY);

@@ -1,4 +1,4 @@
-//! The files of a site before they are written.
+//! The files of a site in memory.
 
 use super::names::FROM_DISK;
 use crate::failure::Failure;
@@ -6,7 +6,7 @@ use crate::page::gzip;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
-/// Contents by paths, which have slashes.
+/// Contents by path, with slashes.
 #[derive(Debug, Default)]
 pub struct Files(BTreeMap<String, Vec<u8>>);
 
@@ -16,7 +16,8 @@ impl Files {
         self.0.insert(path.into(), content.into());
     }
 
-    /// Adds a file that pages share. Its name has the hash of its content, so that browsers may keep it forever. Its path.
+    /// Adds a file that pages share and returns its path. The name contains the hash of the content, so that browsers
+    /// may cache it forever.
     pub fn share(&mut self, name: &str, ending: &str, content: impl Into<Vec<u8>>) -> String {
         let content = content.into();
         let hash = hash(&content);
@@ -30,12 +31,12 @@ impl Files {
         self.0.iter().map(|(path, content)| (path.as_str(), content.as_slice()))
     }
 
-    /// Bytes of all files.
+    /// Total size of all files in bytes.
     pub fn size(&self) -> usize {
         self.0.values().map(Vec::len).sum()
     }
 
-    /// Adds each text gzipped, for servers that send such files as they are.
+    /// Adds a gzip version of each text file, for servers that deliver such files directly.
     pub fn compress(&mut self) -> Result<(), Failure> {
         let mut packed = Vec::new();
         for (path, content) in self.iter().filter(|(path, _)| is_text(path)) {

@@ -1,5 +1,5 @@
-//! The folder of a site. What [`Folder::publish`] wrote is listed in a file beside it, so that the next build replaces that
-//! and nothing else.
+//! The output folder of a site. The written files are listed in a file in it, so that the next build replaces only
+//! these.
 
 use super::files::Files;
 use super::names::WORKER;
@@ -11,7 +11,7 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use tempfile::Builder;
 
-/// The list of the files of the site, by which the folder is recognised.
+/// Name of the list of the site's files, by which the folder is recognised.
 const LIST: &str = "meniscus-site.json";
 
 /// A folder that may be written to.
@@ -19,12 +19,12 @@ const LIST: &str = "meniscus-site.json";
 pub struct Folder {
     path: PathBuf,
     exists: bool,
-    /// The files of the last build.
+    /// Files of the last build.
     before: BTreeSet<String>,
 }
 
 impl Folder {
-    /// The folder `path`: a new one, an empty one, or one that was built before.
+    /// Opens the folder `path`: a new one, an empty one, or one of an earlier build.
     pub fn open(path: &Path) -> Result<Self, Failure> {
         let failure = |error: io::Error| Failure::file("write", path, &error);
         let mut entries = match fs::read_dir(path) {
@@ -34,7 +34,7 @@ impl Folder {
             }
             Err(error) => return Err(failure(error)),
         };
-        // A link to a folder stays, and what it leads to is written.
+        // A link to a folder is kept; its target is written.
         let path = path.canonicalize().map_err(failure)?;
         let before = match fs::read_to_string(path.join(LIST)) {
             Ok(list) => serde_json::from_str(&list).map_err(|_| {
@@ -52,9 +52,9 @@ impl Folder {
         Ok(Self { path, exists: true, before })
     }
 
-    /// Writes the files. All of them are written beside the folder first. Then each takes its place at once, shared files
-    /// before the pages that need them and the service worker last, and what only the last build had goes: at any moment
-    /// every page there is whole.
+    /// Writes the files. All are first written to a temporary folder beside this one. Then each is moved into place:
+    /// shared files, pages that need them, and the service worker last. Files that only the last build had are removed.
+    /// Every page is therefore complete at any time.
     pub fn publish(self, files: &Files) -> Result<(), Failure> {
         let now: BTreeSet<String> = files.iter().map(|(path, _)| path.to_owned()).collect();
         self.refuse_foreign(&now)?;
@@ -75,7 +75,7 @@ impl Folder {
         if !self.exists {
             return fs::rename(fresh.path(), &self.path).map_err(failure);
         }
-        // If this is interrupted, the next build finds the files of both.
+        // If the build is interrupted, the next one knows the files of both builds.
         let both = self.before.union(&now).cloned().collect();
         fs::write(self.path.join(LIST), list(&both)?).map_err(failure)?;
         for path in in_order(&now) {
@@ -87,7 +87,7 @@ impl Folder {
         replace(&fresh.path().join(LIST), &self.path.join(LIST)).map_err(failure)
     }
 
-    /// Refuses to replace what no build has made, and to write through links that lead elsewhere.
+    /// Refuses to replace files that no build has written, and to write through links that lead out of the folder.
     fn refuse_foreign(&self, now: &BTreeSet<String>) -> Result<(), Failure> {
         for path in now.union(&self.before) {
             let Some(place) = self.place(path) else {
@@ -106,7 +106,7 @@ impl Folder {
         Ok(())
     }
 
-    /// Where a file of the site is; `None` if that is not in the folder.
+    /// Path of a file of the site; `None` if it is not inside the folder.
     fn place(&self, path: &str) -> Option<PathBuf> {
         let mut place = self.path.clone();
         for part in Path::new(path).components() {
@@ -119,7 +119,7 @@ impl Folder {
         (place != self.path).then_some(place)
     }
 
-    /// Removes a file of the last build, and the folders that it leaves empty.
+    /// Removes a file of the last build and the folders that become empty.
     fn remove(&self, path: &str) -> io::Result<()> {
         let place = self.path.join(path);
         match fs::remove_file(&place) {
@@ -142,7 +142,7 @@ fn write(path: &Path, content: &[u8]) -> io::Result<()> {
     fs::write(path, content)
 }
 
-/// Moves a file to its place. One with the same content stays: its time is that of its last change.
+/// Moves a file into place. A file with the same content is kept, so that its modification time does not change.
 fn replace(fresh: &Path, place: &Path) -> io::Result<()> {
     if let Some(parent) = place.parent() {
         fs::create_dir_all(parent)?;
@@ -153,7 +153,7 @@ fn replace(fresh: &Path, place: &Path) -> io::Result<()> {
     fs::rename(fresh, place)
 }
 
-/// Shared files, then pages, then the service worker.
+/// Order of publication: shared files, pages, service worker.
 fn in_order(files: &BTreeSet<String>) -> Vec<&String> {
     let mut files: Vec<&String> = files.iter().collect();
     files.sort_by_key(|path| (path.starts_with(WORKER), !path.starts_with("assets/")));

@@ -1,4 +1,5 @@
-//! The list of the simulations, as a plain page: a card for each, in every language of the interface that the documents have.
+//! The index page of the simulations: one card per simulation, in every language of the interface that the documents
+//! have.
 
 use super::collect::Simulation;
 use super::curve;
@@ -10,10 +11,10 @@ use units::Language;
 use units::markup::escaped;
 
 const STYLE: &str = include_str!("index.css");
-/// Shows the list in the language of the reader.
+/// Script that shows the list in the language of the reader.
 const SCRIPT: &str = include_str!("index.js");
 
-/// The words of the list.
+/// Texts of the index page.
 struct Words {
     title: &'static str,
     language: &'static str,
@@ -41,7 +42,7 @@ fn words_in(language: Language) -> Words {
     )
 }
 
-/// The page. `player` has the styles that it shares with the pages of the simulations.
+/// The index page. `player`: source of the styles shared with the pages of the simulations.
 pub fn page(simulations: &[Simulation], player: &Parts, files: &mut Files) -> String {
     let languages = languages(simulations);
     let curves: Vec<Option<String>> =
@@ -71,7 +72,7 @@ pub fn page(simulations: &[Simulation], player: &Parts, files: &mut Files) -> St
     )
 }
 
-/// The languages of the interface in which there are documents, first that of the first document.
+/// Languages of the interface that the documents have, in order of first appearance.
 fn languages(simulations: &[Simulation]) -> Vec<Language> {
     let mut languages = Vec::new();
     for simulation in simulations {
@@ -85,7 +86,7 @@ fn languages(simulations: &[Simulation]) -> Vec<Language> {
     if languages.is_empty() { vec![Language::English] } else { languages }
 }
 
-/// Everything in one language.
+/// The index in one language.
 fn list(language: Language, all: &[Language], simulations: &[Simulation], curves: &[Option<String>]) -> String {
     let words = words_in(language);
     let tag = language.tag();
@@ -110,14 +111,14 @@ fn list(language: Language, all: &[Language], simulations: &[Simulation], curves
     html
 }
 
-/// The name of a folder as a heading: `damped-oscillations` as *Damped oscillations*.
+/// Heading of a folder: `damped-oscillations` becomes *Damped oscillations*.
 fn heading(folder: &str) -> String {
     let words = folder.replace(['-', '_'], " ").replace('/', " · ");
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// The links to the list in other languages; nothing where there is one.
+/// Links to the index in other languages; empty if there is only one.
 fn switch(language: Language, all: &[Language], words: &Words) -> String {
     let link = |other: &Language| {
         let (tag, name) = (other.tag(), other.name());
@@ -140,7 +141,7 @@ fn switch(language: Language, all: &[Language], words: &Words) -> String {
 fn card(language: Language, simulation: &Simulation, curve: Option<&str>, words: &Words) -> String {
     let program = &simulation.document.program;
     let edition = program.edition(language.tag());
-    // The reader of the screen changes its voice where a document is not in the language of the list.
+    // Tells screen readers the language of a document that is not in the language of the list.
     let lang = if edition.language == language.tag() {
         String::new()
     } else {

@@ -1,5 +1,5 @@
-//! `meniscus build`: a web site of all documents in a folder. Its pages share styles, scripts and modules, which carry the
-//! hash of their content in their names, and a service worker keeps all of it for visits without a network.
+//! `meniscus build`: a web site of all documents in a folder. Its pages share styles, scripts and modules whose names
+//! contain the hash of their content. A service worker caches all files for visits without a network.
 
 mod collect;
 mod curve;
@@ -22,10 +22,10 @@ use names::{INDEX, LABORATORY, WORKER};
 use parts::{Parts, ROOT};
 use units::markup::escaped;
 
-/// The documents of this folder are theories, which the laboratory offers for fits.
+/// Folder of the theories that the laboratory offers for fits.
 const THEORIES: &str = "theories/";
 
-/// Builds the site; a document with errors leaves the folder as it was.
+/// Builds the site. If a document has errors, the folder is not changed.
 pub fn build(arguments: &Build, terminal: Terminal) -> Result<(), Failure> {
     let (laboratory, player) = (page::own()?, page::bare_player()?);
     let folder = Folder::open(&arguments.output)?;
@@ -76,11 +76,11 @@ fn play_page(player: &Parts, simulation: &Simulation) -> Result<String, Failure>
         escaped(&simulation.in_laboratory())
     );
     let page = player.html.replace(parts::LINKS, &links).replace(ROOT, &"../".repeat(simulation.depth()));
-    // The laboratory has its source: the page stays small.
+    // The source is omitted to keep the page small; the laboratory has it.
     page::played(&page, &[], program)
 }
 
-/// The laboratory with the documents of the site, and those of its own theories that the site does not replace.
+/// The laboratory with the documents of the site, and its own theories unless the site replaces them.
 fn laboratory_page(laboratory: &Parts, simulations: &[Simulation]) -> Result<String, Failure> {
     let mut library: Vec<Source> = simulations.iter().flat_map(Simulation::library).collect();
     let own = parts::between(&laboratory.html, parts::LIBRARY, "</script>").ok_or_else(page::no_place)?;

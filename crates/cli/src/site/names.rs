@@ -1,15 +1,15 @@
-//! The names of the files of a site.
+//! Names of the files of a site.
 
-/// The laboratory of the site.
+/// Page of the laboratory.
 pub const LABORATORY: &str = "laboratory.html";
-/// The list of the simulations.
+/// Index page of the simulations.
 pub const INDEX: &str = "index.html";
-/// The service worker, at the top of the site: it answers for everything below.
+/// Service worker. It is at the top of the site because it only serves paths below it.
 pub const WORKER: &str = "sw.js";
-/// What the name of a module ends with that is read from a disk.
+/// Suffix of the text version of a module, which pages opened from a disk load.
 pub const FROM_DISK: &str = ".text.js";
 
-/// A path of the site as an address.
+/// Percent-encodes a path of the site.
 pub fn percent_encoded(path: &str) -> String {
     let keep = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
     path.bytes().map(|byte| if keep(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") }).collect()

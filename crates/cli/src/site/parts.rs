@@ -1,4 +1,4 @@
-//! A page of one file, taken apart: its styles, scripts and module become files that pages share.
+//! Splits a single-file page: its styles, scripts and module become files that pages share.
 
 use super::files::Files;
 use super::names::{FROM_DISK, WORKER};
@@ -9,35 +9,36 @@ use document::page::{EDITOR, PLAYER, POLICY};
 use flate2::read::DeflateDecoder;
 use std::io::Read as _;
 
-/// Stands for the way from a page to the top of the site. No document can contain it where it is replaced.
+/// Placeholder for the relative path from a page to the top of the site. No document can contain it where it is
+/// replaced.
 pub const ROOT: &str = "<!--root-->";
-/// The place in the head for what a page leads to.
+/// Placeholder in the head for the links of a page.
 pub const LINKS: &str = "<!--links-->";
-/// The element with the documents that the laboratory carries.
+/// Start tag of the element with the documents of the laboratory.
 pub const LIBRARY: &str = "<script type=\"application/json\" id=\"library\">";
 
-/// What a page of the site may load: files of the site alone. No script in the page itself runs.
+/// Content security policy of the site's pages: only files of the site are loaded, and no inline script runs.
 pub const SITE_POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
                                img-src data: blob:; font-src data:; connect-src 'self'; worker-src 'self'; \
                                base-uri 'none'; form-action 'none'";
 
 const MODULE: &str = "<script type=\"application/octet-stream\" id=\"module\">";
-/// Registers the service worker and asks for the module.
+/// Script that registers the service worker and requests the module.
 const BEGIN: &str = include_str!("begin.js");
 
 /// A page whose parts are files of the site.
 #[derive(Debug)]
 pub struct Parts {
-    /// The page, with [`ROOT`] and [`LINKS`].
+    /// The page, with the placeholders [`ROOT`] and [`LINKS`].
     pub html: String,
-    /// The path of its styles.
+    /// Path of its styles.
     pub style: String,
-    /// The path of the script that every page of the site begins with.
+    /// Path of the script with which every page of the site begins.
     first_script: String,
 }
 
 impl Parts {
-    /// Takes the page apart. Its parts are called `name`.
+    /// Splits the page and adds its parts to `files` with names that begin with `name`.
     pub fn of(whole: &str, name: &str, files: &mut Files) -> Result<Self, Failure> {
         let (mut html, mut rest) = (String::new(), whole);
         let (mut styles, mut scripts, mut module) = (String::new(), Vec::new(), None);
@@ -63,7 +64,7 @@ impl Parts {
                     let script = files.share("editor", "js", inflated(content).ok_or_else(page::no_place)?);
                     html.push_str(&EDITOR.replace('>', &format!(" data-script=\"{ROOT}{script}\"></script>")));
                 }
-                // A script puts it into the page: from a disk nothing else can be loaded.
+                // The player is embedded by a script, because pages opened from a disk cannot load other files.
                 PLAYER => {
                     let script = format!("document.getElementById(\"player\").textContent = \"{content}\";\n");
                     let script = files.share("publish", "js", script);
@@ -81,7 +82,8 @@ impl Parts {
         let style = files.share(name, "css", styles);
         let first_script = files.share("site", "js", [first.trim_start(), BEGIN].concat());
         let script = files.share(name, "js", scripts.concat().trim_start());
-        // It is gzipped already, and inflated by the page: hosts differ in whether they compress modules.
+        // The module is already gzipped and is inflated by the page, because hosts differ in whether they compress
+        // modules.
         let module = files.share(name, "bin", bytes);
         let from_disk = format!("document.getElementById(\"module\").textContent = \"{text}\";\n");
         let from_disk = files.share(name, &FROM_DISK[1..], from_disk);
@@ -95,13 +97,13 @@ impl Parts {
         Ok(Self { html, style, first_script })
     }
 
-    /// The script that a page at the top of the site begins with, where nothing plays.
+    /// Element of the first script, for a page at the top of the site that plays no simulation.
     pub fn begin(&self) -> String {
         begin(&self.first_script, "", "")
     }
 }
 
-/// The element of the script that every page begins with. `root` is the way to the top of the site.
+/// Element of the script with which every page begins. `root`: relative path to the top of the site.
 fn begin(first_script: &str, root: &str, module: &str) -> String {
     format!("<script src=\"{root}{first_script}\" data-worker=\"{root}{}\"{module}></script>", WORKER)
 }
@@ -109,7 +111,7 @@ fn begin(first_script: &str, root: &str, module: &str) -> String {
 const HEAD: &str = "<!--head-->";
 const FIRST_SCRIPT: &str = "<!--first-script-->";
 
-/// A script that stands in the page deflated, in base64.
+/// Decodes a script that is embedded deflated and in base64.
 fn inflated(text: &str) -> Option<String> {
     let bytes = base64::engine::general_purpose::STANDARD.decode(text).ok()?;
     let mut script = String::new();
@@ -117,7 +119,7 @@ fn inflated(text: &str) -> Option<String> {
     Some(script)
 }
 
-/// What stands between two texts.
+/// Text between `before` and the next `after`; `None` if either is missing.
 pub fn between<'a>(text: &'a str, before: &str, after: &str) -> Option<&'a str> {
     let rest = &text[text.find(before)? + before.len()..];
     rest.find(after).map(|end| &rest[..end])
@@ -146,7 +148,7 @@ mod tests {
         assert_eq!(content, b"2;\n\n3;\n");
         assert!(parts.html.contains(&format!("<script defer src=\"{ROOT}{script}\"></script>")), "{}", parts.html);
         assert!(parts.html.contains(SITE_POLICY) && !parts.html.contains("AAEC"), "{}", parts.html);
-        // The editor is a script of its own, which the laboratory asks for when it is needed.
+        // The editor is a separate script, which the laboratory loads on demand.
         let editor = files.iter().find(|(path, _)| path.starts_with("assets/editor-")).expect("the editor");
         assert_eq!(editor.1, b"4;");
         let lazy = format!("id=\"editor\" data-script=\"{ROOT}{}\"></script>", editor.0);

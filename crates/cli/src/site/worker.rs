@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 
 const SCRIPT: &str = include_str!("worker.js");
 
-/// The worker of these files. It lists their hashes: another file is another worker, which browsers notice.
+/// Service worker for these files. It contains their hashes, so that browsers detect a new worker when a file changes.
 pub fn script(files: &Files) -> String {
     let kept = files.iter().filter(|(path, _)| !path.ends_with(FROM_DISK));
     let hashes: BTreeMap<String, String> = kept.map(|(path, content)| (percent_encoded(path), hash(content))).collect();
-    // A map of texts can be written.
+    // A map of texts can always be serialised.
     let list = serde_json::to_string_pretty(&hashes).unwrap_or_default();
     let script = SCRIPT.replace("const FILES = {};", &format!("const FILES = {list};"));
     let version = hash(script.as_bytes());

@@ -1,4 +1,4 @@
-//! The lines shown under a finding: of a line that is too long for that, the part around the place concerned.
+//! Source lines shown under a finding. Of a long line only the part around the position is shown.
 
 use codespan_reporting::diagnostic::{Diagnostic, LabelStyle};
 use codespan_reporting::files::{Error, Files, SimpleFiles};
@@ -6,22 +6,22 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use units::Language;
 
-/// A longer line, in bytes, is not shown whole: a document may be a single line of a million bytes.
+/// Maximum length in bytes of a line that is shown in full. A document may be a single line of a million bytes.
 const LONGEST: usize = 400;
-/// How many bytes are shown before the place.
+/// Number of bytes shown before the position.
 const BEFORE: usize = 100;
 
-/// The files of a finding, with long lines cut to what is shown of them.
+/// Files of a finding, with long lines cut to the shown part.
 #[derive(Debug)]
 pub struct Excerpt<'f, 'a> {
     files: &'f SimpleFiles<String, &'a str>,
-    /// The shown part of long lines, by file and line.
+    /// Shown part of long lines, by file and line.
     parts: BTreeMap<(usize, usize), Range<usize>>,
 }
 
 impl<'f, 'a> Excerpt<'f, 'a> {
-    /// Chooses the parts of long lines around the places in `finding`. Places that are not shown then leave it, and what
-    /// was cut is added as a note.
+    /// Chooses the shown parts of long lines around the labels of `finding`. Removes labels that are not shown, and
+    /// adds a note if a line is cut.
     pub fn of(files: &'f SimpleFiles<String, &'a str>, finding: &mut Diagnostic<usize>, language: Language) -> Self {
         let mut excerpt = Self { files, parts: BTreeMap::new() };
         finding.labels.sort_by_key(|label| label.style != LabelStyle::Primary);
@@ -53,7 +53,7 @@ impl<'f, 'a> Excerpt<'f, 'a> {
         }
     }
 
-    /// Moves a place into what is shown of its lines; false if it lies elsewhere.
+    /// Clips a label to the shown part of its lines. Returns false if it starts outside of it.
     fn fit(&self, file: usize, range: &mut Range<usize>) -> bool {
         let shown = |place: usize| {
             let line = self.files.line_index(file, place).ok()?;
@@ -86,7 +86,7 @@ impl<'a> Files<'a> for Excerpt<'_, 'a> {
         self.files.line_index(file, place)
     }
 
-    /// Counted from the beginning of the line, whatever part of it is shown.
+    /// Columns count from the beginning of the line, also if its beginning is not shown.
     fn column_number(&'a self, file: usize, line: usize, place: usize) -> Result<usize, Error> {
         self.files.column_number(file, line, place)
     }

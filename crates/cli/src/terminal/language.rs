@@ -1,11 +1,11 @@
-//! The language in which the program speaks.
+//! Language of messages.
 
 use units::Language;
 
-/// Where the system says which language a person reads, in the order in which POSIX has it.
+/// Environment variables that state the language, in the order of priority of POSIX.
 const VARIABLES: [&str; 3] = ["LC_ALL", "LC_MESSAGES", "LANG"];
 
-/// The language that was asked for, else that of the environment.
+/// The requested language, otherwise that of the environment.
 pub fn chosen(asked: Option<Language>) -> Language {
     asked.unwrap_or_else(|| {
         let set = VARIABLES.iter().filter_map(std::env::var_os).find(|value| !value.is_empty());
@@ -13,10 +13,10 @@ pub fn chosen(asked: Option<Language>) -> Language {
     })
 }
 
-/// Reads `es`, `es-MX`, `en`.
+/// Parses a language tag: `es`, `es-MX`, `en`.
 ///
 /// # Errors
-/// When the program does not speak the language.
+/// The program does not have the language.
 pub fn parse(tag: &str) -> Result<Language, String> {
     let language = Language::of(tag);
     let primary = tag.split(['-', '_']).next().unwrap_or_default();

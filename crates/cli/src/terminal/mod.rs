@@ -1,4 +1,4 @@
-//! Diagnostics for people, with the line of the source under them, and for programs, as JSON.
+//! Output of diagnostics: as text with the source line, and as JSON.
 
 pub(crate) mod excerpt;
 pub(crate) mod language;
@@ -20,7 +20,7 @@ use std::io::{IsTerminal, Write};
 use units::{Language, Words};
 use visible::{Visible, visible};
 
-/// How messages are written to the terminal.
+/// Settings of messages on the terminal.
 #[derive(Clone, Copy, Debug)]
 pub struct Terminal {
     color: Color,
@@ -29,7 +29,7 @@ pub struct Terminal {
 }
 
 impl Terminal {
-    /// Messages in colour or not, and in this language.
+    /// Settings with this use of colour and this language.
     pub fn new(color: Color, language: Language) -> Self {
         Self { color, language }
     }
@@ -44,7 +44,7 @@ impl Terminal {
         }
     }
 
-    /// Whether the standard output gets colours.
+    /// True if text on the standard output is coloured.
     pub fn standard_output_colors(self) -> bool {
         self.colors(std::io::stdout().is_terminal())
     }
@@ -61,7 +61,7 @@ impl Terminal {
         write(&rendered(sources, [(0, diagnostic)], self.language, colors));
     }
 
-    /// Writes an error that has no place in a document.
+    /// Writes an error without a position in a document.
     pub fn error(self, message: &str, hint: Option<&str>) {
         let notes = hint.map(|hint| hinted(hint, self.language)).into_iter().collect();
         let error = shown::Diagnostic::error().with_message(message).with_notes(notes);
@@ -69,24 +69,24 @@ impl Terminal {
         write(&emitted(&SimpleFiles::new(), [error], self.language, colors));
     }
 
-    /// Writes what was noticed about measured data to the standard error.
+    /// Writes a finding about measured data to the standard error.
     pub fn note(self, finding: &analysis::finding::Finding) {
         let text = finding.text(self.language);
         self.print(&format!("{}: {text}\n", self.language.pick("note", "nota")));
     }
 
-    /// Writes a line to the standard error.
+    /// Writes text to the standard error, with control characters escaped.
     pub fn print(self, text: &str) {
         write(&visible(text));
     }
 }
 
-/// Writes to the standard error. If that is closed, the message is lost: there is no other place for it.
+/// Writes to the standard error. If that is closed, the message is lost.
 fn write(text: &str) {
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// All findings, each with its place.
+/// Text of all findings with their positions.
 pub fn findings_as_text(documents: &[Loaded], language: Language, colors: bool) -> String {
     let mut text = String::new();
     for loaded in documents {
@@ -147,11 +147,11 @@ fn emitted<'a>(
         let writer: &mut dyn WriteColor =
             if colors { &mut Visible::new(Ansi::new(&mut bytes)) } else { &mut Visible::new(NoColor::new(&mut bytes)) };
         let excerpt = Excerpt::of(files, &mut finding, language);
-        // Writing to memory cannot fail, and the places are inside their texts.
+        // Writing to memory cannot fail, and all labels are inside their texts.
         let _ = term::emit_to_write_style(writer, &term::Config::default(), &excerpt, &finding);
         let _ = writer.flush();
         let shown = String::from_utf8_lossy(&bytes);
-        // The library begins with the severity, in English; "error" is Spanish too.
+        // The library starts with the English name of the severity. "error" is also the Spanish word.
         text.push_str(&match language {
             Language::English => shown,
             Language::Spanish => shown.replacen("warning[", "aviso[", 1).into(),
@@ -160,14 +160,14 @@ fn emitted<'a>(
     text
 }
 
-/// The span, moved inside the text and to the boundaries of its characters.
+/// The span, clipped to the text and to character boundaries.
 fn inside(span: Span, text: &str) -> Span {
     let end = text.ceil_char_boundary(span.end.min(text.len()));
     let start = text.floor_char_boundary(span.start.min(end));
     Span::new(start, end)
 }
 
-/// A finding as programs read it. Fields are only ever added.
+/// JSON form of a finding. Fields are only ever added.
 #[derive(Serialize)]
 struct Finding<'a> {
     file: String,
@@ -181,7 +181,7 @@ struct Finding<'a> {
     hints: Vec<&'a str>,
 }
 
-/// Lines and columns count from 1; columns count characters.
+/// A position range. Lines and columns count from 1; columns count characters.
 #[derive(Serialize)]
 struct Place {
     #[serde(flatten)]
@@ -202,7 +202,7 @@ struct Remark<'a> {
     place: Place,
 }
 
-/// All findings as one array. Keys and codes do not depend on the language, the texts do.
+/// All findings as one JSON array. Keys and codes do not depend on the language, the texts do.
 pub fn findings_as_json(documents: &[Loaded], language: Language) -> String {
     let mut findings = Vec::new();
     for loaded in documents {
@@ -226,7 +226,7 @@ pub fn findings_as_json(documents: &[Loaded], language: Language) -> String {
             });
         }
     }
-    // Texts and numbers only: there is nothing in it that could not be written.
+    // Texts and numbers can always be serialised.
     serde_json::to_string_pretty(&findings).unwrap_or_default() + "\n"
 }
 

@@ -1,4 +1,4 @@
-//! Where results go: the standard output, or a file that appears whole or not at all.
+//! Output of results: the standard output, or a file that appears complete or not at all.
 
 use super::unfinished::Unfinished;
 use super::visible::Visible;
@@ -9,44 +9,44 @@ use std::io::{self, BufWriter, IsTerminal, StdoutLock, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
-/// A place to write to. Nothing appears under its name before [`Output::finish`].
+/// A destination of output. A file does not appear under its name before [`Output::finish`].
 #[derive(Debug)]
 pub enum Output {
     /// The standard output.
     Standard(BufWriter<StdoutLock<'static>>),
-    /// The standard output where a person looks at it: control characters of documents and data are escaped.
+    /// The standard output on a terminal. Control characters of documents and data are escaped.
     Screen(BufWriter<Visible<StdoutLock<'static>>>),
     /// A temporary file beside its target.
     File {
-        /// What is written so far.
+        /// Buffered temporary file.
         writer: BufWriter<NamedTempFile>,
-        /// What it will be called.
+        /// Final path of the file.
         target: PathBuf,
-        /// Removes the temporary file if the program is interrupted.
+        /// Guard that removes the temporary file if the program is interrupted.
         unfinished: Unfinished,
     },
     /// A device such as /dev/null, which must be written to and not replaced.
     Device {
-        /// The open device.
+        /// Open device.
         writer: BufWriter<fs::File>,
-        /// Its name.
+        /// Path of the device.
         target: PathBuf,
     },
 }
 
 impl Output {
-    /// The standard output: byte for byte into files and other programs, with control characters escaped on a terminal.
+    /// The standard output: unchanged bytes to files and other programs, escaped control characters on a terminal.
     pub fn standard() -> Self {
         let output = io::stdout().lock();
         if output.is_terminal() { Self::Screen(BufWriter::new(Visible::new(output))) } else { Self::rendered() }
     }
 
-    /// The standard output for text in which nothing has to be escaped any more, such as diagnostics in colour.
+    /// The standard output for text that is already escaped, such as coloured diagnostics.
     pub fn rendered() -> Self {
         Self::Standard(BufWriter::new(io::stdout().lock()))
     }
 
-    /// The file `path`, `-` being the standard output. The sources that the result is made of are not overwritten.
+    /// The file `path`; `-` is the standard output. Refuses to overwrite the sources of the result.
     pub fn to(path: &Path, sources: &Sources) -> Result<Self, Failure> {
         if path == Path::new("-") {
             return Ok(Self::standard());
@@ -63,7 +63,7 @@ impl Output {
                 let device = fs::OpenOptions::new().write(true).open(path).map_err(failure)?;
                 Ok(Self::Device { writer: BufWriter::new(device), target: path.to_owned() })
             }
-            // A link stays, and what it points to is replaced.
+            // A link is kept; its target is replaced.
             Ok(metadata) => {
                 Self::beside(path.canonicalize().map_err(failure)?, Some(metadata.permissions())).map_err(failure)
             }
@@ -92,7 +92,7 @@ impl Output {
         Ok(Self::File { writer: BufWriter::new(file), target, unfinished })
     }
 
-    /// What an error of writing here means.
+    /// Failure for an error of writing to this destination.
     pub fn failure(&self, error: &io::Error) -> Failure {
         match self {
             Self::Standard(_) | Self::Screen(_) => Failure::standard_output(error),
@@ -100,7 +100,7 @@ impl Output {
         }
     }
 
-    /// Writes what is left, and gives the file its name.
+    /// Flushes the output and gives the file its final name.
     pub fn finish(mut self) -> Result<(), Failure> {
         self.flush().map_err(|error| self.failure(&error))?;
         match self {
@@ -135,7 +135,7 @@ impl Write for Output {
     }
 }
 
-/// Writes into a file, which must not be one of the data, or prints where there is none.
+/// Writes bytes to a file, which must not be one of the data files, or to the standard output if `path` is `None`.
 pub fn deliver(path: Option<&Path>, data: &[PathBuf], bytes: &[u8]) -> Result<(), Failure> {
     match path {
         Some(path) => file(path, data, bytes),
@@ -143,7 +143,7 @@ pub fn deliver(path: Option<&Path>, data: &[PathBuf], bytes: &[u8]) -> Result<()
     }
 }
 
-/// Writes a whole file, which must not be one of the data.
+/// Writes a complete file, which must not be one of the data files.
 pub fn file(path: &Path, data: &[PathBuf], bytes: &[u8]) -> Result<(), Failure> {
     let own = path.canonicalize().ok();
     if own.is_some() && data.iter().any(|data| data.canonicalize().ok() == own) {

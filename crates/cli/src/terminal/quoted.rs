@@ -1,8 +1,8 @@
-//! Paths in commands that people copy.
+//! Quoting of paths in commands that users copy.
 
 use std::path::Path;
 
-/// A path as it is typed in a shell: in quotation marks if it has blanks or other characters that mean something there.
+/// Quotes a path for a shell if it contains blanks or special characters.
 pub fn quoted(path: &Path) -> String {
     let text = path.display().to_string();
     let is_plain =

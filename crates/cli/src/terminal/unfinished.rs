@@ -1,30 +1,32 @@
-//! Temporary files and folders that must not stay behind when the program is interrupted.
+//! Cleanup of temporary files and folders when the program is interrupted.
 
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
-/// The temporary files and folders that exist now.
+/// Temporary files and folders that exist at present.
 static FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 static WATCH: Once = Once::new();
 
-/// The exit code of a program that a signal has ended, by convention 128 and the number of SIGINT.
+/// Exit code of a program ended by a signal: by convention 128 plus the number of SIGINT.
 const INTERRUPTED: i32 = 130;
 
-/// A temporary file or folder that is removed if the program is interrupted (Ctrl-C, SIGTERM, SIGHUP) while this exists.
+/// Guard of a temporary file or folder. The file is removed if the program is interrupted (Ctrl-C, SIGTERM, SIGHUP)
+/// while the guard exists.
 #[derive(Debug)]
 pub struct Unfinished {
     path: PathBuf,
 }
 
 impl Unfinished {
-    /// Creates a temporary file or folder and watches over it, without a moment in between.
+    /// Creates a temporary file or folder together with its guard. The lock is held in between, so that no interruption
+    /// can miss it.
     ///
     /// # Errors
-    /// Those of `create`.
+    /// The error of `create`.
     pub fn watching<T: AsRef<Path>>(create: impl FnOnce() -> io::Result<T>) -> io::Result<(T, Self)> {
         WATCH.call_once(|| {
-            // Without a handler an interruption leaves the file behind, which harms less than not writing at all.
+            // Without a handler an interruption leaves the file behind, which is better than not writing.
             let _ = ctrlc::set_handler(|| {
                 for path in files().iter() {
                     let _ = std::fs::remove_file(path).or_else(|_| std::fs::remove_dir_all(path));

@@ -1,11 +1,11 @@
-//! Characters that a terminal would obey instead of showing: escape sequences that move the cursor or rename the window, and
-//! marks that reverse the direction of the text (Boucher & Anderson, Trojan Source, 2021).
+//! Escaping of characters that a terminal would execute instead of showing: escape sequences that move the cursor or
+//! rename the window, and marks that reverse the direction of the text (Boucher & Anderson, Trojan Source, 2021).
 
 use codespan_reporting::term::termcolor::{ColorSpec, WriteColor};
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-/// The text with such characters in the form `\u{1b}`. Tabs and line ends stay.
+/// Text with such characters escaped as `\u{1b}`. Tabs and line ends are kept.
 pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.contains(is_obeyed) {
         return Cow::Borrowed(text);
@@ -14,7 +14,7 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     let mut rest = text;
     while let Some(letter) = rest.chars().next() {
         rest = &rest[letter.len_utf8()..];
-        // A carriage return is harmless only as a part of a line end.
+        // A carriage return is harmless only in a line end.
         if is_obeyed(letter) && !(letter == '\r' && rest.starts_with('\n')) {
             shown.extend(letter.escape_unicode());
         } else {
@@ -29,23 +29,23 @@ fn is_obeyed(letter: char) -> bool {
         || matches!(letter, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// Writes text to a terminal, with [`visible`] characters only. Colours that are set beside the text pass.
+/// Writer for a terminal that escapes text as [`visible`] does. Colours set through [`WriteColor`] pass.
 #[derive(Debug)]
 pub struct Visible<W> {
     inner: W,
-    /// The beginning of a character or a line end of which the rest has not been written yet.
+    /// Start of a character or of a line end whose rest has not been written yet.
     part: Vec<u8>,
 }
 
 impl<W> Visible<W> {
-    /// Writes to `inner`.
+    /// Writer to `inner`.
     pub fn new(inner: W) -> Self {
         Self { inner, part: Vec::new() }
     }
 }
 
 impl<W: Write> Visible<W> {
-    /// Writes the first so many bytes of what is held back.
+    /// Writes the first `length` bytes of the held-back text.
     fn pass(&mut self, length: usize) -> io::Result<()> {
         let text: Vec<u8> = self.part.drain(..length).collect();
         self.inner.write_all(visible(&String::from_utf8_lossy(&text)).as_bytes())
@@ -57,7 +57,7 @@ impl<W: Write> Write for Visible<W> {
         self.part.extend_from_slice(bytes);
         let whole = match std::str::from_utf8(&self.part) {
             Err(error) if error.error_len().is_none() => error.valid_up_to(),
-            // It may be the first half of a line end.
+            // A final carriage return may be the first half of a line end.
             _ => self.part.len() - usize::from(self.part.ends_with(b"\r")),
         };
         self.pass(whole)?;
@@ -98,7 +98,7 @@ mod tests {
             ("over\rwritten\r\n", "over\\u{d}written\r\n"),
         ] {
             assert_eq!(visible(text), shown);
-            // However the bytes are divided.
+            // The result does not depend on the division of the bytes.
             for parts in [1, 2, 3, 5] {
                 let mut writer = Visible::new(Vec::new());
                 text.as_bytes().chunks(parts).for_each(|bytes| writer.write_all(bytes).expect("memory"));

@@ -1,4 +1,4 @@
-//! The U-tube against its closed form and against a plain Runge-Kutta loop, through the program's own output.
+//! The U-tube compared with its closed form and with a plain Runge-Kutta loop, through the output of the program.
 
 use crate::common::{meniscus, numbers};
 use libm::{cos, cosh, exp, sin, sinh, sqrt};
@@ -34,11 +34,12 @@ impl Tube {
         (self.h_l - self.h_r) / 2.0
     }
 
-    /// The solution of m y'' + b y' + 2 rho S g y = 0 that starts at rest.
+    /// Solution of m y'' + b y' + 2 rho S g y = 0 that starts at rest.
     fn closed_form(self, t: f64) -> f64 {
         let (y, gamma) = (self.start(), self.b / (2.0 * self.mass()));
         let square = self.omega_0() * self.omega_0() - gamma * gamma;
-        // At critical damping rounding leaves some 1e-16, where both formulas lose their meaning and the limit holds.
+        // At critical damping rounding leaves about 1e-16, where both formulas are ill-conditioned and the limit is
+        // used.
         if square.abs() < 1e-12 {
             return exp(-gamma * t) * y * (1.0 + gamma * t);
         }

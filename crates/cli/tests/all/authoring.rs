@@ -1,4 +1,4 @@
-//! `meniscus new` and `meniscus format`: what an author begins with, and one layout.
+//! `meniscus new` and `meniscus format`: templates and layout.
 
 use crate::common::{SPRING, directory_with, done, meniscus, program};
 use std::fs;
@@ -21,7 +21,7 @@ fn a_new_document_is_without_findings_and_in_the_layout() {
     }
 }
 
-/// The commands that are shown work when they are copied into a shell.
+/// The printed commands work when copied into a shell.
 #[cfg(unix)]
 #[test]
 fn a_folder_with_blanks_is_quoted_in_commands() {
@@ -95,7 +95,7 @@ fn a_layout_is_checked_and_then_written() {
     assert_eq!(meniscus(&["run", file]).stdout, through("run", &before), "the same numbers");
 }
 
-/// What a command writes about a document on the standard input.
+/// Output of a command for a document on the standard input.
 fn through(command: &str, text: &str) -> String {
     let mut child = program().args([command, "-"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
     child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();

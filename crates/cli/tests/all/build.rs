@@ -8,7 +8,7 @@ use std::path::Path;
 const SPANISH: &str =
     "---\ntitle: Un muelle\nlanguage: es\ntranslates: spring.md\n---\n\nUn cuerpo cuelga de un muelle.\n";
 
-/// A folder with two documents, one of them in two languages and one in a folder; gone when dropped.
+/// A temporary folder with two documents, one in two languages and one in a subfolder.
 fn documents() -> tempfile::TempDir {
     let directory = tempfile::tempdir().expect("a temporary directory");
     let put = |name: &str, text: &str| {
@@ -30,7 +30,7 @@ fn build(directory: &Path) -> crate::common::Done {
     meniscus(&["build", &path("docs"), "--output", &path("site")])
 }
 
-/// All files below a folder, by their paths.
+/// All files below a folder, by path.
 fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     let mut folders = vec![folder.to_owned()];
@@ -153,7 +153,7 @@ fn a_new_build_replaces_the_last_one_and_nothing_else() {
     assert!(text(&files, "index.html").contains(">Another</a>"));
     assert_eq!(text(&files, "CNAME"), "example.org");
     assert_ne!(files["sw.js"], worker, "browsers notice the change by it");
-    // Nothing of the last build is left.
+    // No file of the last build remains.
     fs::remove_dir_all(&site).expect("it is there");
     build(directory.path());
     let mut fresh = contents(&site);
@@ -227,7 +227,7 @@ fn names_that_cannot_be_pages_are_refused() {
     ] {
         let directory = documents();
         let path = directory.path().join("docs").join(name);
-        // Some systems refuse such names themselves, or take two of them for one.
+        // Some systems refuse such names, or do not distinguish two of them.
         if path.exists() || fs::write(path, SPRING).is_err() {
             continue;
         }

@@ -1,8 +1,8 @@
-//! `meniscus check`: findings for people and for programs.
+//! `meniscus check`: findings as text and JSON.
 
 use crate::common::{SPRING, directory_with, meniscus, names, root};
 
-/// A project of the laboratory stands for the documents in it.
+/// A project of the laboratory is checked as the documents in it.
 #[test]
 fn a_project_is_checked_and_run_as_its_document() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -154,7 +154,7 @@ fn the_claims_of_the_documents_that_ship_hold() {
     }
 }
 
-/// A spring with two claims, the second of which is this one.
+/// A spring with two claims, the second of which is given.
 fn claiming(claim: &str) -> String {
     let checks = "```check\nset: m = 1 [kg], k = 4*pi^2*1 [N/m]\n\"Energy is kept\": E within 0.1 % of E(0) always\n";
     let spring = SPRING.replace("step: 0.1 [s]", "step: 0.01 [s]");
@@ -182,7 +182,7 @@ fn claims_are_run_when_asked_for() {
 
 #[test]
 fn a_claim_that_does_not_hold_is_an_error_with_its_place() {
-    // After half a period the body is on the other side.
+    // After half a period the body is on the opposite side.
     let (_directory, path) = directory_with(&claiming("x within 0.1 % of 5 [cm] at 0.5 [s]"));
     let (_other, sound) = directory_with(&claiming("x < 6 [cm] always"));
     let (path, sound) = (path.to_str().expect("UTF-8"), sound.to_str().expect("UTF-8"));

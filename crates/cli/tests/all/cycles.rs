@@ -1,4 +1,4 @@
-//! `meniscus cycles`: what is read, what is said, and what is refused with which words.
+//! `meniscus cycles`: input, output, and messages of refusals.
 
 use crate::common::{Done, done, meniscus, numbers, program, root};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
@@ -11,7 +11,7 @@ fn rows() -> Vec<(f64, f64)> {
     (0..120)
         .map(|frame| {
             let t = f64::from(frame) / 30.0;
-            // A camera's noise, near enough: no function of the frame that a sinusoid follows.
+            // Deterministic noise that no sinusoid follows.
             let noise = 0.01 * libm::sin(1.7 * f64::from(frame * frame));
             (t, 2.0 + 5.0 * libm::exp(-0.4 * t) * libm::cos(9.6 * t) + noise)
         })
@@ -27,7 +27,7 @@ fn text(header: &str, decimal_comma: bool) -> String {
     text
 }
 
-/// The same in milliseconds and centimetres.
+/// The rows with times in milliseconds and heights in centimetres.
 fn milliseconds() -> String {
     rows().iter().fold("t [ms];y [cm]\n".to_owned(), |text, (t, y)| format!("{text}{};{y}\n", t * 1e3))
 }
@@ -164,7 +164,7 @@ fn what_cannot_be_read_is_refused_with_the_remedy() {
     assert_eq!(std::fs::read_to_string(&path).expect("a file"), good);
 }
 
-/// A file of one gigabyte, which takes no room on the disk; it is refused by its size alone.
+/// A sparse file of one gigabyte, which uses no disk space. It is refused by its size alone.
 #[test]
 fn a_file_that_is_too_large_is_not_read() {
     let (_directory, path) = directory_with("large.txt", b"t\ty\n");
@@ -189,7 +189,7 @@ fn a_measured_record_shows_its_frequency_rise() {
         "column 3 was computed from column 2",
         "The angular frequency changes by more than its errors explain",
     ] {
-        // Words may be parted by the end of a line.
+        // Sentences may be wrapped.
         let words: Vec<&str> = done.stdout.split_whitespace().collect();
         assert!(words.join(" ").contains(part), "lacks «{part}»:\n{}", done.stdout);
     }
@@ -231,7 +231,7 @@ fn a_unit_can_be_stated() {
     assert!(stated.contains("stated by you"), "{stated}");
     refused(bare.as_bytes(), &["--unit", "t=parsec"], &["`parsec` is not a known unit", "--unit t=ms"]);
     refused(bare.as_bytes(), &["--unit", "z=ms"], &["has no column `z`", "its columns are t and y"]);
-    // A unit that is not known is asked for.
+    // A column with an unknown unit is refused until the unit is stated.
     let unknown = milliseconds().replace("t [ms]", "t [ticks]");
     refused(unknown.as_bytes(), &[], &["`ticks`, the unit of t, is not a known unit", "--unit t=ms"]);
     let (_directory, path) = directory_with("run.txt", unknown.as_bytes());
@@ -281,17 +281,17 @@ fn limits_that_make_no_sense_are_refused() {
     for (words, expected) in cases {
         refused(text("t\ty", false).as_bytes(), words, expected);
     }
-    // A record may begin before zero, as one that is synchronized at an event does.
+    // A record may begin before time 0, as one that is synchronised at an event does.
     let (_directory, path) = directory_with("run.txt", text("t\ty", false).as_bytes());
     assert_eq!(cycles(&path, &["--from", "-1"]).code, 0);
     let spanish = cycles(&path, &["--from", "1 [kg]", "--language", "es"]);
     assert!(spanish.stderr.contains("kg no es una unidad de tiempo"), "{}", spanish.stderr);
-    // Against an angle.
+    // With an angle as independent variable.
     let angles = rows().iter().fold("phi [deg],y\n".to_owned(), |text, (t, y)| format!("{text}{},{y}\n", t * 90.0));
     refused(angles.as_bytes(), &["--from", "1 [s]"], &["in deg, and s is another kind of unit", "--from '1 [deg]'"]);
 }
 
-/// A film whose time zero lies between two frames begins a little before 0.
+/// A film whose time 0 is between two frames begins shortly before 0.
 #[test]
 fn no_time_is_less_than_nothing() {
     let rows: String = rows().iter().map(|(t, y)| format!("{:.6}\t{y:.6}\n", t - 0.00097)).collect();
@@ -300,7 +300,7 @@ fn no_time_is_less_than_nothing() {
     assert!(out.contains("120 rows from 0.00 s to 3.97 s"), "{out}");
 }
 
-/// An oscillation in noise that goes on for a minute, and noise alone.
+/// A decaying oscillation that ends in noise, and noise alone.
 #[test]
 fn noise_ends_the_table_or_refuses_it() {
     let mut state = 1_u32;

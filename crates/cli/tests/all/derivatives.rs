@@ -1,4 +1,4 @@
-//! `meniscus derivatives` as a person uses it.
+//! `meniscus derivatives` on the command line.
 
 use crate::common::meniscus;
 use crate::fit::word;
@@ -7,7 +7,7 @@ use crate::fit::word;
 fn derivatives_are_exact_for_a_parabola() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("fall.txt");
-    // y = 5 t^2 in cm at 10 rows a second, with a row missing: both ways are exact for a parabola.
+    // y = 5 t^2 in cm at 10 rows per second with one row missing. Both methods are exact for a parabola.
     let row = |frame: u32| format!("{:.1}\t{:.2}\n", f64::from(frame) / 10.0, 0.05 * f64::from(frame * frame));
     let rows: String = (0..12).filter(|frame| *frame != 7).map(row).collect();
     std::fs::write(&path, format!("t [s]\ty [cm]\n{rows}")).unwrap();
@@ -21,7 +21,7 @@ fn derivatives_are_exact_for_a_parabola() {
     };
     let near = |found: f64, truth: f64| (found - truth).abs() < 1e-9;
     for (place, row) in table(&[]).iter().enumerate() {
-        // Rows beside the missing one and at the ends have no neighbours.
+        // Rows beside the missing one and at the ends lack a neighbour.
         assert_eq!(row[2].is_nan(), [0, 6, 7, 10].contains(&place), "{row:?}");
         assert!(row[2].is_nan() || near(row[2], 10.0 * row[0]), "{row:?}");
         assert!(row[3].is_nan() || near(row[3], 10.0), "{row:?}");

@@ -1,9 +1,9 @@
-//! `meniscus fit` as a person uses them.
+//! `meniscus fit` on the command line.
 use crate::common::{Done, meniscus};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// A damped cosine in centimetres at 30 frames a second, with the scatter of a film: known, so that every run is the same.
+/// A damped cosine in centimetres at 30 frames per second, with reproducible noise.
 pub fn record(directory: &Path, name: &str, damping: f64, scatter: f64) -> PathBuf {
     let mut text = "t [s]\ty [cm]\n".to_owned();
     let mut seed = 12345_u64;
@@ -46,7 +46,7 @@ fn a_fit_gives_values_in_declared_units_with_both_errors() {
         assert!(found["stderr_hac"].as_f64().unwrap() > 0.0);
         assert_eq!(found["unit"], unit);
     }
-    // Even scatter of 1 mm: its root mean square is 1 mm/sqrt(12).
+    // Uniform noise of width 1 mm has the root mean square 1 mm/sqrt(12).
     assert!((fit["rmse"].as_f64().unwrap() / (0.001 / libm::sqrt(12.0)) - 1.0).abs() < 0.1);
     let length = fit["derived"]["L"]["value"].as_f64().unwrap();
     assert!((length - 2.0 * 9.8 / (9.6 * 9.6 + 0.16)).abs() < 1e-3);
@@ -86,7 +86,7 @@ fn what_the_data_cannot_determine_is_named() {
     assert_eq!(fit["undetermined"], serde_json::json!(["b", "rho"]));
     assert_eq!(fit["determined_combinations"], serde_json::json!(["b/rho"]));
     assert_eq!(fit["parameters"]["b"]["value"], Value::Null);
-    // The ratio itself is known: gamma = b/(2 rho S L).
+    // Only the ratio is determined: gamma = b/(2 rho S L).
     let ratio = fit["derived"]["ratio"]["value"].as_f64().unwrap();
     let length = fit["parameters"]["L"]["value"].as_f64().unwrap();
     assert!((ratio / (2.0 * 5e-4 * length) - 0.1).abs() < 2e-3, "{ratio}");
@@ -105,16 +105,16 @@ fn a_part_is_fitted_and_the_rest_predicted() {
         ["fit", LINEAR, word(&data), "--observe", "y", "--from", "1", "--until", "4000 [ms]", "--format", "json"];
     let fit = object(&meniscus(&words));
     let outside = &fit["observations"][0]["outside"];
-    // Of the 119 others, the 30 before the initial values are not predicted.
+    // Of the 119 other values, the 30 before the initial values are not predicted.
     assert_eq!((fit["n"].as_u64(), outside["n"].as_u64()), (Some(91), Some(89)));
     assert_eq!((fit["observations"][0]["before_initial_values"].as_u64(), &fit["starts"]), (Some(30), &1.into()));
     assert_eq!(fit["initial_values_at"], serde_json::json!({"value": 1.0, "unit": "s"}));
-    // The theory is the true one, so that what it predicts is as near as what it was fitted to.
+    // The theory is the true one, so its prediction is as accurate as its fit.
     assert!(outside["rmse"].as_f64().unwrap() < 1.5 * fit["rmse"].as_f64().unwrap());
 }
 
-/// A part that begins later is fitted as if the rows before it had been deleted in an editor: each theory, from whatever
-/// moment, and what is predicted from the middle on.
+/// A fit that begins later gives the same result as one without the earlier rows: for each theory, each start, and a
+/// prediction from the middle on.
 #[test]
 fn rows_before_the_part_might_as_well_not_be_there() {
     let directory = tempfile::tempdir().unwrap();
@@ -167,7 +167,7 @@ fn where_initial_values_hold_and_how_often_was_searched_is_said() {
     assert!(!told.contains("initial values") && !told.contains("starts"), "{told}");
 }
 
-/// Standard errors stand beside the values that they belong to, gaps or not, and those that are none are named.
+/// Standard errors are assigned to the right values despite gaps, and invalid ones are reported.
 #[test]
 fn given_errors_that_are_none_are_refused_where_they_count() {
     let directory = tempfile::tempdir().unwrap();
@@ -187,7 +187,7 @@ fn given_errors_that_are_none_are_refused_where_they_count() {
     let fit = |file: &Path, more: &[&str]| {
         meniscus(&[&["fit", word(&line), word(file), "--observe", "y", "--error", "y=s"], more].concat())
     };
-    // The gap of the level has an error beside it, or none.
+    // A gap of the level may have an error or none.
     for gap in ["2", ""] {
         let good = file("good.txt", &|place| if place == 4 { gap } else { "2" });
         let done = fit(&good, &["--format", "json"]);
@@ -214,7 +214,7 @@ fn given_errors_that_are_none_are_refused_where_they_count() {
         assert_eq!(done.code, 2, "{words:?}: {}", done.stderr);
         assert!(done.stderr.contains(said), "{words:?}: {}", done.stderr);
     }
-    // Of several files, the one is named that has nothing in the fitted part.
+    // Of several files, the one without values in the fitted part is named.
     let late = directory.path().join("late.txt");
     std::fs::write(&late, "t [s]\ty [m]\n100\t1\n101\t2\n102\t3\n").unwrap();
     let done = meniscus(&["fit", word(&line), word(&good), word(&late), "--observe", "y", "--until", "50"]);
@@ -312,11 +312,11 @@ fn reports_workbooks_tables_and_figures_are_written() {
         })
         .collect();
     assert!(cells.iter().any(|cell| cell == "gamma" || cell == "γ"), "{cells:?}");
-    // The measured levels themselves stand in it.
+    // The sheet contains the measured levels.
     assert!(cells.len() > 3 * 210);
 }
 
-/// One value of a record is off by 2 cm: it is named, and a robust loss takes its pull away.
+/// One value of a record is off by 2 cm: it is reported, and a robust loss removes its influence.
 #[test]
 fn an_outlier_is_named_and_a_robust_loss_disregards_it() {
     let directory = tempfile::tempdir().unwrap();

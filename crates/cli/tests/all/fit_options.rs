@@ -1,9 +1,9 @@
-//! Options of `meniscus fit` and `meniscus rank`: which are refused, and what is said of them.
+//! Options of `meniscus fit` and `meniscus rank` that are refused, and the messages.
 
 use crate::common::meniscus;
 use crate::fit::{COSINE, LINEAR, record, word};
 
-/// What would have no effect, or another one than it says, is refused.
+/// Options without effect, or with another effect than stated, are refused.
 #[test]
 fn options_without_effect_are_refused() {
     let directory = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! An editor that talks to `meniscus lsp`.
+//! A test editor as client of `meniscus lsp`.
 
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
@@ -68,7 +68,7 @@ impl Editor {
         self.answer(method, parameters)["result"].take()
     }
 
-    /// Opens a document and hears what is wrong with it.
+    /// Opens a document and returns its diagnostics.
     fn write(&mut self, text: &str) -> Value {
         let file = json!({ "uri": FILE, "languageId": "markdown", "version": 1, "text": text });
         self.tell("textDocument/didOpen", json!({ "textDocument": file }));
@@ -161,7 +161,7 @@ fn a_name_changes_in_translations_that_are_open_and_beside_the_file() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
-/// A translation is checked with its document, as the editor has it or as it stands beside it.
+/// A translation is checked with its document, which is open in the editor or in a file beside it.
 #[test]
 fn a_translation_is_checked_with_its_document() {
     let folder = std::env::temp_dir().join(format!("meniscus translation {}", std::process::id()));
@@ -192,7 +192,7 @@ fn a_translation_is_checked_with_its_document() {
     assert!(says(&found, &unknown("Stifness")) && says(&found, "did you mean \"Stiffness\"?"), "{found}");
     open(&mut editor, "spring.es.md", &translation("Stiffness"));
     assert_eq!(hear(&mut editor, "spring.es.md"), json!([]));
-    // What changes in the document in the editor is seen in its translation.
+    // A change of the document in the editor updates the diagnostics of its translation.
     open(&mut editor, "spring.md", &document.replace("Stiffness", "Spring constant"));
     assert_eq!(hear(&mut editor, "spring.md"), json!([]));
     let found = hear(&mut editor, "spring.es.md");
@@ -212,7 +212,7 @@ fn a_translation_is_checked_with_its_document() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
-/// Nothing that an editor says ends the server.
+/// No message of the editor ends the server.
 #[test]
 fn malformed_messages_are_answered_and_skipped() {
     let mut editor = Editor::open("en");
@@ -243,7 +243,7 @@ fn malformed_messages_are_answered_and_skipped() {
         editor.write_bytes(header.as_bytes());
         assert_eq!(editor.hear()["error"]["code"], -32700, "{header:?}");
     }
-    // A length that is wrong costs the message and no more.
+    // A wrong length loses only its own message.
     editor.write_bytes(b"Content-Type: x\r\n\r\n{\"method\": \"lost\"}");
     assert_eq!(editor.hear()["error"]["code"], -32700);
     let methods = [

@@ -1,4 +1,5 @@
-//! Tests of the program, run as a person runs it; one program, since linking many takes longer than they do.
+//! Tests that run the program from outside, linked as one test program because linking many takes longer than the
+//! tests.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 

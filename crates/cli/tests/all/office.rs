@@ -1,4 +1,4 @@
-//! Spreadsheets of other programs: what they write is read, what is written here opens in them.
+//! Exchange with spreadsheet programs: their files are read, and they open the files written here.
 
 use crate::common::{meniscus, numbers};
 use analysis::spreadsheet::Archive;
@@ -24,7 +24,7 @@ fn word(path: &Path) -> &str {
     path.to_str().expect("UTF-8")
 }
 
-/// The cycles that are found in a file, which must be those of the rows.
+/// Asserts that the cycles found in a file are those of the rows.
 fn reads(path: &Path) {
     let text: String = rows().iter().map(|(t, y)| format!("{t:?}\t{y:?}\n")).collect();
     let plain = written(path.parent().expect("a directory"), "plain.txt", format!("t [s]\ty [cm]\n{text}").as_bytes());
@@ -42,7 +42,7 @@ fn reads(path: &Path) {
     }
 }
 
-/// A document of OpenDocument (ISO/IEC 26300) as other programs write it: repeated cells, a sheet of words first.
+/// An OpenDocument spreadsheet (ISO/IEC 26300) as other programs write it: repeated cells, and a first sheet of text.
 fn ods() -> Vec<u8> {
     let mut content = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?><office:document-content \
@@ -84,8 +84,8 @@ fn ods() -> Vec<u8> {
     archive.finish()
 }
 
-/// A workbook of Office Open XML (ECMA-376) as other programs write it: texts in a table of their own, numbers with all
-/// their digits, cells with styles, a dimension.
+/// An Office Open XML workbook (ECMA-376) as other programs write it: a table of shared texts, numbers with all digits,
+/// cells with styles, a dimension.
 fn xlsx() -> Vec<u8> {
     const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
     const RELATIONS: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
@@ -163,8 +163,8 @@ fn workbooks_of_other_programs_are_read() {
     reads(&written(directory.path(), "film.xlsx", &xlsx()));
 }
 
-/// Lets LibreOffice convert a file in its directory, with settings of its own. `None`, and a word about it, where there is
-/// no LibreOffice.
+/// Converts a file in its directory with LibreOffice, with separate settings. `None`, with a message, without
+/// LibreOffice.
 fn converted(directory: &Path, file: &str, to: &str) -> Option<()> {
     let profile = format!("-env:UserInstallation=file://{}/profile", directory.display());
     let done = Command::new("soffice")
@@ -205,13 +205,13 @@ fn libreoffice_opens_the_workbook_of_a_fit_and_its_files_are_read() {
             assert!((value - expected).abs() < 1e-9, "row {row}: {value} is not {expected}");
         }
     }
-    // No cell is an error or a formula: what stands in them is what was written.
+    // No cell is an error or a formula: each has the written content.
     for name in opened.sheet_names() {
         let sheet = opened.worksheet_range(&name).expect("a sheet");
         assert!(!sheet.used_cells().any(|(_, _, cell)| matches!(cell, Data::Error(_))), "{name}");
         assert!(opened.worksheet_formula(&name).expect("a sheet").is_empty(), "{name}");
     }
-    // What LibreOffice writes itself is read here, whether it read the file from here or from elsewhere.
+    // Files written by LibreOffice are read, regardless of their source.
     for form in ["ods", "xlsx", "xls"] {
         converted(directory.path(), "film.csv", form);
         reads(&directory.path().join("converted").join(format!("film.{form}")));
@@ -226,7 +226,7 @@ fn a_csv_with_decimal_commas_opens_in_libreoffice_as_numbers() {
     let commas = directory.path().join("comas.csv");
     let done = meniscus(&["derivatives", word(&data), "--observe", "y", "--decimal-comma", "--output", word(&commas)]);
     assert_eq!(done.code, 0, "{}", done.stderr);
-    // As it is opened in Spain: semicolons (59), UTF-8 (76), the language 1034, numbers recognised.
+    // Opened with the settings of Spain: semicolons (59), UTF-8 (76), language 1034, numbers recognised.
     let directory = directory.path();
     let profile = format!("-env:UserInstallation=file://{}/profile", directory.display());
     let filter = "--infilter=Text - txt - csv (StarCalc):59,34,76,1,,1034,false,true,false";
@@ -246,7 +246,7 @@ fn a_csv_with_decimal_commas_opens_in_libreoffice_as_numbers() {
     for (row, (t, y)) in (1..).zip(rows()) {
         for (column, expected) in [(0, t), (1, y)] {
             let Some(Data::Float(value)) = sheet.get_value((row, column)) else { panic!("row {row}, column {column}") };
-            // It keeps fifteen digits.
+            // LibreOffice keeps fifteen digits.
             assert!((value - expected).abs() < 1e-13, "row {row}: {value} is not {expected}");
         }
     }

@@ -1,4 +1,4 @@
-//! `meniscus export` and `meniscus serve`, with the page inside the program and without it.
+//! `meniscus export` and `meniscus serve`, with and without the embedded page.
 
 use crate::common::{SPRING, directory_with, meniscus, names};
 
@@ -54,7 +54,7 @@ mod with_the_page {
         assert_eq!(names(directory.path()), ["spring.md"]);
     }
 
-    /// A running server, ended when dropped.
+    /// A running server that ends when dropped.
     struct Server {
         child: Child,
         port: u16,
@@ -74,7 +74,7 @@ mod with_the_page {
             Self { child, port: port.unwrap_or_else(|| panic!("no address in {line}")) }
         }
 
-        /// The answer to one request.
+        /// Response to one request.
         fn get(&self, path: &str, host: &str) -> String {
             let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("it listens");
             write!(stream, "GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").expect("it reads");
@@ -151,7 +151,7 @@ mod with_the_page {
         silent[1].write_all(b"GET / HTTP/1.1\r\nHost:").expect("a part of a request");
         silent[2].write_all(b"GET / HTTP/1.1\r\n").expect("a part of a request");
         for stream in &mut silent {
-            // Ends when the server closes the connection, and only then.
+            // Returns only when the server closes the connection.
             let mut rest = Vec::new();
             let _ = stream.read_to_end(&mut rest);
         }

@@ -1,10 +1,10 @@
-//! `meniscus rank` as a person uses it.
+//! `meniscus rank` on the command line.
 
 use crate::common::meniscus;
 use crate::fit::{object, word};
 
-/// The measured column: the theories of its friction. What each costs and gains, before and after 6 s, and predicted from what
-/// is before 6 s. The reference data lie beside the project; without them this says so and does nothing.
+/// Theories of friction for the measured column: their AICc, their errors before and after 6 s, and their predictions
+/// after 6 s. The reference data are beside the project; without them the test prints a message and ends.
 #[test]
 fn the_theories_of_the_measured_column_are_ranked() {
     let data = crate::common::root().join("../shared/data/utube");
@@ -37,7 +37,7 @@ fn the_theories_of_the_measured_column_are_ranked() {
             );
             assert_eq!(row(theory)["converged"], true, "{name} {theory}");
         }
-        // The contact line explains what viscous friction does not, and predicts it.
+        // The contact line explains and predicts what viscous friction does not.
         let best = rows[0]["document"].as_str().unwrap();
         assert!(best.ends_with("contact-line.md"), "{name}: {best}");
         for theory in ["linear", "quadratic", "dry-friction", "power-law"] {

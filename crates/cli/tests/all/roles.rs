@@ -1,11 +1,11 @@
-//! Which column is which: `--observe` by name and number, `--against`, and the variable of the document.
+//! Selection of columns: `--observe` by name and number, `--against`, and the variable of the document.
 
 use crate::common::meniscus;
 use crate::fit::word;
 use std::path::PathBuf;
 use tempfile::TempDir;
 
-/// A file with these headings; the numbers of each column are those of its letter.
+/// A file with these headings. The letter of a column chooses its values.
 fn file(heads: &str, kinds: &str) -> (TempDir, PathBuf) {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("data.csv");
@@ -27,7 +27,7 @@ fn file(heads: &str, kinds: &str) -> (TempDir, PathBuf) {
     (directory, path)
 }
 
-/// The first line of the table of derivatives, and its second row; or what was refused.
+/// Header and second row of the table of derivatives, or the message of the refusal.
 fn derivatives(path: &std::path::Path, words: &[&str]) -> Result<(String, Vec<String>), String> {
     let done = meniscus(&[&["derivatives", word(path)], words].concat());
     match done.code {
@@ -43,7 +43,7 @@ fn derivatives(path: &std::path::Path, words: &[&str]) -> Result<(String, Vec<St
     }
 }
 
-/// The options that a refusal shows.
+/// Options suggested by a refusal.
 fn options<'a>(refusal: &'a str, option: &str) -> Vec<&'a str> {
     let parts = refusal.split(option).skip(1);
     parts.map(|part| part.trim_start().split([' ', '\n']).next().unwrap_or_default().trim_matches('\'')).collect()
@@ -115,7 +115,7 @@ fn an_open_variable_is_refused_and_each_option_shown_chooses_one() {
             tables.push(found);
         }
     }
-    // What has the same variable in each reading is not open.
+    // A column with the same independent variable in each reading is not ambiguous.
     let (_directory, path) = file("t [s],y,delay [ms],z", "tyuz");
     assert!(derivatives(&path, &["--observe", "y"]).unwrap().0.starts_with("t [s],y,"));
 }

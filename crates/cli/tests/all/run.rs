@@ -1,10 +1,10 @@
-//! `meniscus run`: what it writes, what it refuses and with which words, and that no file is ever half-written.
+//! `meniscus run`: output, messages of refusals, and complete files only.
 
 use crate::common::{Done, SPRING, directory_with, done, meniscus, names, numbers, program};
 use std::path::Path;
 use std::process::Stdio;
 
-/// Runs a spring with these words after its name.
+/// Runs a spring with these arguments after its name.
 fn run_spring(words: &[&str]) -> Done {
     let (_directory, path) = directory_with(SPRING);
     run(&path, words)
@@ -16,7 +16,7 @@ fn run(path: &Path, words: &[&str]) -> Done {
     meniscus(&all)
 }
 
-/// Refused with this code and these words, and nothing on the standard output.
+/// Asserts a refusal with this exit code and this text, and nothing on the standard output.
 fn refused(words: &[&str], code: i32, expected: &[&str]) {
     let done = run_spring(words);
     assert_eq!(done.code, code, "{words:?}: {}", done.stderr);

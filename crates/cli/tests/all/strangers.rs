@@ -1,17 +1,17 @@
-//! Documents from strangers, and programs that are interrupted: nothing that is shown is obeyed, nothing is endless, and
-//! nothing half-written stays.
+//! Documents of unknown origin and interrupted programs: no control character is passed to the terminal, no run is
+//! endless, and no incomplete file remains.
 
 use crate::common::{SPRING, directory_with, meniscus, names, program};
 use std::fmt::Write as _;
 
-/// Characters that a terminal obeys: an escape sequence, the eight-bit form of its beginning, a bell, and marks that turn the
-/// direction of the text.
+/// Characters that a terminal executes: an escape sequence, its eight-bit start, a bell, and marks that reverse the
+/// direction of text.
 const OBEYED: [char; 5] = ['\u{1b}', '\u{9b}', '\u{7}', '\u{202e}', '\u{2066}'];
 
 #[test]
 fn control_characters_of_a_document_do_not_reach_the_terminal() {
     for letter in OBEYED {
-        // In names, equations, units, labels, the front matter, the scene and the prose, wherever a message may quote them.
+        // In names, equations, units, labels, the front matter, the scene and the prose, which messages may quote.
         let hostile = SPRING
             .replace("until: 2 [s]", &format!("until: 2 [{letter}s]\nst{letter}p: 1"))
             .replace("k*x = 0", &format!("k*x{letter}y = z{letter}"))
@@ -23,7 +23,7 @@ fn control_characters_of_a_document_do_not_reach_the_terminal() {
             let done = meniscus(words);
             let shown = done.stdout + &done.stderr;
             assert!(shown.contains(&letter.escape_unicode().to_string()), "{words:?} quotes it: {shown}");
-            // Colours of our own are escape sequences, too.
+            // The program's own colours are escape sequences too.
             let shown = if words.contains(&"always") { shown.replace("\u{1b}[", "") } else { shown };
             assert!(!shown.contains(letter), "{words:?}: {shown:?}");
         }
@@ -44,7 +44,7 @@ fn findings_about_a_single_long_line_are_short() {
     assert!(done.stdout.len() < 200_000, "{} bytes about {} bytes", done.stdout.len(), text.len());
     assert!(done.stdout.contains("are shown in part"), "{}", &done.stdout[..2000]);
     drop(directory);
-    // The place is named and shown, wherever in the line it is.
+    // The position is stated and shown anywhere in a long line.
     let long = format!("k*x + {}qq = 0", "k*x + ".repeat(200));
     let (_directory, path) = directory_with(&SPRING.replace("k*x = 0", &long));
     let done = meniscus(&["check", path.to_str().expect("UTF-8")]);

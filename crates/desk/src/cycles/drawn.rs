@@ -1,17 +1,18 @@
-//! What the plot of the cycles shows.
+//! Data of the plot of cycles.
 
 use analysis::cycles::{Cycle, Quantity};
 use figure::Interval;
 
-/// What is drawn of the cycles, in the units of the axes.
+/// Series of the plot of cycles, in the units of the axes.
 #[derive(Debug, Default)]
 pub(crate) struct CyclePlot {
     pub measured: Points,
-    /// The mean of all, where the linear theory has the same for all.
+    /// Weighted mean of all measured cycles, repeated once per cycle. Empty for the amplitude, which is not constant in
+    /// a damped linear theory.
     pub constant: Vec<f64>,
     pub run: Points,
     pub limits: Option<Interval>,
-    /// The cycles of the run that is recorded, and which run that is.
+    /// Cycles of the recorded run. `seen` is that run: its revision of the parameters and its number of rows.
     pub of_run: Vec<Cycle>,
     pub seen: Option<(u64, u64)>,
 }

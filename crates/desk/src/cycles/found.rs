@@ -1,20 +1,20 @@
-//! The cycles of a column, and what is looked at of them.
+//! The cycles of a column, and the settings of their view.
 
 use analysis::cycles::{Cycles, NoCycles, Quantity};
 use units::Unit;
 
-/// What the view of cycles shows.
+/// State of the view of cycles.
 #[derive(Debug)]
 pub(crate) struct CycleView {
-    /// Whether it is open.
+    /// True if the view is open.
     pub open: bool,
-    /// The record's id, and the column.
+    /// Id of the record and index of the column.
     pub chosen: Option<(u32, usize)>,
-    /// What is drawn.
+    /// The quantity that is plotted.
     pub quantity: Quantity,
-    /// Whether it is drawn against the amplitude and not against the time.
+    /// True if the abscissa is the amplitude, false if it is the time.
     pub against_amplitude: bool,
-    /// What was found.
+    /// The cycles of the chosen column; `None` while the view is closed or there is no column.
     pub found: Option<Found>,
 }
 
@@ -24,17 +24,17 @@ impl Default for CycleView {
     }
 }
 
-/// The cycles of a column, in its unit and that of the independent variable.
+/// Cycles of a column, in the units of the column and of the independent variable.
 #[derive(Debug)]
 pub(crate) struct Found {
-    /// The first and the last reading of the clock.
+    /// First and last time of the column, in the unit of the independent variable.
     pub ends: (f64, f64),
-    /// The cycles, or the reason why there are none.
+    /// The cycles, or the reason why none were found.
     pub cycles: Result<Cycles, NoCycles>,
-    /// The column's unit.
+    /// Unit of the values.
     pub unit: Unit,
-    /// What the column measures; empty if nothing of the document.
+    /// Quantity of the document that the column measures; empty if it measures none.
     pub name: String,
-    /// The reading of the clock, SI, at which the model begins.
+    /// Clock reading at which the model begins, SI.
     pub origin: f64,
 }

@@ -1,4 +1,4 @@
-//! An oscillation cycle by cycle.
+//! Analysis of an oscillation cycle by cycle.
 
 pub(crate) mod drawn;
 pub(crate) mod found;

@@ -1,5 +1,5 @@
-//! The plot of the cycles: measured ones with error bars, a constant where the linear theory has one, and the cycles of
-//! the run beside them.
+//! Plot of the cycles: measured cycles with error bars, a constant where the linear theory predicts one, and the cycles
+//! of the simulated run.
 
 use crate::Desk;
 use crate::cycles::drawn::Points;
@@ -12,16 +12,16 @@ use figure::{Interval, Style};
 use play::{AddedPlot, AddedSeries, Labels, points_colour};
 use units::Language;
 
-/// So many rows of a run are enough for its cycles, unless it has many of these.
+/// Number of rows of a run that are read to find its cycles. More are read if the run has many cycles.
 const FEW_ROWS: usize = 2000;
-/// So many rows a period are enough.
+/// Number of rows per period that are read.
 const ROWS_PER_PERIOD: f64 = 32.0;
 
-/// Which of the plot's series is the measured one.
+/// Index of the measured series in the plot.
 const MEASURED: usize = 2;
 
 impl Desk {
-    /// Takes what is to be drawn from what was found.
+    /// Computes the series of the plot from the cycles that were found.
     pub(crate) fn draw_cycles(&mut self) {
         let (quantity, against) = (self.cycle_view.quantity, self.cycle_view.against_amplitude);
         let found = self.cycle_view.found.as_ref().and_then(|found| found.cycles.as_ref().ok());
@@ -30,7 +30,7 @@ impl Desk {
         plot.measured = Points::of(cycles, quantity, against);
         plot.run = Points::of(&plot.of_run, quantity, against);
         let measured: Vec<_> = cycles.iter().map(|cycle| quantity.of(cycle)).collect();
-        // An amplitude falls in every theory with damping; it is shown down to nothing.
+        // The amplitude decreases in every damped theory, so its axis starts at 0 instead.
         let falls = quantity == Quantity::Amplitude;
         plot.limits = well_known(&measured).filter(|_| !falls).map(|(low, high)| {
             let room = 0.08 * (high - low);
@@ -38,12 +38,12 @@ impl Desk {
         });
         let mean = mean(&measured).filter(|_| !falls);
         plot.constant = mean.map(|mean| vec![mean.value; measured.len()]).unwrap_or_default();
-        // Another run is looked for, within the times of this record.
+        // Forces a new search for the cycles of the run, within the times of this record.
         plot.seen = None;
         self.label_cycles();
     }
 
-    /// Finds the cycles of the run, once it stands still.
+    /// Finds the cycles of the run once it is paused.
     pub(crate) fn follow_cycles(&mut self) {
         if self.cycle_view.found.as_ref().is_none_or(|found| found.cycles.is_err()) {
             return;
@@ -51,7 +51,7 @@ impl Desk {
         let now = (self.play.revision().parameters, self.play.course().rows() as u64);
         let plot = &mut self.cycles;
         if self.play.is_playing() {
-            // A line of another run would be a lie.
+            // Cycles of another run must not stay in the plot.
             if plot.seen.is_some_and(|seen| seen.0 != now.0 || now.1 < seen.1) {
                 (plot.of_run, plot.run, plot.seen) = (Vec::new(), Points::default(), None);
                 self.show_cycle_plot();
@@ -68,7 +68,7 @@ impl Desk {
         self.show_cycle_plot();
     }
 
-    /// The cycles of the run in the times of the record, of what the column measures.
+    /// Cycles of the run within the times of the record, for the quantity that the column measures.
     fn cycles_of_run(&self, found: &Found) -> Option<Vec<Cycle>> {
         let model = self.play.model();
         let observed = observed(model, &found.name).filter(|_| !found.name.is_empty())?;
@@ -91,7 +91,7 @@ impl Desk {
         Some(cycles(&times, &values).ok()?.cycles)
     }
 
-    /// Writes the texts of the plot in the chosen language.
+    /// Sets the texts of the plot in the chosen language.
     pub(crate) fn label_cycles(&mut self) {
         let (quantity, against) = (self.cycle_view.quantity, self.cycle_view.against_amplitude);
         let units = self.cycle_view.found.as_ref().map(|found| self.cycle_units(found)).unwrap_or_default();
@@ -109,7 +109,7 @@ impl Desk {
         self.show_cycle_plot();
     }
 
-    /// Puts what was found into the plot.
+    /// Passes the series to the plot.
     fn show_cycle_plot(&mut self) {
         let drawn = &self.cycles;
         let constant = AddedSeries {
@@ -135,7 +135,7 @@ impl Desk {
             errors: drawn.measured.errors.clone(),
             ..AddedSeries::default()
         };
-        // Sizes begin at nothing.
+        // Axes of amplitudes start at 0.
         let nothing = Interval { low: 0.0, high: 0.0 };
         let (against, falls) = (self.cycle_view.against_amplitude, self.cycle_view.quantity == Quantity::Amplitude);
         let limits = drawn.limits;
@@ -172,7 +172,7 @@ fn cycles_description(language: Language) -> &'static str {
     )
 }
 
-/// The names of the constant, of the run's cycles, of the measured ones.
+/// Legends of the constant, of the cycles of the run and of the measured cycles.
 fn cycles_legend(language: Language) -> [&'static str; 3] {
     language.pick(["if constant", "simulation", "measured"], ["si es constante", "simulación", "medido"])
 }

@@ -1,5 +1,5 @@
-//! An oscillation cycle by cycle, before any theory: which column is looked at, what was found in it, in numbers and in
-//! words. Nothing is measured before it is looked at.
+//! View of the cycles of an oscillation: choice of the column, table, and conclusions in sentences. No theory is
+//! needed. Cycles are computed only while the view is open.
 
 use crate::cycles::found::Found;
 use crate::records::record::Record;
@@ -8,46 +8,46 @@ use analysis::cycles::{self, Measured, Quantity, Writing};
 use units::Language;
 use units::number::Layout;
 
-/// Significant digits of a level.
+/// Significant digits of a value without an error.
 const DIGITS: usize = 4;
 
-/// A column in which cycles can be looked for.
+/// A column in which cycles can be searched.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CycleColumn {
-    /// Its record.
+    /// Id of the record.
     pub record: u32,
-    /// Which of the record's columns.
+    /// Index of the column in the record.
     pub column: usize,
-    /// The record's name, and what the column is called.
+    /// Name of the record and heading of the column.
     pub label: String,
-    /// Whether it is the one looked at.
+    /// True if it is the chosen column.
     pub selected: bool,
 }
 
-/// The cycles of a column as they are shown.
+/// The cycles of a column as shown on the page.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CyclesView {
-    /// The heads of the table, with units.
+    /// Headings of the table, with units.
     pub heads: Vec<String>,
-    /// A row for each turning point: its kind, then its values with their errors.
+    /// One row per turning point: its kind, then its values with their errors.
     pub rows: Vec<(&'static str, Vec<String>)>,
-    /// What changes from cycle to cycle and what does not, in sentences.
+    /// Sentences about the quantities that change from cycle to cycle and those that do not.
     pub sentences: Vec<String>,
 }
 
 impl Desk {
-    /// Looks at cycles, or no longer.
+    /// Opens or closes the view of cycles.
     pub fn open_cycles(&mut self, open: bool) {
         self.cycle_view.open = open;
         self.find_cycles();
     }
 
-    /// Whether anybody looks at cycles.
+    /// True if the view of cycles is open.
     pub fn looks_at_cycles(&self) -> bool {
         self.cycle_view.open
     }
 
-    /// The columns in which cycles can be looked for.
+    /// The columns in which cycles can be searched.
     pub fn cycle_columns(&self) -> Vec<CycleColumn> {
         let mut found = Vec::new();
         for (record, view) in self.data.records.iter().zip(self.records()) {
@@ -70,7 +70,7 @@ impl Desk {
         found
     }
 
-    /// The columns of a record that hold something else than a time.
+    /// Indices of the observed columns of a record that do not hold the independent variable.
     fn oscillating_columns(&self, record: &Record) -> Vec<usize> {
         let independent = &self.play.model().independent.name;
         let is_time =
@@ -78,24 +78,26 @@ impl Desk {
         record.table.observed_columns().filter(|column| !is_time(column)).collect()
     }
 
-    /// Looks at another column.
+    /// Chooses another column.
     pub fn choose_cycles(&mut self, record: u32, column: usize) {
         self.cycle_view.chosen = Some((record, column));
         self.find_cycles();
     }
 
-    /// What can be drawn of the cycles, in the order in which [`Desk::show_cycles`] counts it, and which of it is.
+    /// Names of the quantities that can be plotted, in the order of the index that [`Desk::show_cycles`] takes, and the
+    /// index of the plotted one.
     pub fn cycle_quantities(&self) -> (Vec<String>, usize) {
         let names = Quantity::ALL.iter().map(|quantity| capital(quantity.name(self.play.language()))).collect();
         (names, Quantity::ALL.iter().position(|quantity| *quantity == self.cycle_view.quantity).unwrap_or_default())
     }
 
-    /// Whether the cycles are drawn against the amplitude and not against the time.
+    /// True if the abscissa of the plot is the amplitude, false if it is the time.
     pub fn cycles_against_amplitude(&self) -> bool {
         self.cycle_view.against_amplitude
     }
 
-    /// Draws another quantity of the cycles, against the time or against the amplitude.
+    /// Plots another quantity of the cycles, against time or amplitude. The amplitude itself is always plotted against
+    /// time.
     pub fn show_cycles(&mut self, quantity: usize, against_amplitude: bool) {
         if let Some(quantity) = Quantity::ALL.get(quantity) {
             self.cycle_view.quantity = *quantity;
@@ -104,7 +106,7 @@ impl Desk {
         self.draw_cycles();
     }
 
-    /// To be called whenever records, or what they are taken for, have changed.
+    /// Finds the cycles again. Must be called whenever the records or the meanings of their columns have changed.
     pub(crate) fn find_cycles(&mut self) {
         self.cycle_view.found = None;
         if self.cycle_view.open {
@@ -117,7 +119,7 @@ impl Desk {
         self.draw_cycles();
     }
 
-    /// What a fit would follow in the latest record; else its first column that was measured.
+    /// Default column of the latest record: the fitted one, else the first measured one, else the first.
     fn usual_column(&self) -> Option<(u32, usize)> {
         let record = self.data.records.last()?;
         let columns = self.oscillating_columns(record);
@@ -144,12 +146,12 @@ impl Desk {
         })
     }
 
-    /// The units of values and times, for people.
+    /// Units of values and times as shown to users.
     pub(crate) fn cycle_units(&self, found: &Found) -> (String, String) {
         (number::unit_text(&found.unit.text), number::unit_text(&self.play.model().independent.unit.text))
     }
 
-    /// The cycles, while they are shown; otherwise none.
+    /// The cycles as shown, `None` while the view is closed. Contains a single sentence if no cycles were found.
     pub fn cycles(&self) -> Option<CyclesView> {
         let found = self.cycle_view.found.as_ref()?;
         let cycles = match &found.cycles {
@@ -198,7 +200,7 @@ impl Desk {
         Some(CyclesView { heads, rows: cycles.cycles.iter().enumerate().map(row).collect(), sentences })
     }
 
-    /// The cycles that are looked at as a file.
+    /// Exports the cycles of the chosen column.
     pub fn export_cycles(&self, kind: ExportKind) -> Option<Export> {
         let found = self.cycle_view.found.as_ref()?;
         let record = self.record(self.cycle_view.chosen?.0)?;
@@ -224,13 +226,13 @@ impl Desk {
     }
 }
 
-/// `period` as `Period`.
+/// Capitalises the first letter: `period` becomes `Period`.
 pub(crate) fn capital(name: &str) -> String {
     let mut letters = name.chars();
     letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
-/// What cycles are called, also in the names of files.
+/// The word for cycles, also used in file names.
 fn cycles_word(language: Language) -> &'static str {
     language.pick("cycles", "ciclos")
 }

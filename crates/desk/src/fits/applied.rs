@@ -1,12 +1,12 @@
-//! Fits in the sliders: of several records, those numbers that belong to the one that is looked at.
+//! Applying fits: sets the fitted values on the sliders. A fit of several records uses the values of the chosen record.
 
 use crate::records::record::Origin;
 use crate::{Announcement, Desk};
 use analysis::fit::Target;
 
 impl Desk {
-    /// Looks at a record. If it was fitted together with others, and what was found stands in the sliders, its own numbers
-    /// take their place.
+    /// Chooses a record. If it belongs to the applied fit of several records, its own fitted values are set on the
+    /// sliders.
     pub fn choose_record(&mut self, id: u32) {
         self.fits.setup.chosen = Some(id);
         self.revision.fits += 1;
@@ -20,8 +20,8 @@ impl Desk {
         }
     }
 
-    /// Writes what a fit has found into the sliders and runs through the record. Of several records it is the one that is
-    /// looked at, else the first; only that one is drawn, because the curve is its.
+    /// Sets the fitted values on the sliders and runs the simulation to the end of the record. With several records, it
+    /// uses the chosen one, else the first, and shows only that one, because the curve belongs to it.
     pub fn apply_fit(&mut self, id: u32) {
         let Some(fit) = self.fits.finished.iter().find(|fit| fit.id == id && self.is_applicable(fit)) else { return };
         let chosen = self.chosen_record();

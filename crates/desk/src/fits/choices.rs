@@ -1,57 +1,58 @@
-//! What a fit is asked for: the records that take part, what is varied, what they have in common, the part that counts.
+//! Settings of a fit: participating records, varied numbers, numbers shared between records, and the fitted time
+//! window.
 
 use crate::records::record::Record;
 use crate::{Desk, Refusal, number, words};
 use analysis::fit::{Loss, Target, Varied};
 
-/// A record in the list of those that can be fitted together.
+/// A record in the list of records that can be fitted together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitRecordView {
-    /// Its id.
+    /// Id of the record.
     pub id: u32,
-    /// What it is called.
+    /// Name of the record.
     pub name: String,
-    /// Whether it is the one that is looked at, which always takes part.
+    /// True if it is the chosen record, which always takes part.
     pub chosen: bool,
-    /// Whether it takes part.
+    /// True if it takes part in the fit.
     pub taking_part: bool,
 }
 
-/// Something that a fit can vary.
+/// A number that a fit can vary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChoiceView {
-    /// Its place in the list, for [`Desk::vary`].
+    /// Index in the list, for [`Desk::vary`].
     pub index: usize,
-    /// Its name in the document; empty for the zeros of clock and scale.
+    /// Name in the document; empty for the zeros of the clock and of the scale.
     pub name: String,
-    /// What it is called.
+    /// Label shown to users.
     pub label: String,
-    /// Whether it is varied.
+    /// True if it is varied.
     pub varied: bool,
-    /// Whether it is one number for all records, and not each record's own; `None` where there is nothing to choose.
+    /// True if all records share one value, false if each record has its own; `None` if there is no choice.
     pub same: Option<bool>,
-    /// Its unit, for the values of the records.
+    /// Unit of the values in `values`.
     pub unit: String,
-    /// Where it is held and differs between the records: its value in each.
+    /// Value per record. Empty unless the number is fixed and differs between the records.
     pub values: Vec<KnownView>,
 }
 
-/// The value that a parameter has in one record.
+/// Value of a parameter in one record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KnownView {
-    /// The record's id.
+    /// Id of the record.
     pub record: u32,
-    /// The record's name.
+    /// Name of the record.
     pub name: String,
-    /// The value, as its field shows it: that of the slider where none was given.
+    /// Text of the field of the value. Shows the value of the slider if none was entered.
     pub text: String,
 }
 
-/// Under which names it is said of the zeros whether they are one number. No parameter can be called so.
+/// Keys of the two zeros in `Setup::same`. No parameter can have such a name.
 const ZEROS: [&str; 2] = ["zero of the clock", "zero of the scale"];
 
 impl Desk {
-    /// The record that is looked at.
+    /// Id of the chosen record; the latest one if none was chosen.
     pub fn chosen_record(&self) -> Option<u32> {
         let exists = |id: &u32| self.record(*id).is_some();
         self.fits.setup.chosen.filter(exists).or_else(|| self.data.records.last().map(|record| record.id))
@@ -69,7 +70,7 @@ impl Desk {
         self.data.records.iter().map(view).collect()
     }
 
-    /// Lets a record take part in a fit or not; the one that is looked at always does.
+    /// Adds a record to the fit or removes it. The chosen record always takes part.
     pub fn fit_with(&mut self, id: u32, takes_part: bool) {
         let others = &mut self.fits.setup.others;
         if takes_part {
@@ -80,12 +81,12 @@ impl Desk {
         self.revision.fits += 1;
     }
 
-    /// The records that take part, oldest first.
+    /// Ids of the records that take part, oldest first.
     pub(crate) fn taking_part(&self) -> Vec<u32> {
         self.fit_records().into_iter().filter(|record| record.taking_part).map(|record| record.id).collect()
     }
 
-    /// What a fit can vary: the parameters, the zero of the clock, the zero of the scale.
+    /// Numbers that a fit can vary: the numeric parameters, then the zero of the clock, then the zero of the scale.
     pub fn fit_choices(&self) -> Vec<ChoiceView> {
         let parameters = self.play.model().parameters.iter().enumerate();
         let numbers = parameters.filter(|(_, parameter)| parameter.choices == program::Choices::Numbers);
@@ -116,12 +117,12 @@ impl Desk {
         parameters.chain(zeros).collect()
     }
 
-    /// Whether several records take part.
+    /// True if several records take part.
     fn is_several(&self) -> bool {
         self.taking_part().len() > 1
     }
 
-    /// The value of a parameter in each record that takes part.
+    /// Value of a parameter in each record that takes part.
     fn known_views(&self, index: usize) -> Vec<KnownView> {
         let Some(parameter) = self.play.model().parameters.get(index) else { return Vec::new() };
         let slider = self.play.course().parameters().get(index).copied().unwrap_or(parameter.value);
@@ -136,7 +137,7 @@ impl Desk {
         self.taking_part().into_iter().filter_map(|id| self.record(id)).map(view).collect()
     }
 
-    /// Lets a fit vary something or not.
+    /// Sets whether a fit varies a number. `choice` is an index of [`Desk::fit_choices`].
     pub fn vary(&mut self, choice: usize, varied: bool) {
         let Some(name) = self.choice_name(choice) else { return };
         let parameters = self.play.model().parameters.len();
@@ -145,12 +146,12 @@ impl Desk {
             Some(zero) => setup.zeros.iter_mut().skip(zero).take(1).for_each(|place| *place = Some(varied)),
             None => setup.varied.iter_mut().skip(choice).take(1).for_each(|place| *place = varied),
         }
-        // The usual choice for a varied number is not that for a fixed one.
+        // Varied and fixed numbers have different defaults of `same`.
         setup.same.remove(&name);
         self.revision.fits += 1;
     }
 
-    /// Makes something one number for all records, or each record's own.
+    /// Sets whether all records share one value of a number or each record has its own.
     pub fn set_same(&mut self, choice: usize, same: bool) {
         if let Some(name) = self.choice_name(choice) {
             self.fits.setup.same.insert(name, same);
@@ -158,10 +159,10 @@ impl Desk {
         }
     }
 
-    /// Says what value a parameter has in a record, from what was typed; nothing typed is that of the slider.
+    /// Sets the value of a parameter in one record from typed text. Empty text restores the value of the slider.
     ///
     /// # Errors
-    /// What is no number, has the wrong unit, or lies outside the parameter's range.
+    /// The text is not a number, has the wrong unit, or lies outside the range of the parameter.
     pub fn set_known(&mut self, choice: usize, record: u32, typed: &str) -> Result<(), Refusal> {
         let unknown = || Refusal::unknown(choice);
         let parameter = self.play.model().parameters.get(choice).ok_or_else(unknown)?;
@@ -184,7 +185,7 @@ impl Desk {
         Ok(())
     }
 
-    /// The name under which a choice is known.
+    /// Name of a parameter, or key of a zero, by its index in [`Desk::fit_choices`].
     fn choice_name(&self, choice: usize) -> Option<String> {
         let parameters = &self.play.model().parameters;
         match choice.checked_sub(parameters.len()) {
@@ -193,7 +194,7 @@ impl Desk {
         }
     }
 
-    /// What is varied, as a fit of the document that is open asks for it.
+    /// The varied numbers of a fit of the open document.
     pub(crate) fn varied(&self) -> Vec<Varied> {
         let setup = &self.fits.setup;
         let targets = setup.varied.iter().enumerate().filter(|(_, varied)| **varied);
@@ -205,25 +206,25 @@ impl Desk {
             targets.extend(varied.then(|| (target, name.to_owned())));
         }
         let shared = |name: &str| setup.is_same(name, true);
-        // A slider is where the search begins.
+        // The search starts at the values of the sliders.
         let varied =
             |(target, name): (Target, String)| Varied { target, shared: shared(&name), ..Varied::parameter(0) };
         targets.into_iter().map(varied).collect()
     }
 
-    /// The zero of the scale, as something that is varied.
+    /// The zero of the scale as a varied number.
     pub(super) fn varied_zero(&self) -> Varied {
         let shared = self.fits.setup.is_same(ZEROS[1], true);
         Varied { target: Target::Offset(0), shared, ..Varied::parameter(0) }
     }
 
-    /// The losses by name, and which of them fits are asked for.
+    /// Names of the loss functions, and the index of the chosen one.
     pub fn fit_losses(&self) -> (Vec<&'static str>, usize) {
         let names = Loss::ALL.iter().map(|loss| loss.name(self.play.language())).collect();
         (names, Loss::ALL.iter().position(|loss| *loss == self.fits.setup.loss).unwrap_or_default())
     }
 
-    /// Asks fits for another loss, by its place in [`Desk::fit_losses`].
+    /// Chooses the loss function by its index in [`Desk::fit_losses`].
     pub fn set_fit_loss(&mut self, place: usize) {
         if let Some(loss) = Loss::ALL.get(place) {
             self.fits.setup.loss = *loss;
@@ -231,17 +232,18 @@ impl Desk {
         }
     }
 
-    /// What part of the records is fitted, as its fields show it.
+    /// Texts of the fields for the start and the end of the fitted time window; empty if open.
     pub fn fit_window(&self) -> [String; 2] {
         let unit = &self.play.model().independent.unit;
         let shown = |end: f64| number::plain(unit.from_si(end), 6, self.play.style());
         self.fits.setup.window.map(|end| end.map_or_else(String::new, shown))
     }
 
-    /// Sets an end of that part from what was typed, 0 where it begins and 1 where it ends; nothing typed is no end.
+    /// Sets one end of the fitted time window from typed text: `end` is 0 for the start, 1 for the end. Empty text
+    /// leaves the end open.
     ///
     /// # Errors
-    /// What is no time.
+    /// The text is not a time.
     pub fn set_fit_window(&mut self, end: usize, typed: &str) -> Result<(), Refusal> {
         let value = match typed.trim() {
             "" => None,
@@ -254,12 +256,12 @@ impl Desk {
         Ok(())
     }
 
-    /// The part of the records that is fitted, SI: from and until when. An end that is not set is open.
+    /// Start and end of the fitted time window on the record clocks, SI; `None` is open.
     pub fn fitted_part(&self) -> [Option<f64>; 2] {
         self.fits.setup.window
     }
 
-    /// Fits this part of the records, SI.
+    /// Sets the fitted time window on the record clocks, SI; `None` is open.
     pub fn set_fitted_part(&mut self, part: [Option<f64>; 2]) {
         if self.fits.setup.window != part {
             self.fits.setup.window = part;
@@ -267,12 +269,12 @@ impl Desk {
         }
     }
 
-    /// Whether a plot shows a part of the records that can be taken for the one that is fitted.
+    /// True if a plot is zoomed to a time range that can become the fitted window.
     pub fn has_part_in_plot(&self) -> bool {
         self.play.zoomed_part().is_some()
     }
 
-    /// Fits the part of the records that a zoomed plot shows.
+    /// Sets the fitted time window to the range of the zoomed plot.
     pub fn take_part_in_plot(&mut self) {
         if let Some(part) = self.play.zoomed_part() {
             let unit = &self.play.model().independent.unit;

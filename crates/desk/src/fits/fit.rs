@@ -1,94 +1,94 @@
-//! A fit, from what is asked for to what has come of it.
+//! Data of a fit, from its definition to its result.
 
 use crate::records::record::Use;
 use analysis::fit::{Loss, Outcome, Rival, Target, Task, Trace, Varied};
 use document::Document;
 
-/// What a fit is made of, besides its theory and the numbers of the records.
+/// Definition of a fit, without the text of its theory and the data of its records.
 #[derive(Clone, Debug)]
 pub(crate) struct Definition {
-    /// The file of its theory.
+    /// File name of the theory.
     pub file: String,
     /// The records, in the order of the task.
     pub parts: Vec<Part>,
     pub varied: Vec<Varied>,
-    /// All parameters where they are not varied, SI.
+    /// Values of all parameters, SI. Varied ones start there.
     pub parameters: Vec<f64>,
-    /// What part of the records is fitted: readings of their clocks, SI.
+    /// Start and end of the fitted time window on the record clocks, SI; `None` is open.
     pub window: [Option<f64>; 2],
-    /// What residuals cost.
+    /// Loss function of the residuals.
     pub loss: Loss,
 }
 
-/// What a fit follows of a record.
+/// Participation of one record in a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Part {
     pub record: u32,
-    /// The record's name.
+    /// Name of the record.
     pub name: String,
-    /// What its columns are taken for.
+    /// Use of each column.
     pub uses: Vec<Use>,
-    /// The reading of its clock at which the model begins, SI, if an earlier fit has found it. Otherwise it begins with the
-    /// fitted part, or with the clock where the equations depend on the time.
+    /// Clock reading at which the model begins, SI, if an earlier fit has found it. `None`: the model begins with the
+    /// fitted part, or at clock 0 if the equations depend on time.
     pub origin: Option<f64>,
-    /// Parameters that have a value of their own in it.
+    /// Parameters with a fixed value of their own in this record: index and value, SI.
     pub fixed: Vec<(usize, f64)>,
 }
 
-/// A fit to be made.
+/// A fit that is to be made.
 #[derive(Debug)]
 pub(crate) struct Job {
     pub definition: Definition,
     pub document: Document,
-    /// Whether it is the document that is open: what is found is shown.
+    /// True if the theory is the open document, so that the result is applied to the sliders.
     pub own: bool,
-    /// What an earlier visit has found.
+    /// Result of an earlier visit, from which the fit is reconstructed. `None` for a new fit.
     pub found: Option<Found>,
 }
 
-/// What a fit has found.
+/// Stored result of a fit.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
-    /// The numbers, in the order of the search: from them the fit is made again.
+    /// Fitted values in the order of the search. The fit is reconstructed from them.
     pub values: Vec<f64>,
-    /// From how many starts was searched.
+    /// Number of starts of the search.
     pub starts: usize,
-    /// Another minimum that a search has met.
+    /// Another minimum found by the search.
     pub rival: Option<Rival>,
 }
 
 impl Found {
-    /// By a fit that is finished.
+    /// The stored result of a finished fit.
     pub fn of(outcome: &Outcome) -> Self {
         let values = outcome.parameters.iter().map(|estimate| estimate.value).collect();
         Self { values, starts: outcome.starts, rival: outcome.rival.clone() }
     }
 
-    /// Puts back what a fit that is made again does not find out: it is searched from one start alone.
+    /// Restores the facts that a reconstructed fit cannot find, because it searches from a single start.
     pub fn complete(&self, outcome: &mut Outcome) {
-        // Without its numbers the search was made from the beginning.
+        // Without stored values the full search was repeated.
         if !self.values.is_empty() {
             (outcome.starts, outcome.rival) = (self.starts, self.rival.clone());
         }
     }
 }
 
-/// A fit of an earlier visit.
+/// A fit of an earlier visit that is to be reconstructed.
 #[derive(Clone, Debug)]
 pub(crate) struct Waiting {
     pub definition: Definition,
-    /// The document and its translations.
+    /// Text of the document and of its translations.
     pub texts: Vec<String>,
     pub found: Found,
 }
 
 impl Waiting {
-    /// Back from being made, if it was such a fit.
+    /// Converts an interrupted reconstruction back; `None` for a new fit.
     pub fn of(job: Job) -> Option<Self> {
         Some(Self { texts: texts(&job.document), definition: job.definition, found: job.found? })
     }
 
-    /// What is to be made, if the document can still be opened.
+    /// Job of the reconstruction; `None` if the document cannot be opened or does not match the fit.
     pub fn job(self) -> Option<Job> {
         let (source, translations) = self.texts.split_first()?;
         let translations: Vec<&str> = translations.iter().map(String::as_str).collect();
@@ -100,7 +100,7 @@ impl Waiting {
     }
 }
 
-/// The text of a document, and those of its translations.
+/// Text of a document and of its translations.
 pub(crate) fn texts(document: &Document) -> Vec<String> {
     std::iter::once(&document.source).chain(&document.translations).cloned().collect()
 }
@@ -112,7 +112,7 @@ pub(crate) struct Fitted {
     pub definition: Definition,
     /// The theory.
     pub document: Document,
-    /// What was asked for.
+    /// The task of the fit.
     pub task: Task,
     /// The fitted curves.
     pub traces: Vec<Trace>,

@@ -1,4 +1,4 @@
-//! Fits: what is varied, the queue, the results, what stands in the sliders, reports.
+//! Fits: settings, queue, results, application to the sliders, reports.
 
 mod applied;
 mod choices;

@@ -1,4 +1,4 @@
-//! Fits: the work in slices, the theories in a queue.
+//! The queue of fits: one fit per theory, computed in slices.
 
 use crate::fits::fit::{Definition, Job, Waiting};
 use crate::fits::state::Running;
@@ -7,27 +7,27 @@ use crate::{Announcement, Desk, Refusal};
 use analysis::fit::{Fit, FitError, Varied};
 use document::Document;
 
-/// How far the fits have come.
+/// Progress of the fits started by the user.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitProgress {
-    /// The title of the theory that is being fitted.
+    /// Title of the theory that is being fitted.
     pub theory: String,
-    /// How many curves were tried for it.
+    /// Number of curves that were computed for it.
     pub trials: usize,
-    /// The part of the scatter that it explains so far.
+    /// Coefficient of determination (R²) of the best curve so far.
     pub explained: f64,
-    /// How many theories are finished, and how many there are.
+    /// Number of finished theories and number of all theories.
     pub finished: (usize, usize),
 }
 
-/// So many points of a fitted curve are drawn in a report.
+/// Number of points of a fitted curve in a report.
 const POINTS_OF_A_CURVE: usize = 600;
 
 impl Desk {
-    /// Begins to fit the document that is open, which has this file, to the records that take part.
+    /// Starts a fit of the open document, whose file name is `file`, to the records that take part.
     ///
     /// # Errors
-    /// Nothing to vary or to follow.
+    /// Nothing is varied, or no column is fitted.
     pub fn begin_fit(&mut self, file: &str) -> Result<(), Refusal> {
         let varied = self.varied();
         let definition = Definition {
@@ -42,12 +42,12 @@ impl Desk {
         self.start_queue(vec![job])
     }
 
-    /// Begins to fit each of these documents, with what it says is varied, to the records that take part. What a person
-    /// has said to be one number for all records, or held at each record's own value, is so in every theory that has it. The zero
-    /// of a film is varied in every theory that needs it.
+    /// Starts fits of several documents to the records that take part. Each document states its varied parameters. The
+    /// settings of shared and per-record values hold in every theory with a parameter of that name. The zero of the
+    /// scale is varied for records of films in every theory that needs it.
     ///
     /// # Errors
-    /// Nothing to follow.
+    /// No column is fitted.
     pub fn begin_ranking(&mut self, theories: Vec<(String, Document)>) -> Result<(), Refusal> {
         let job = |(file, document): (String, Document)| {
             let parameters = &document.program.model.parameters;
@@ -85,7 +85,7 @@ impl Desk {
         self.next_fit()
     }
 
-    /// Puts back what is being made again, and gives up what is being fitted.
+    /// Puts an interrupted reconstruction back into the waiting list. Cancels any other running fit.
     fn set_aside(&mut self) {
         if let Some(Running { job, .. }) = self.fits.running.take()
             && let Some(waiting) = Waiting::of(job)
@@ -94,8 +94,8 @@ impl Desk {
         }
     }
 
-    /// Takes the next theory of the queue, and after those what an earlier visit has left. Of several, one that cannot be
-    /// fitted is left out, and named when the last one is finished.
+    /// Starts the next fit of the queue, or else the next reconstruction. Of several theories, one that cannot be
+    /// fitted is left out. All of these are announced after the last one.
     fn next_fit(&mut self) -> Result<(), Refusal> {
         let alone = self.fits.total == 1;
         while let Some(job) = self.fits.queue.pop() {
@@ -114,7 +114,7 @@ impl Desk {
             self.announce(Announcement::TheoriesLeftOut(left_out));
         }
         while let Some(waiting) = self.fits.waiting.pop_front() {
-            // What no longer can be made is no fit any more.
+            // A fit that cannot be reconstructed is dropped.
             let running = waiting.job().and_then(|job| self.ready(job).ok());
             if running.is_some() {
                 self.fits.running = running;
@@ -137,7 +137,7 @@ impl Desk {
         }
     }
 
-    /// Makes one trial. Whether there is more to do.
+    /// Computes one trial. Returns true if there is more work.
     pub fn advance_fit(&mut self) -> bool {
         let Some(running) = &mut self.fits.running else {
             let _ = self.next_fit();
@@ -169,7 +169,7 @@ impl Desk {
         self.fits.running.is_some()
     }
 
-    /// Gives up what a person has begun to fit.
+    /// Cancels the fits started by the user.
     pub fn cancel_fit(&mut self) {
         if self.fit_progress().is_some() {
             self.fits.running = None;
@@ -179,7 +179,7 @@ impl Desk {
         }
     }
 
-    /// How far the fits have come that a person has begun; none while nothing is fitted.
+    /// Progress of the fits started by the user, `None` while none runs.
     pub fn fit_progress(&self) -> Option<FitProgress> {
         let Running { job, fit, .. } = self.fits.running.as_ref().filter(|running| running.job.found.is_none())?;
         Some(FitProgress {
@@ -190,12 +190,12 @@ impl Desk {
         })
     }
 
-    /// What is being made again, if anything is.
+    /// The fit that is being reconstructed, if any.
     pub(crate) fn being_remade(&self) -> Option<&Job> {
         self.fits.running.as_ref().map(|running| &running.job).filter(|job| job.found.is_some())
     }
 
-    /// Why a fit cannot be made, with the record where it is one of several.
+    /// Reason why a fit cannot be made, with the name of the record if it is one of several.
     fn fit_error(&self, job: &Job, error: &FitError) -> String {
         let why = fit_error(self.play.language(), error);
         let place = match error {

@@ -9,39 +9,39 @@ use report::{Ranking, Report};
 /// A file to be saved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Export {
-    /// Its name.
+    /// File name.
     pub name: String,
-    /// What it holds.
+    /// Content of the file.
     pub bytes: Vec<u8>,
-    /// Its media type.
+    /// Media type.
     pub kind: &'static str,
 }
 
-/// The names of files are not longer than this, without their ending.
+/// Maximum length of a file name without its extension, in characters.
 const LONGEST_NAME: usize = 60;
 
-/// What can be exported of fits.
+/// File formats of exported fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ExportKind {
-    /// A page to be read and printed.
+    /// An HTML page for reading and printing.
     Report,
-    /// A workbook of sheets.
+    /// A spreadsheet workbook.
     Workbook,
-    /// Values separated by commas; by semicolons where commas are decimal signs.
+    /// Comma-separated values; semicolons if the decimal sign is a comma.
     Csv,
 }
 
-/// What a report has from the shell.
+/// Data of a report that the page supplies.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Imprint<'a> {
-    /// When it is made, as it is to be read; may be empty.
+    /// Date of the report as text; may be empty.
     pub date: &'a str,
-    /// The font of its equations, WOFF2 in base64; empty where there is none.
+    /// Font of the equations, WOFF2 in base64; empty if there is none.
     pub math_font: &'a str,
 }
 
 impl Imprint<'_> {
-    /// A page with the font in it.
+    /// Embeds the font in a page.
     fn page(self, page: &str) -> Vec<u8> {
         if self.math_font.is_empty() {
             return page.to_owned().into_bytes();
@@ -51,7 +51,7 @@ impl Imprint<'_> {
 }
 
 impl ExportKind {
-    /// Its ending and media type.
+    /// File extension and media type.
     fn file(self) -> (&'static str, &'static str) {
         match self {
             Self::Report => ("html", "text/html"),
@@ -62,7 +62,7 @@ impl ExportKind {
 }
 
 impl Desk {
-    /// A fit as a file.
+    /// Exports a fit as a file.
     pub fn export_fit(&self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let (command, notes, films) = (self.how_to_repeat(fit), self.notes(fit), self.films_of(fit));
@@ -75,7 +75,7 @@ impl Desk {
         Some(export(&name(fit), kind, bytes))
     }
 
-    /// All fits of the values of a fit as one file, ranked.
+    /// Exports all fits of the same values as one ranked file.
     pub fn export_ranking(&self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let group: Vec<&Fitted> = self.fits.finished.iter().filter(|other| other.same_values(fit)).collect();
@@ -113,7 +113,7 @@ impl Desk {
         words::how_to_repeat(self.play.language(), fit.definition.parts.len() > 1)
     }
 
-    /// What was noticed about the data of a fit, record by record.
+    /// Findings about the data of a fit, one list per record.
     fn notes(&self, fit: &Fitted) -> Vec<Vec<String>> {
         let records = self.records();
         let of = |id: u32| records.iter().find(|record| record.id == id).map(|record| record.findings.clone());
@@ -121,18 +121,18 @@ impl Desk {
     }
 }
 
-/// `u3` of a record in `u3.txt`, `u1-u2` of two.
+/// File name from the record names: `u3` for `u3.txt`, `u1-u2` for two records.
 fn name(fit: &Fitted) -> String {
     let stems: Vec<&str> = fit.definition.parts.iter().map(|part| stem(&part.name)).collect();
     stems.join("-").chars().take(LONGEST_NAME).collect()
 }
 
-/// The name of a record without the ending of its file.
+/// Name of a record without its file extension.
 pub(crate) fn stem(record: &str) -> &str {
     record.rsplit_once('.').map_or(record, |(stem, _)| stem)
 }
 
-/// A file of this name, its letters made plain.
+/// File with a safe name: lower case, with hyphens in place of all characters but letters and digits.
 pub(crate) fn export(name: &str, kind: ExportKind, bytes: Vec<u8>) -> Export {
     let (ending, kind) = kind.file();
     let plain: String = name.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
@@ -140,7 +140,7 @@ pub(crate) fn export(name: &str, kind: ExportKind, bytes: Vec<u8>) -> Export {
     Export { name: format!("{name}.{ending}"), bytes, kind }
 }
 
-/// The CSV that a spreadsheet opens correctly where numbers are written in this way.
+/// CSV dialect that spreadsheets with this decimal sign open correctly.
 pub(crate) fn dialect(style: Style) -> Dialect {
     if style.decimal_comma { Dialect::Semicolons } else { Dialect::Commas }
 }

@@ -1,4 +1,4 @@
-//! What has come of fits: kept side by side, ranked, looked at.
+//! Results of fits: list, ranking, details.
 
 use crate::fits::fit::{Fitted, Job};
 use crate::removed::Removed;
@@ -7,70 +7,71 @@ use analysis::fit::{Estimate, Outcome, Task, Trace, Verdict};
 use units::Unit;
 use units::number::{Group, Style};
 
-/// How many fits are kept.
+/// Maximum number of fits that are kept.
 pub const MOST_FITS: usize = 40;
 
-/// A fit in the list.
+/// A fit in the list of results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitView {
-    /// Names it as long as it exists.
+    /// Id of the fit.
     pub id: u32,
-    /// The title of its theory.
+    /// Title of the theory.
     pub theory: String,
-    /// The names of its records.
+    /// Names of the records.
     pub records: Vec<String>,
-    /// The number of values, and of numbers varied.
+    /// Number of values and number of varied parameters.
     pub counts: (usize, usize),
-    /// The root of the mean square of the residuals, with its unit.
+    /// Root mean square of the residuals, with its unit.
     pub rmse: String,
-    /// The same outside the fitted part; empty where everything was fitted.
+    /// Root mean square of the residuals outside the fitted window; empty if all values were fitted.
     pub predicted: String,
-    /// By how much its AICc exceeds that of the best fit of the same values; a dash where there is none.
+    /// Difference of the AICc from that of the best fit of the same values; a dash if undefined.
     pub difference: String,
-    /// The weight of evidence among those, in per cent.
+    /// Akaike weight among the fits of the same values, in percent; empty for a single fit.
     pub weight: String,
-    /// That other theories share its place, in a sentence; empty where none does.
+    /// Sentence about other theories of the same rank; empty if there are none.
     pub tied: String,
-    /// Whether its parameters are those of the document that is open.
+    /// True if the open document has the title and the parameters of the theory, so that the fit can be applied.
     pub applicable: bool,
 }
 
-/// A number that was found.
+/// A fitted or derived number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimateView {
-    /// Its name in the document.
+    /// Name in the document.
     pub name: String,
-    /// What it is called.
+    /// Label shown to users.
     pub label: String,
-    /// The name of the record that it belongs to; empty where it holds for all.
+    /// Name of the record that it belongs to; empty if it holds for all records.
     pub record: String,
-    /// `0.387 ± 0.004`, rounded as the uncertainty asks.
+    /// Value and standard error, `0.387 ± 0.004`, rounded to the precision of the error.
     pub value: String,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: String,
-    /// What is to be said of it.
+    /// Remark: undetermined, at a bound, or compared with the true value. Otherwise empty.
     pub remark: String,
-    /// Whether it follows from what was varied.
+    /// True if it is derived from the varied numbers.
     pub derived: bool,
 }
 
-/// A fit in detail.
+/// Details of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitDetail {
-    /// The title of its theory.
+    /// Title of the theory.
     pub theory: String,
-    /// Why its numbers are in doubt, in short.
+    /// Short reason to doubt the result; `None` if there is none.
     pub doubt: Option<String>,
-    /// What was varied, and what follows from it: what holds for all records first, then record by record.
+    /// Varied and derived numbers: first those that hold for all records, then those of each record.
     pub estimates: Vec<EstimateView>,
-    /// What the residuals say, and what the data do not determine, in sentences.
+    /// Sentences about the residuals, the search, undetermined numbers and the data.
     pub sentences: Vec<String>,
-    /// Names and values of what else is known of it: R², Durbin-Watson and so on.
+    /// Names and values of statistics: R², AICc, BIC, Durbin-Watson.
     pub statistics: Vec<(&'static str, String)>,
 }
 
 impl Desk {
-    /// Keeps what has come of a fit. That of the open document is shown, unless there is a doubt about it, which is the answer.
+    /// Stores the result of a fit. A result of the open document is applied to the sliders unless it is doubtful; the
+    /// reason for the doubt is returned.
     pub(crate) fn take_outcome(
         &mut self,
         job: Job,
@@ -82,13 +83,13 @@ impl Desk {
         let Job { definition, document, own, found } = job;
         let fitted = Fitted { id, definition, document, task, traces, outcome };
         let same = |fit: &Fitted| fit.is_same(&fitted);
-        // What is made again does not replace what has been made meanwhile.
+        // A reconstructed fit does not replace a newer one.
         if found.is_some() && self.fits.finished.iter().any(same) {
             return None;
         }
         let doubt = self.doubt(&fitted.outcome).filter(|_| own);
         self.fits.issued += 1;
-        // The same theory of the same values with the same numbers varied replaces the earlier fit.
+        // A fit with the same theory, values and varied numbers replaces the earlier one.
         self.fits.finished.retain(|fit| !same(fit));
         if self.fits.finished.len() >= MOST_FITS {
             self.fits.finished.remove(0);
@@ -101,7 +102,7 @@ impl Desk {
         doubt
     }
 
-    /// Why what a fit has found is not to be shown by itself: the run could be any.
+    /// Reason to doubt a result, which is then not applied automatically; `None` if there is none.
     fn doubt(&self, outcome: &Outcome) -> Option<String> {
         let language = self.play.language();
         if !outcome.rmse.is_finite() {
@@ -123,7 +124,7 @@ impl Desk {
         (!names.is_empty()).then(|| words::stopped(language, &names.join(", ")))
     }
 
-    /// The finished fits: those of the same values together, the best of them first.
+    /// The finished fits, grouped by the values that were fitted. Each group is ranked, best fit first.
     pub fn fits(&self) -> Vec<FitView> {
         let mut groups: Vec<Vec<&Fitted>> = Vec::new();
         for fit in &self.fits.finished {
@@ -175,7 +176,7 @@ impl Desk {
         fitted.title == present.title && names(fitted) == names(present)
     }
 
-    /// A fit in detail.
+    /// Details of the fit of this id.
     pub fn fit_detail(&self, id: u32) -> Option<FitDetail> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let outcome = &fit.outcome;
@@ -212,7 +213,7 @@ impl Desk {
         })
     }
 
-    /// The columns whose standard errors a fit has not used because some are missing, in sentences.
+    /// Sentences about the columns whose standard errors a fit ignored because some are missing.
     fn missing_errors(&self, fit: &Fitted) -> Vec<String> {
         let independent = &fit.document.program.model.independent.name;
         let mut sentences = Vec::new();
@@ -231,7 +232,7 @@ impl Desk {
         sentences
     }
 
-    /// Where the initial values hold in each record, in sentences.
+    /// Sentences about the clock reading at which the initial values hold, one per record.
     fn beginnings(&self, fit: &Fitted) -> Vec<String> {
         let sentence = |(place, origin): (usize, &f64)| {
             let at = self.play.quantity_text(*origin, &fit.document.program.model.independent.unit);
@@ -245,7 +246,7 @@ impl Desk {
         fit.outcome.origins.iter().enumerate().map(sentence).collect()
     }
 
-    /// What holds for all records first, then record by record; of each what was varied first.
+    /// Estimates that hold for all records, then those of each record. Within each group the varied numbers come first.
     fn estimate_views(&self, fit: &Fitted) -> Vec<EstimateView> {
         let several = fit.task.records.len() > 1;
         let derived = report::once(&fit.outcome.derived);
@@ -256,7 +257,7 @@ impl Desk {
         let place = |one: &Estimate| one.record.filter(|_| several);
         let groups = std::iter::once(None).chain((0..fit.task.records.len()).map(Some));
         let of = |group| all().filter(move |(one, _)| place(one) == group);
-        // The same quantity has the same unit and the same decimals in every record.
+        // A quantity has the same unit and the same decimals in every record.
         let group = |name: &str| -> Group {
             let known: Vec<&Estimate> =
                 all().map(|(one, _)| one).filter(|one| one.name == name && one.determined).collect();
@@ -302,7 +303,7 @@ impl Desk {
         }
     }
 
-    /// The true value of an estimate, where its records are simulated and agree about it.
+    /// True value of an estimate, if its records are simulated and have the same value of it.
     fn truth(&self, fit: &Fitted, one: &Estimate) -> Option<f64> {
         let of = |place: usize| {
             let record = self.record(fit.definition.parts.get(place)?.record)?;
@@ -315,7 +316,7 @@ impl Desk {
         of(place)
     }
 
-    /// The theory of a fit, to be opened: the document and its translations, each with the name of its file.
+    /// Texts of the theory of a fit with their file names: the document first, then its translations.
     pub fn fit_texts(&self, id: u32) -> Vec<(String, String)> {
         let Some(fit) = self.fits.finished.iter().find(|fit| fit.id == id) else { return Vec::new() };
         let (document, file) = (&fit.document, &fit.definition.file);
@@ -325,7 +326,7 @@ impl Desk {
         std::iter::once((file.clone(), document.source.clone())).chain(translations).collect()
     }
 
-    /// Forgets a fit.
+    /// Removes a fit.
     pub fn remove_fit(&mut self, id: u32) {
         let Some(place) = self.fits.finished.iter().position(|fit| fit.id == id) else { return };
         let fit = self.fits.finished.remove(place);
@@ -336,21 +337,22 @@ impl Desk {
         self.announce(Announcement::FitRemoved(theory));
     }
 
-    /// Forgets which fit is in the sliders where it is no longer in the list.
+    /// Clears the id of the applied fit if that fit is no longer in the list.
     fn forget_applied(&mut self) {
         let finished = &self.fits.finished;
         self.fits.applied = self.fits.applied.filter(|id| finished.iter().any(|fit| fit.id == *id));
     }
 }
 
-/// How the residuals of fits that are ranked together are written.
+/// Common number format of the residuals of fits that are ranked together.
 fn residuals(group: &[&Fitted], style: Style) -> Group {
     let unit = group.first().map_or_else(Unit::dimensionless, |fit| fit.outcome.rmse_unit.clone());
     let sizes = group.iter().flat_map(|fit| [Some(fit.outcome.rmse), fit.outcome.predicted()]).flatten();
     Group::of_residuals(&unit, &sizes.collect::<Vec<f64>>(), 3, style)
 }
 
-/// The robust error of an estimate, where there is one: residuals of films are correlated.
+/// Robust standard error of an estimate if known, because residuals of films are correlated; otherwise the ordinary
+/// one.
 fn error(one: &Estimate) -> Option<f64> {
     one.stderr_hac.or(one.stderr)
 }
@@ -367,7 +369,7 @@ impl Fitted {
             && varied(self) == varied(other)
     }
 
-    /// Whether two fits are of the same values with the same loss, so that they can be ranked.
+    /// True if both fits have the same records, columns, window and loss, so that they can be ranked together.
     pub fn same_values(&self, other: &Self) -> bool {
         let values = |fit: &Self| {
             let records: Vec<u32> = fit.definition.parts.iter().map(|part| part.record).collect();

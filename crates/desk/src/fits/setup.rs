@@ -1,37 +1,37 @@
-//! What fits are asked for, as a person has chosen it.
+//! Fit settings chosen by the user.
 
 use crate::records::record::Record;
 use analysis::fit::{Loss, Target, Varied};
 use program::Model;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What fits are asked for.
+/// Settings of a fit.
 #[derive(Debug, Default)]
 pub(crate) struct Setup {
-    /// Whether each parameter of the document is varied.
+    /// True for each parameter of the document that is varied.
     pub varied: Vec<bool>,
-    /// Whether the zero of the clock and that of the scale are, where a person has said so.
+    /// The user's choice to vary the zero of the clock and that of the scale; `None` if not chosen.
     pub zeros: [Option<bool>; 2],
-    /// By name of a parameter or of a zero, where a person has said so: whether it is one number for all records.
+    /// True if all records share one value, by name of a parameter or zero. No entry if the user has not chosen.
     pub same: BTreeMap<String, bool>,
-    /// The record that is looked at; the last one where it does not exist.
+    /// Id of the chosen record. If it does not exist, the latest record is used.
     pub chosen: Option<u32>,
-    /// The records that take part besides it.
+    /// Ids of the other records that take part.
     pub others: BTreeSet<u32>,
-    /// What part of the records is fitted: readings of their clocks, SI.
+    /// Start and end of the fitted time window on the record clocks, SI; `None` is open.
     pub window: [Option<f64>; 2],
-    /// What residuals cost.
+    /// Loss function of the residuals.
     pub loss: Loss,
 }
 
 impl Setup {
-    /// Whether something is one number for all records. Varied numbers are each record's own unless a person has set
-    /// otherwise, as on the command line; fixed ones have the value of the slider.
+    /// True if all records share one value of a number. Default: each record has its own varied value, as on the
+    /// command line, and all records share the slider's value of a fixed one.
     pub fn is_same(&self, name: &str, varied: bool) -> bool {
         self.same.get(name).copied().unwrap_or(!varied)
     }
 
-    /// The values that are held at a record's own, by the parameters of a model; those that are varied are not.
+    /// Fixed values of a record's own: index of the parameter in `model` and value, SI.
     pub fn fixed(&self, model: &Model, varied: &[Varied], record: &Record) -> Vec<(usize, f64)> {
         let own = |(index, parameter): (usize, &program::Parameter)| {
             let held = varied.iter().all(|varied| varied.target != Target::Parameter(index));

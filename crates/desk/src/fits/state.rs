@@ -1,30 +1,30 @@
-//! All fits of a desk: what is asked for, what waits, what is being made, what is finished.
+//! State of all fits: settings, queue, running fit and results.
 
 use crate::fits::fit::{Fitted, Job, Waiting};
 use crate::fits::setup::Setup;
 use analysis::fit::{Fit, Task};
 use std::collections::VecDeque;
 
-/// What fits are asked for, and what has come of them.
+/// All fits of a desk.
 #[derive(Debug, Default)]
 pub(crate) struct Fits {
     pub setup: Setup,
     pub finished: Vec<Fitted>,
-    /// The fit whose numbers stand in the sliders.
+    /// Id of the fit whose values are set on the sliders.
     pub applied: Option<u32>,
-    /// Fits of an earlier visit, to be made again.
+    /// Fits of an earlier visit that are to be reconstructed.
     pub waiting: VecDeque<Waiting>,
-    /// How many ids fits have been given: none is given twice, because one may still be called by it.
+    /// Number of ids issued so far. Ids are never reused, because old references may exist.
     pub issued: u32,
     /// Theories of the queue that could not be fitted, each with the reason.
     pub left_out: Vec<String>,
     pub queue: Vec<Job>,
-    /// How many there were when the queue began.
+    /// Length of the queue when it was started.
     pub total: usize,
     pub running: Option<Running>,
 }
 
-/// The fit that is being made.
+/// The fit that is being computed.
 #[derive(Debug)]
 pub(crate) struct Running {
     pub job: Job,
@@ -33,7 +33,7 @@ pub(crate) struct Running {
 }
 
 impl Fits {
-    /// Takes over from a desk that had another document open what does not depend on the document.
+    /// Takes the fits, and the settings that do not depend on the document, from a desk with another document.
     pub fn adopt(&mut self, other: &mut Self) {
         self.finished = std::mem::take(&mut other.finished);
         self.waiting = std::mem::take(&mut other.waiting);

@@ -1,4 +1,4 @@
-//! The task of a fit: what it follows of the records, and the numbers of their columns.
+//! Construction of a fit task: the fitted columns of each record and their values.
 
 use crate::fits::fit::{Job, Part};
 use crate::records::recognise::observed;
@@ -10,7 +10,8 @@ use analysis::fit::{FitError, Observation, Task, Varied};
 use document::Document;
 
 impl Desk {
-    /// What a fit of a document follows of the records that take part.
+    /// Participation of each record in a fit of `document`. `own`: true if it is the open document; otherwise the
+    /// columns are recognised for it.
     pub(super) fn parts(&self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
         let labels = |label: &str| {
             let languages = document.program.languages();
@@ -35,7 +36,10 @@ impl Desk {
         taking_part.iter().filter_map(|id| self.record(*id)).map(part).collect()
     }
 
-    /// The task of a job.
+    /// Builds the task of a job.
+    ///
+    /// # Errors
+    /// A record no longer exists, a fitted column is in pixels, or a record has no fitted column.
     pub(super) fn task(&self, job: &Job) -> Result<Task, Refusal> {
         let unknown = || Refusal::unknown(words::record(self.play.language()));
         let (document, definition) = (&job.document, &job.definition);
@@ -74,7 +78,7 @@ impl Desk {
     }
 }
 
-/// The columns that a fit follows.
+/// Observations of the fitted columns whose quantity the model has.
 fn observations(record: &Record, uses: &[Use], model: &program::Model) -> Vec<Observation> {
     let independent = &model.independent.name;
     let mut followed: Vec<usize> = Vec::new();

@@ -1,4 +1,4 @@
-//! Whether the zero of the scale is varied as long as a person has not chosen.
+//! Default choice of whether the zero of the scale is varied.
 
 use crate::Desk;
 use crate::fits::fit::Part;
@@ -9,7 +9,8 @@ use program::{Model, Node, NodeId, along};
 use units::Dimension;
 
 impl Desk {
-    /// Whether the zeros of the clock and of the scale are varied: as chosen, otherwise the scale's where a record needs it.
+    /// Two values, for the zero of the clock and for that of the scale: true if it is varied, as chosen by the user. By
+    /// default the clock's is not, and the scale's is if a record needs it.
     pub(super) fn varied_zeros(&self) -> [bool; 2] {
         let [clock, scale] = self.fits.setup.zeros;
         let varied = self.fits.setup.varied.iter().enumerate().filter(|(_, varied)| **varied);
@@ -21,8 +22,8 @@ impl Desk {
         [clock.unwrap_or(false), scale.unwrap_or_else(needed)]
     }
 
-    /// Whether the zero of the scale is varied in a fit of another model, which follows these records: where one needs it,
-    /// unless a person has chosen that it is known.
+    /// True if a fit of another model to these records varies the zero of the scale: if a record needs it and the user
+    /// has not fixed it.
     pub(super) fn varied_zero_of(&self, model: &Model, varied: &[Varied], parts: &[Part]) -> bool {
         let parameter = |varied: &Varied| match varied.target {
             Target::Parameter(index) => Some(index),
@@ -33,7 +34,8 @@ impl Desk {
             && parts.iter().any(|part| self.needs_zero(model, &varied, part.record, &part.uses))
     }
 
-    /// Whether a record has lengths of a film, whose zero is a click or not known at all, and no varied parameter is that zero.
+    /// True if the fitted column of a record holds lengths from a film and no varied parameter can absorb the unknown
+    /// zero of the scale.
     fn needs_zero(&self, model: &Model, varied: &[usize], record: u32, uses: &[Use]) -> bool {
         let Some(used) = uses.iter().find(|used| used.fitted) else { return false };
         self.films.of_record(record).is_some()
@@ -43,8 +45,8 @@ impl Desk {
     }
 }
 
-/// Whether a parameter shifts a quantity by the same amount at all times, so that the data could not tell it from a zero: when the
-/// initial values change by constants, which leave all rates the same.
+/// True if a parameter shifts a quantity by a constant at all times, so that data cannot distinguish it from a zero of
+/// the scale. This is the case if it changes initial values by constants that leave all rates unchanged.
 fn shifts(model: &Model, quantity: NodeId, parameter: u32) -> bool {
     let mut graph = model.graph.clone();
     let (zero, one) = (graph.constant(0.0), graph.constant(1.0));

@@ -1,64 +1,65 @@
-//! What is measured, beside the model: records, their columns in use, what computes residuals and the outline in the scene.
+//! Measured data beside the model: records, the columns in use, and the state of residuals and outline.
 
 use crate::records::record::Record;
 use engine::{Readings, Routine};
 use play::Follows;
 use program::Compiled;
 
-/// The records, and what they are for the document that is open.
+/// The records and the data derived from them for the open document.
 #[derive(Debug, Default)]
 pub(crate) struct Data {
-    /// Oldest first.
+    /// The records, oldest first.
     pub records: Vec<Record>,
-    /// How many ids records have been given: none is given twice, because fits call records by them.
+    /// Number of ids issued so far. Ids are never reused, because fits refer to records by id.
     pub issued: u32,
-    /// The columns in use of those that are drawn.
+    /// The columns in use of all records that are drawn.
     pub measured: Vec<Measured>,
-    /// How far the residuals of each of them have been computed; they stand in the plot of the residuals.
+    /// State of the residuals, one per entry of `measured`.
     pub residuals: Vec<Residuals>,
-    /// The scene as the measurement has it.
+    /// The outline: the scene drawn with measured values.
     pub outline: Option<(Outline, Vec<Follows>)>,
-    /// Raised whenever points or residuals are others, and not only more.
+    /// Incremented whenever points or residuals are replaced, as opposed to appended.
     pub version: u64,
 }
 
 impl Data {
-    /// The version of a series of points or residuals in its plot, by its number, for [`figure::Series`].
+    /// Version of a series of points or residuals for [`figure::Series`], by its index in the plot. 0 for series
+    /// without one.
     pub fn version_of(&self, series: usize) -> u64 {
-        // More series than this have no version of their own, and are gone through for each frame.
+        // Series from this number on have no version and are scanned in full for each frame.
         const MOST: u64 = 64;
         let series = series as u64 + 1;
         if series < MOST { self.version * MOST + series } else { 0 }
     }
 }
 
-/// A column in use, SI.
+/// A column in use, in SI units.
 #[derive(Clone, Debug)]
 pub(crate) struct Measured {
-    /// The record's id.
+    /// Id of the record.
     pub record: u32,
-    /// What it measures.
+    /// Quantity of the document that it measures.
     pub name: String,
     pub observed: Compiled,
-    /// The model's time, ascending; gaps are left out.
+    /// Model times, SI, ascending, without gaps in the data. One per value.
     pub times: Vec<f64>,
     pub values: Vec<f64>,
-    /// Their standard errors, not finite where one is missing; empty where the record has none.
+    /// Standard errors of the values, not finite if missing; empty if the record has no such column.
     pub errors: Vec<f64>,
-    /// Longer pauses than this are gaps.
+    /// Longest interval between two times that is not a gap.
     pub pause: f64,
 }
 
-/// What computes the residuals of a column.
+/// State of the computation of a column's residuals.
 #[derive(Debug)]
 pub(crate) struct Residuals {
     pub readings: Readings,
-    /// How many of the column's values have been passed.
+    /// Number of values that have been processed.
     pub passed: usize,
 }
 
 impl Measured {
-    /// The value at a time, between the two neighbours; none in a gap.
+    /// Value at a time, linearly interpolated between its neighbours; `None` in a gap and outside the data.
     pub fn at(&self, time: f64) -> Option<f64> {
         let next = self.times.partition_point(|&at| at < time);
         let (after, value) = (*self.times.get(next)?, *self.values.get(next)?);
@@ -71,13 +72,13 @@ impl Measured {
     }
 }
 
-/// What evaluates the scene with measured values.
+/// Program that evaluates the scene with measured values.
 #[derive(Debug)]
 pub(crate) struct Outline {
     pub routine: Routine,
-    /// Which of the measured columns are put in.
+    /// Indices in [`Data::measured`] of the columns that replace computed values.
     pub columns: Vec<usize>,
-    /// The parameters, and after them the measured values.
+    /// The parameters, followed by the measured values.
     pub inputs: Vec<f64>,
     pub values: Vec<f64>,
 }

@@ -1,4 +1,4 @@
-//! The outline: the scene with the measured values in place of the computed ones.
+//! The outline: the scene with measured values in place of computed ones.
 
 use crate::Desk;
 use crate::measured::data::Outline;
@@ -7,7 +7,7 @@ use play::Follows;
 use program::{Graph, Node};
 
 impl Desk {
-    /// Makes the outline of what is measured now. Only positions count: the level is what a film shows.
+    /// Builds the outline of the measured columns. Only undifferentiated quantities are used.
     pub(crate) fn begin_outline(&mut self) {
         self.data.outline = self.make_outline();
         let outline = self.data.outline.as_ref().map(|(outline, follows)| {
@@ -19,7 +19,7 @@ impl Desk {
         self.play.set_outline(outline);
     }
 
-    /// Gives the outline what was measured at the time shown; nothing before, after or in a gap of it.
+    /// Evaluates the outline at the shown time. It has no values if a column has none at that time.
     pub(crate) fn follow_outline(&mut self) {
         let Some((outline, _)) = &mut self.data.outline else { return };
         let course = self.play.course();

@@ -1,4 +1,4 @@
-//! Measured values beside the model's: the columns in use, as points over curves.
+//! Measured values beside the model: the columns in use as points over the curves.
 
 use crate::Desk;
 use crate::measured::data::{Measured, Residuals};
@@ -8,16 +8,17 @@ use engine::Readings;
 use play::{Points, points_colour, symbol};
 use program::{Curve, Drawing};
 
-/// Longer names of records are shortened in legends, in characters.
+/// Maximum length of a record's name in a legend, in characters.
 const LONGEST_NAME: usize = 24;
 
 impl Desk {
-    /// Whether a measured quantity is drawn.
+    /// True if a measured quantity is drawn.
     pub fn has_points(&self) -> bool {
         !self.data.measured.is_empty()
     }
 
-    /// To be called whenever records, or what they are taken for, have changed.
+    /// Recomputes everything that depends on the records. Must be called whenever records or the meanings of their
+    /// columns have changed.
     pub(crate) fn records_changed(&mut self) {
         let model = self.play.model();
         let independent = &model.independent.name;
@@ -69,12 +70,13 @@ impl Desk {
 }
 
 impl Record {
-    /// The reading of the clock, SI, at which the model begins.
+    /// Clock reading at which the model begins, SI.
     pub fn origin(&self, independent: &str, autonomous: bool) -> f64 {
         self.origin.map_or_else(|| self.beginning(independent, autonomous), |origin| origin.reading)
     }
 
-    /// The same as it is before any fit.
+    /// Default of [`Record::origin()`] before any fit: the first time of all columns in use, or 0 if the equations depend
+    /// on time.
     fn beginning(&self, independent: &str, autonomous: bool) -> f64 {
         let columns = (0..self.uses.len()).filter(|&column| {
             self.uses.get(column).is_some_and(|used| {
@@ -90,15 +92,15 @@ impl Record {
         if autonomous && first.is_finite() { first } else { 0.0 }
     }
 
-    /// Times and values of a column, SI, without gaps, in the order of time.
+    /// Times and values of a column, SI, without gaps, ascending in time. `None` without usable rows.
     pub fn series(&self, column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
         self.series_as(&self.uses, column, independent)
     }
 
-    /// The same with these uses of its columns.
+    /// Series of a column as in [`Record::series`], for other uses of the columns.
     pub fn series_as(&self, uses: &[Use], column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
         let (times, values): (Vec<f64>, Vec<f64>) = self.rows_as(uses, column, independent)?.unzip();
-        // Most records are in order, and sorting a million rows takes a while.
+        // Most records are already sorted, and sorting a million rows is slow.
         if times.is_sorted() {
             return (!times.is_empty()).then_some((times, values));
         }
@@ -107,18 +109,19 @@ impl Record {
         Some(rows.into_iter().unzip())
     }
 
-    /// The standard errors that the file holds beside the values of a column, SI, in the order of [`Record::series_as`]; `None` unless
-    /// there is a positive one for each value.
+    /// Standard errors of the values of a column from the file, SI, in the order of [`Record::series_as`]; `None`
+    /// unless there is a positive one for each value.
     pub fn errors_as(&self, uses: &[Use], column: usize, independent: &str) -> Option<Vec<f64>> {
         let errors = self.errors_beside(uses, column, independent)?;
         errors.iter().all(|error| error.is_finite()).then_some(errors)
     }
 
-    /// The same where some are missing or not positive: these are not a number. `None` where the file has no such column.
+    /// Standard errors of the values of a column as in [`Record::errors_as`], NaN if missing or not positive. `None` if
+    /// the file has no such column.
     pub fn errors_beside(&self, uses: &[Use], column: usize, independent: &str) -> Option<Vec<f64>> {
         let beside = self.table.columns.get(self.table.errors_of(column)?)?;
         let (own, used) = (self.table.columns.get(column)?, uses.get(column)?);
-        // A person who states another unit of the values means their errors, too.
+        // A unit stated by the user for the values also holds for their errors.
         let same = beside.unit == own.unit || beside.unit.is_none();
         let unit = if same { &used.meaning.unit } else { beside.unit.as_ref()? };
         let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
@@ -133,7 +136,7 @@ impl Record {
         same.then(|| rows.into_iter().map(|(_, error)| usable(error)).collect())
     }
 
-    /// Time and value in each row that has both, SI.
+    /// Time and value, SI, of each row that has both.
     fn rows_as(
         &self,
         uses: &[Use],
@@ -142,7 +145,7 @@ impl Record {
     ) -> Option<impl Iterator<Item = (f64, f64)> + use<'_>> {
         let own = self.table.columns.get(column)?;
         let value_unit = uses.get(column)?.meaning.unit.clone();
-        // A column that was taken for the time by hand counts before the one that the file suggests.
+        // A column that the user has set as the time has priority over the one that the file suggests.
         let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
         let clock = Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))?;
         if self.asks_for_unit(uses, column) || self.asks_for_unit(uses, clock) {
@@ -150,7 +153,7 @@ impl Record {
         }
         let (times, time_unit) = (&self.table.columns.get(clock)?.values, uses.get(clock)?.meaning.unit.clone());
         let rows = times.iter().zip(&own.values).filter(|(time, value)| time.is_finite() && value.is_finite());
-        // Times that are all the same measure nothing.
+        // A time column with a single repeated value is not usable.
         let mut others = rows.clone().map(|(time, _)| *time);
         let first = others.next()?;
         if others.next().is_some() && times.iter().all(|time| time.is_nan() || *time == first) {
@@ -160,7 +163,7 @@ impl Record {
     }
 }
 
-/// The points of a plot.
+/// Measured points of a plot.
 fn points<'a>(
     model: &program::Model,
     plot: &program::Plot,
@@ -172,7 +175,7 @@ fn points<'a>(
         return found;
     }
     let of = |curve: &Curve, measured: &&Measured| measured.observed.node == curve.value.node;
-    // Curves of one dimension share the axis, and with it the unit, of the first of them.
+    // Curves of the same dimension share an axis and the unit of the first of them.
     let unit = |curve: &Curve| {
         let same = |other: &&Curve| other.value.dimension() == curve.value.dimension();
         plot.curves.iter().find(same).map_or_else(|| curve.value.unit.clone(), |first| first.value.unit.clone())
@@ -215,7 +218,7 @@ fn points<'a>(
     found
 }
 
-/// The name of a record as a legend has room for it.
+/// Name of a record, shortened for a legend.
 pub(crate) fn shortened(name: &str) -> String {
     if name.chars().count() <= LONGEST_NAME {
         return name.to_owned();
@@ -224,7 +227,8 @@ pub(crate) fn shortened(name: &str) -> String {
     format!("{}…", start.trim_end())
 }
 
-/// Three times the middle one of the pauses between the times; of a long record, of as many pauses as suffice, all over it.
+/// Longest interval between two times that is not a gap: three times the median interval. For long records the median
+/// is taken of a sample.
 fn usual_pause(times: &[f64]) -> f64 {
     const ENOUGH: usize = 10_000;
     let pairs = times.windows(2).step_by(1 + times.len() / ENOUGH);

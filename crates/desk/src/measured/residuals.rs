@@ -1,4 +1,4 @@
-//! The plot of the residuals: what measurements leave over beside the run.
+//! The plot of the residuals: measured minus computed values.
 
 use super::data::{Measured, Residuals};
 use super::points::shortened;
@@ -7,11 +7,11 @@ use figure::{Interval, Style};
 use play::{AddedPlot, AddedSeries, Labels, points_colour, symbol};
 use units::{Dimension, Unit};
 
-/// So many residuals of a column are computed at once: a fraction of a frame.
+/// Number of residuals of a column that are computed per call, a fraction of a frame's time.
 const SLICE: usize = 4000;
 
 impl Desk {
-    /// Empties the plot of the residuals: other columns are measured, or the same as something else.
+    /// Resets the plot of the residuals. Needed when the measured columns or their meanings change.
     pub(crate) fn begin_residuals(&mut self) {
         let unit = &self.play.model().independent.unit;
         let ends = self.data.measured.iter().filter_map(|measured| measured.times.last());
@@ -50,7 +50,7 @@ impl Desk {
         self.label_residuals();
     }
 
-    /// Whether residuals of a long record are still to be computed.
+    /// True if residuals up to the front of the run are not yet computed.
     pub fn lags(&self) -> bool {
         let front = self.play.course().front();
         let is_behind = |(residuals, measured): (&Residuals, &Measured)| {
@@ -59,7 +59,7 @@ impl Desk {
         self.data.residuals.iter().zip(&self.data.measured).any(is_behind)
     }
 
-    /// Brings the residuals up to the front of the run, those of a long record in slices.
+    /// Computes residuals up to the front of the run, at most [`SLICE`] values per column and call.
     pub(crate) fn follow_residuals(&mut self) {
         if !self.lags() {
             return;
@@ -89,7 +89,7 @@ impl Desk {
         self.play.added_plot_changed(self.residual_plot);
     }
 
-    /// Forgets the residuals of what the run has given up: those after `time` (SI).
+    /// Drops the residuals after `time` (SI), where the run was discarded.
     pub(crate) fn truncate_residuals(&mut self, time: f64) {
         self.data.version += 1;
         let last = self.play.model().independent.unit.from_si(time);
@@ -107,7 +107,7 @@ impl Desk {
         }
     }
 
-    /// Writes the texts of the plot of the residuals.
+    /// Sets the texts of the plot of the residuals.
     pub(crate) fn label_residuals(&mut self) {
         let (title, left_over) = words::residuals(self.play.language());
         let independent = &self.play.model().independent;

@@ -1,11 +1,11 @@
-//! The columns of a record: their cells, and what a person says of them: quantity, unit, whether a fit follows it.
+//! Columns of a record: text of their cells, and the user's choice of quantity, unit and use in fits.
 
 use crate::records::recognise::Meaning;
 use crate::{Desk, Refusal, number};
 use units::Unit;
 
 impl Desk {
-    /// Some cells of a record's column, as people write them; empty for gaps.
+    /// Text of some cells of a record's column, to 6 significant digits; empty for gaps and rows that do not exist.
     pub fn record_cells(&self, id: u32, column: usize, rows: std::ops::Range<usize>) -> Vec<String> {
         let values = self.record(id).and_then(|record| record.table.columns.get(column)).map(|column| &column.values);
         let rows = values.and_then(|values| values.get(rows.start..rows.end.min(values.len()))).unwrap_or_default();
@@ -14,7 +14,7 @@ impl Desk {
         rows.iter().map(cell).collect()
     }
 
-    /// What a column can be taken for: name and how it is shown.
+    /// Quantities of the document that a column can measure: name and symbol.
     pub fn measurable(&self) -> Vec<(String, String)> {
         crate::records::recognise::measurable(&self.document)
             .into_iter()
@@ -22,7 +22,7 @@ impl Desk {
             .collect()
     }
 
-    /// Takes a column for another quantity; for none where the name is empty. Its unit stays if it can.
+    /// Sets the quantity that a column measures; an empty name sets none. The unit is kept if its dimension fits.
     pub fn set_column_quantity(&mut self, id: u32, column: usize, quantity: &str) {
         let units = crate::records::recognise::measurable(&self.document);
         let unit = units.into_iter().find(|(name, _)| name == quantity).map(|(_, unit)| unit);
@@ -46,10 +46,10 @@ impl Desk {
         self.records_changed();
     }
 
-    /// Gives a column another unit.
+    /// Sets the unit of a column.
     ///
     /// # Errors
-    /// What is no unit, or that of something else than the column's quantity.
+    /// The text is not a unit, or its dimension differs from that of the column's quantity.
     pub fn set_column_unit(&mut self, id: u32, column: usize, typed: &str) -> Result<(), Refusal> {
         let unit = Unit::parse(typed)
             .map_err(|_| play::Refusal::UnknownUnit { typed: typed.trim().chars().take(40).collect() })?;
@@ -69,7 +69,7 @@ impl Desk {
         Ok(())
     }
 
-    /// Lets a fit follow a column or not.
+    /// Sets whether fits use a column.
     pub fn set_column_fitted(&mut self, id: u32, column: usize, fitted: bool) {
         if let Some(used) = self.record_mut(id).and_then(|record| record.uses.get_mut(column)) {
             used.fitted = fitted;

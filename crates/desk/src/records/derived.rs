@@ -1,5 +1,5 @@
-//! Velocities and accelerations that a person has made of a column: columns of the record like others, but marked as not
-//! independent of their source.
+//! Velocities and accelerations computed from a column at the user's request. They become columns of the record, marked
+//! as derived from their source.
 
 use crate::records::recognise::{Meaning, observed};
 use crate::records::record::{Made, Record, Use};
@@ -10,11 +10,11 @@ use document::Document;
 use units::{Language, Unit};
 
 impl Desk {
-    /// Makes velocity and acceleration of a column of a record, as two columns more; earlier ones of the same column give
-    /// way.
+    /// Appends velocity and acceleration of a column to the record. Replaces earlier derivatives of the same column.
+    /// `how`: method of differentiation.
     ///
     /// # Errors
-    /// A smoothing polynomial that does not exist, and a column that cannot be differentiated.
+    /// The smoothing polynomial does not exist, or the column cannot be differentiated.
     pub fn make_derivatives(&mut self, id: u32, column: usize, how: Differentiation) -> Result<(), Refusal> {
         if !how.is_possible() {
             return Err(Refusal::NoSuchPolynomial);
@@ -41,7 +41,7 @@ impl Desk {
         Ok(())
     }
 
-    /// Forgets the derivatives that were made of a record's columns.
+    /// Removes all derivatives from a record.
     pub fn forget_derivatives(&mut self, id: u32) {
         if let Some(record) = self.data.records.iter_mut().find(|record| record.id == id) {
             record.forget_made();
@@ -51,17 +51,17 @@ impl Desk {
 }
 
 impl Record {
-    /// How many columns the file has; those that were made follow.
+    /// Number of columns of the file. Derivatives follow them.
     pub fn read_columns(&self) -> usize {
         self.table.columns.len() - self.made.len()
     }
 
-    /// How a column was made, if it was.
+    /// Origin of a derivative; `None` for a column of the file.
     pub fn how_made(&self, column: usize) -> Option<Made> {
         column.checked_sub(self.read_columns()).and_then(|place| self.made.get(place)).copied()
     }
 
-    /// Velocity and acceleration of a column; `None` where no row has the neighbours for them.
+    /// Velocity and acceleration of a column; `None` if no row has the neighbours that they need.
     fn differentiate(&self, column: usize, how: Differentiation) -> Option<[Vec<f64>; 2]> {
         let values = &self.table.columns.get(column)?.values;
         let [_, first, second] = how.derivatives(self.table.times_of(column), values);
@@ -93,12 +93,12 @@ impl Record {
         self.made.clear();
     }
 
-    /// The columns that were differentiated, and how.
+    /// The differentiated columns and their methods.
     pub fn differentiated(&self) -> impl Iterator<Item = (usize, Differentiation)> {
         self.made.iter().filter(|made| made.order == 1).map(|made| (made.of, made.how))
     }
 
-    /// Differentiates these columns of the file again; each once.
+    /// Computes the derivatives of these columns again. Skips repeated columns and those that the file does not have.
     pub fn restore_made(&mut self, columns: impl Iterator<Item = (usize, Differentiation)>, document: &Document) {
         for (of, how) in columns {
             let once = of < self.read_columns() && self.made.iter().all(|made| made.of != of);
@@ -109,7 +109,8 @@ impl Record {
         self.settle_made(document);
     }
 
-    /// Takes what was made for the derivatives of what its source is taken for, unless a person has said otherwise.
+    /// Names the derivatives and sets their units. Each is taken for the derivative of its source's quantity if the
+    /// model has it, unless the user has chosen otherwise.
     pub fn settle_made(&mut self, document: &Document) {
         let read = self.read_columns();
         for (place, Made { of, order, .. }) in self.made.clone().into_iter().enumerate() {
@@ -122,7 +123,7 @@ impl Record {
                 observed(&document.program.model, &name).is_some_and(|observed| observed.dimension() == unit.dimension)
             };
             let known = !source.meaning.quantity.is_empty() && unit.as_ref().is_some_and(same);
-            // Without a name in the file it is called by what it is.
+            // A column without a name in the file is called by its quantity, or else by its number.
             let stem = match (own.name.is_empty(), source.meaning.quantity.is_empty()) {
                 (false, _) => own.name.clone(),
                 (true, false) => source.meaning.quantity.clone(),
@@ -140,7 +141,7 @@ impl Record {
     }
 }
 
-/// How a column was made, in a few words.
+/// Short name of a method of differentiation.
 pub(crate) fn differentiation(language: Language, how: Differentiation) -> String {
     match how {
         Differentiation::Central => language.pick("central differences", "diferencias centrales").to_owned(),

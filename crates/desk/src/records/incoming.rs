@@ -1,4 +1,4 @@
-//! A file on its way to become a record, as far as it has been read.
+//! State of reading a file as a record.
 
 use analysis::inspection::{Inspection, Inspector};
 use analysis::reading::{Contents, Reading};
@@ -10,11 +10,11 @@ pub(crate) struct Intake {
     pub stage: Stage,
 }
 
-/// How far it is.
+/// Stage of the import of a file.
 #[derive(Debug)]
 pub(crate) enum Stage {
     Reading(Box<Reading>),
     Inspecting(Box<Contents>, Box<Inspector>),
-    /// All is known. That the record comes among the others takes as long as a slice.
+    /// Fully read and inspected. Adding the record is a separate stage because it takes as long as a slice.
     Known(Box<Contents>, Box<Inspection>),
 }

@@ -1,4 +1,4 @@
-//! A file on its way to become a record: read and inspected in slices, so that the page never stands still.
+//! Import of a file as a record: reading and inspection in slices, so that the page stays responsive.
 
 use crate::films::ProjectFilm;
 use crate::records::incoming::{Intake, Stage};
@@ -13,21 +13,21 @@ use std::collections::BTreeMap;
 use units::Language;
 use units::sentence;
 
-/// How far a file has been read.
+/// Progress of the import of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordProgress {
-    /// What it is called.
+    /// Name of the file.
     pub name: String,
-    /// The part that has been read, from 0 to 1.
+    /// Fraction that has been read, from 0 to 1.
     pub part: f64,
 }
 
 impl Desk {
-    /// Begins to read a file, text or workbook, as a record; [`Desk::advance_record`] goes on. A file that was being read
-    /// is given up.
+    /// Starts to read a file, text or workbook, as a record. [`Desk::advance_record`] continues. Cancels the file that
+    /// is being read.
     ///
     /// # Errors
-    /// A file that is too large, or a workbook that cannot be read, and a record too many.
+    /// The file is too large, the workbook cannot be read, or the maximum number of records is reached.
     pub fn begin_record(&mut self, name: &str, bytes: Vec<u8>) -> Result<(), Refusal> {
         self.intake = None;
         if self.data.records.len() >= MOST_RECORDS {
@@ -42,11 +42,11 @@ impl Desk {
         Ok(())
     }
 
-    /// Begins to read the project of Tracker in an archive of which only some bytes were read, as [`Desk::begin_record`]. False where
-    /// it holds none: it may be something else.
+    /// Starts to read a Tracker project in an archive that was read only in part, as [`Desk::begin_record`]. Returns
+    /// false if it contains no project.
     ///
     /// # Errors
-    /// A record too many.
+    /// The maximum number of records is reached.
     pub fn begin_project(&mut self, name: &str, gathering: Gathering) -> Result<bool, Refusal> {
         self.intake = None;
         if self.data.records.len() >= MOST_RECORDS {
@@ -57,10 +57,11 @@ impl Desk {
         Ok(self.intake.is_some())
     }
 
-    /// Reads on for about `budget` bytes. The id of the record, once it is there; `None` also where nothing is being read.
+    /// Continues to read for about `budget` bytes. Returns the id of the record once it is complete; `None` before, and
+    /// if no file is being read.
     ///
     /// # Errors
-    /// When the file is no table. Nothing is being read then.
+    /// The file is not a table. Reading has then ended.
     pub fn advance_record(&mut self, budget: usize) -> Result<Option<u32>, Refusal> {
         let Some(Intake { name, stage }) = self.intake.take() else { return Ok(None) };
         let stage = match stage {
@@ -91,11 +92,11 @@ impl Desk {
         Ok(None)
     }
 
-    /// Reads a file, text or workbook, as a record, all at once; the runs of a logger and data sets become records of their own, the first of
-    /// which is the answer. Nothing is lost when it cannot be read.
+    /// Reads a file, text or workbook, as a record in one call. Each run of a logger and each data set becomes a record
+    /// of its own; the id of the first is returned. No record changes if the file cannot be read.
     ///
     /// # Errors
-    /// A file that is too large or no table, and a record too many.
+    /// The file is too large or not a table, or the maximum number of records is reached.
     pub fn add_record(&mut self, name: &str, bytes: &[u8]) -> Result<u32, Refusal> {
         let contents = self.read_record(name, bytes)?;
         let inspection = inspect(&contents.import.table);
@@ -123,7 +124,7 @@ impl Desk {
         reading::read(bytes.to_vec(), LONGEST_TEXT).map_err(|error| unreadable(name, &error, self.play.language()))
     }
 
-    /// Adds what was read as a record, or each run of a logger or data set as one.
+    /// Adds the contents of a file as one record, or as one record per run of a logger or data set.
     pub(crate) fn take_contents(
         &mut self,
         name: &str,
@@ -156,7 +157,7 @@ impl Desk {
         first.ok_or(Refusal::unknown(name))
     }
 
-    /// Adds what was read as a record.
+    /// Adds the contents of a file as one record.
     pub(crate) fn take_record(
         &mut self,
         name: &str,
@@ -169,13 +170,13 @@ impl Desk {
         let mut findings = import.findings;
         let said = findings.clone();
         findings.extend(inspection.findings);
-        // That a unit is assumed stands beside the column.
+        // The assumption of a unit is not a finding here: it is shown beside the column.
         let doubtful = doubtful_times(&import.table).into_iter();
         findings.extend(doubtful.filter(|finding| matches!(finding, Finding::NoTimes(_))));
         let mut record = Record {
             id,
             name: name.chars().take(80).collect(),
-            // What is too long to be kept for the next visit is not needed any more.
+            // Longer texts are not stored for the next visit, so they are not kept.
             text: if text.len() <= LONGEST_SAVED { text } else { String::new() },
             uses: Vec::new(),
             table: import.table,
@@ -199,7 +200,7 @@ impl Desk {
         id
     }
 
-    /// How far the file has been read that is being read.
+    /// Progress of the file that is being read, `None` if there is none.
     pub fn record_progress(&self) -> Option<RecordProgress> {
         let Intake { name, stage } = self.intake.as_ref()?;
         let part = match stage {
@@ -210,7 +211,7 @@ impl Desk {
         Some(RecordProgress { name: name.clone(), part })
     }
 
-    /// Gives up the file that is being read.
+    /// Cancels the file that is being read.
     pub fn cancel_record(&mut self) {
         if let Some(Intake { name, .. }) = self.intake.take() {
             self.announce(Announcement::RecordCancelled(name));

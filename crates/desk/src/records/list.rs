@@ -1,4 +1,4 @@
-//! The records in a list: shown, hidden, removed, and taken over where another document is opened.
+//! The list of records: showing, hiding, removing, and transfer to another open document.
 
 use crate::records::derived::differentiation;
 use crate::records::record::{Record, Use};
@@ -10,50 +10,51 @@ use units::sentence;
 /// A record in the list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordView {
-    /// Names it as long as it exists.
+    /// Id of the record, never reused.
     pub id: u32,
-    /// What it is called.
+    /// Name of the record.
     pub name: String,
-    /// How many rows it has.
+    /// Number of rows.
     pub rows: usize,
-    /// Whether it is drawn.
+    /// True if the record is drawn.
     pub shown: bool,
-    /// Whether its data are simulated.
+    /// True if its data are simulated.
     pub synthetic: bool,
-    /// Whether it will be there at the next visit; the longest are not.
+    /// True if it is stored for the next visit. The longest records are not.
     pub lasting: bool,
-    /// Its columns.
+    /// Columns of the record.
     pub columns: Vec<ColumnView>,
-    /// What the text hides, in the chosen language.
+    /// Findings about the text and the data, in the chosen language.
     pub findings: Vec<String>,
-    /// The choices of the independent variable.
+    /// Possible choices of the independent variable.
     pub variables: Vec<VariableView>,
 }
 
 /// A column of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnView {
-    /// Which of the record's columns.
+    /// Index of the column in the record.
     pub index: usize,
-    /// What the file calls it, with its unit; its number where the file calls it nothing.
+    /// Name in the file with its unit; the number of the column if it has no name.
     pub head: String,
-    /// The quantity of the document that it measures; empty when it is not used.
+    /// Quantity of the document that it measures; empty if it is not used.
     pub quantity: String,
-    /// Its unit, as it can be typed; empty where it is asked for.
+    /// Unit in a form that can be typed; empty if the user must state it.
     pub unit: String,
-    /// Where the unit comes from, in the chosen language; empty for what is not used or has no unit.
+    /// Origin of the unit, in the chosen language; empty if the column is not used or has no unit.
     pub unit_origin: String,
-    /// Whether the file states no unit, and that of the quantity is assumed.
+    /// True if the file states no unit and the unit of the quantity is assumed.
     pub unit_assumed: bool,
-    /// Whether the file states a unit that is not known. Until a person states it the column is neither drawn nor fitted.
+    /// True if the user must state the unit, because the file states an unknown one or a film has no scale. Until then
+    /// the column is neither drawn nor fitted.
     pub unit_asked: bool,
-    /// Whether a fit is to follow it.
+    /// True if fits use the column.
     pub fitted: bool,
-    /// Whether a fit can follow it: it is used and no time.
+    /// True if a fit can use it: it measures a quantity other than the independent variable.
     pub fittable: bool,
-    /// Whether it can be differentiated: it was read and is no time.
+    /// True if it can be differentiated: it is from the file and not the independent variable.
     pub differentiable: bool,
-    /// How it was made of another column; empty for what the file holds.
+    /// Method by which a derivative was computed; empty for a column of the file.
     pub made: String,
 }
 
@@ -63,7 +64,7 @@ impl Desk {
         self.data.records.iter().map(|record| self.record_view(record)).collect()
     }
 
-    /// The id of the record that came last.
+    /// Id of the latest record.
     pub fn newest_record(&self) -> Option<u32> {
         self.data.records.last().map(|record| record.id)
     }
@@ -108,7 +109,7 @@ impl Desk {
         }
     }
 
-    /// A label in every language of the document.
+    /// A label in every language of the document, in lower case.
     pub(crate) fn labels(&self, label: &str) -> Vec<String> {
         self.document
             .program
@@ -117,7 +118,7 @@ impl Desk {
             .collect()
     }
 
-    /// Draws a record or not.
+    /// Shows or hides a record.
     pub fn show_record(&mut self, id: u32, shown: bool) {
         if let Some(record) = self.record_mut(id) {
             record.shown = shown;
@@ -125,7 +126,7 @@ impl Desk {
         }
     }
 
-    /// Forgets a record.
+    /// Removes a record.
     pub fn remove_record(&mut self, id: u32) {
         if let Some(index) = self.data.records.iter().position(|record| record.id == id) {
             let record = self.data.records.remove(index);
@@ -136,7 +137,7 @@ impl Desk {
         }
     }
 
-    /// Takes the records of another desk, which had another document open.
+    /// Takes the records, fits and films of another desk, which had another document open.
     pub fn adopt_records(&mut self, other: &mut Desk) {
         self.data.records = std::mem::take(&mut other.data.records);
         self.data.issued = other.data.issued;
@@ -152,7 +153,7 @@ impl Desk {
         self.recognise_records();
     }
 
-    /// Recognises again all columns whose quantity no person has chosen.
+    /// Determines the meaning of all columns again, except those set by the user.
     pub(crate) fn recognise_records(&mut self) {
         let mut records = std::mem::take(&mut self.data.records);
         for record in &mut records {

@@ -1,4 +1,4 @@
-//! The virtual measurement: a noisy record of the run that the simulation would make, of which the truth is known.
+//! Virtual measurement: a noisy record of a simulated run, whose true parameters are known.
 
 use crate::records::recognise::observed;
 use crate::{Desk, Refusal, number};
@@ -6,27 +6,27 @@ use analysis::virtual_record::{Camera, tracked_velocities};
 use engine::{Advance, Method, Readings, Run, Setup};
 use std::fmt::Write as _;
 
-/// What is asked for a virtual measurement, as typed: numbers in the units that [`Desk::measurement_units`] gives, or
-/// with units of their own.
+/// Typed settings of a virtual measurement: numbers in the units of [`Desk::measurement_units`], or with a unit of
+/// their own.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeasurementForm {
-    /// What is filmed: a name such as `y`.
+    /// Name of the filmed quantity, such as `y`.
     pub quantity: String,
-    /// In the order of [`MEASUREMENT_FIELDS`].
+    /// Texts of the fields, in the order given at [`MEASUREMENT_FIELDS`].
     pub fields: [String; MEASUREMENT_FIELDS],
 }
 
-/// Frame rate, duration, pixel size, noise, jitter of the frames, error of the scale, seed.
+/// Number of fields: frame rate, duration, pixel size, noise, jitter of the frames, error of the scale, seed.
 pub const MEASUREMENT_FIELDS: usize = 7;
 
-/// The work of the run behind a measurement, in floating-point operations: a second or two.
+/// Maximum work of the simulated run, in floating-point operations: one or two seconds.
 const MOST_WORK: u64 = 500_000_000;
 
-/// Rows of the run between two frames: what lies between them is interpolated, to far less than a pixel.
+/// Rows of the run per frame. Interpolation between them is accurate to far less than a pixel.
 const ROWS_PER_FRAME: f64 = 4.0;
 
 impl Desk {
-    /// What a virtual measurement begins with: a camera that suits the run.
+    /// Default settings of a virtual measurement: a camera that suits the run.
     pub fn measurement_form(&self) -> MeasurementForm {
         let (Some(state), independent) = (self.play.model().states.first(), &self.play.model().independent) else {
             return MeasurementForm::default();
@@ -35,7 +35,7 @@ impl Desk {
         let start = self.play.course().initial().first().map_or(0.0, |value| value.abs());
         let size = [greatest(0), start].into_iter().filter(|size| size.is_finite()).fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { 1.0 };
-        // A picture has about two hundred pixels for the swing.
+        // The amplitude then covers about 100 pixels, the whole swing about 200.
         let pixel = number::roundest(size / 120.0, size / 80.0);
         let duration = independent.unit.to_si(10.0);
         let shown = |value: f64| number::plain(value, 6, self.play.style());
@@ -53,7 +53,7 @@ impl Desk {
         }
     }
 
-    /// The unit of each field for what is filmed.
+    /// Unit of each field for the filmed quantity.
     pub fn measurement_units(&self, quantity: &str) -> [String; MEASUREMENT_FIELDS] {
         let unit = |unit: &units::Unit| number::unit_text(&unit.text);
         let time = unit(&self.play.model().independent.unit);
@@ -62,10 +62,10 @@ impl Desk {
         [rate, time.clone(), own.clone(), own, time, "%".to_owned(), String::new()]
     }
 
-    /// Makes the measurement and adds the record under this name.
+    /// Makes a virtual measurement and adds it as a record of this name. Returns the id of the record.
     ///
     /// # Errors
-    /// The number of the field that cannot be taken, and why.
+    /// The index of the rejected field, and the reason.
     pub fn measure(&mut self, name: &str, form: &MeasurementForm) -> Result<u32, (usize, Refusal)> {
         let camera = self.camera(form)?;
         let text = self.measured_text(&form.quantity, &camera).map_err(|refusal| (0, refusal))?;
@@ -103,15 +103,15 @@ impl Desk {
         })
     }
 
-    /// What a camera would have made of a run with the present parameters and start: a table as tracking programs write
-    /// it, with the velocities that they compute.
+    /// Text of a virtual measurement of a run with the present parameters and initial values: a table as written by
+    /// tracking programs, with the velocities that they compute. Settings of `camera` in SI units.
     pub(crate) fn measured_text(&self, quantity: &str, camera: &Camera) -> Result<String, Refusal> {
         let model = self.play.model();
         let observed = observed(model, quantity).ok_or_else(|| Refusal::unknown(quantity))?;
         let setup =
             Setup { parameters: self.play.course().parameters().to_vec(), ..self.play.course().begun().clone() };
         let nothing = |_| play::Refusal::NoValue { name: quantity.to_owned() };
-        // As exact as may be; where the equations are not for that method, as the document has it.
+        // Uses the most exact method; if the equations do not allow it, the method of the document.
         let step = 1.0 / (camera.rate * ROWS_PER_FRAME);
         let exact = Setup { method: Method::DormandPrince, tolerance: 1e-10, step, ..setup.clone() };
         let end = camera.times().last().copied().unwrap_or_default();
@@ -150,13 +150,14 @@ impl Desk {
     }
 }
 
-/// The unit in which errors are written: the thousandth of the quantity's, where that has a name.
+/// Unit of pixel size and noise: one thousandth of the quantity's unit if that has a prefixed form, otherwise the unit
+/// itself.
 fn fine(unit: &units::Unit) -> units::Unit {
     let thousandth = units::Unit::parse(&format!("m{}", unit.text)).ok();
     thousandth.filter(|fine| fine.dimension == unit.dimension).unwrap_or_else(|| unit.clone())
 }
 
-/// Name and unit of the derivative of what is filmed; of a level that is no unknown, the velocity.
+/// Name and unit of the time derivative of the filmed quantity; `v` for a length that is not an unknown of the model.
 fn quantity_rate(model: &program::Model, quantity: &str) -> Option<(String, units::Unit)> {
     let name = format!("{quantity}'");
     if let Some(rate) = observed(model, &name) {
@@ -167,7 +168,7 @@ fn quantity_rate(model: &program::Model, quantity: &str) -> Option<(String, unit
     (dimension == units::Dimension::LENGTH).then(|| ("v".to_owned(), units::Unit::si(rate)))
 }
 
-/// A run up to `end`.
+/// Simulates a run up to time `end`, SI. Fails if the work exceeds [`MOST_WORK`] or the run stops earlier.
 fn recorded(model: &program::Model, setup: Setup, end: f64) -> Result<Run, ()> {
     let mut run = Run::start(model, setup).map_err(|_| ())?;
     while run.time() < end {
@@ -176,7 +177,7 @@ fn recorded(model: &program::Model, setup: Setup, end: f64) -> Result<Run, ()> {
             return Err(());
         }
     }
-    // An event that ends the run there takes nothing from it.
+    // An event that ends the run at `end` does not affect the rows before.
     let _ = run.finish(end);
     Ok(run)
 }

@@ -1,4 +1,4 @@
-//! Measured data: files that are read, what their columns are taken for, and what is made of them.
+//! Measured data: reading of files, meaning of columns, derived columns.
 
 mod columns;
 mod derived;

@@ -1,4 +1,4 @@
-//! Which quantity of the document a column of data measures.
+//! Recognition of the quantity of the document that a data column measures.
 
 use analysis::origin::Role;
 use analysis::table::{Column, Table};
@@ -7,24 +7,24 @@ use program::{Kind, Model};
 use std::collections::BTreeSet;
 use units::Unit;
 
-/// What a column is taken for.
+/// Meaning of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Meaning {
-    /// The quantity's name in the document; empty where the column is not used.
+    /// Name of the quantity in the document; empty if the column is not used.
     pub quantity: String,
-    /// The unit of the column's numbers.
+    /// Unit of the column's numbers.
     pub unit: Unit,
 }
 
 impl Meaning {
-    /// That of a column that is not used and has no unit.
+    /// Meaning of an unused column without a unit.
     pub fn nothing() -> Self {
         Self { quantity: String::new(), unit: Unit::dimensionless() }
     }
 }
 
-/// What can be measured: the independent variable, what the document is about and its derivatives, the unknowns and
-/// theirs, and whatever else is a number that changes; each with its unit.
+/// Quantities that can be measured, each with its unit: the independent variable, the subjects of the document and the
+/// unknowns with their derivatives, and all other numeric quantities that vary.
 pub(crate) fn measurable(document: &Document) -> Vec<(String, Unit)> {
     let model = &document.program.model;
     let mut found = vec![(model.independent.name.clone(), model.independent.unit.clone())];
@@ -36,7 +36,7 @@ pub(crate) fn measurable(document: &Document) -> Vec<(String, Unit)> {
     }
     for (index, state) in model.states.iter().enumerate() {
         found.push((state.name(), state.unit.clone()));
-        // The highest derivative follows the last state of its variable.
+        // The highest derivative of a variable follows its last state.
         if model.states.get(index + 1).is_none_or(|next| next.order == 0) {
             let name = format!("{}'", state.name());
             found.extend(model.lookup(&state.variable, state.order + 1).map(|value| (name, value.unit)));
@@ -49,7 +49,7 @@ pub(crate) fn measurable(document: &Document) -> Vec<(String, Unit)> {
     found
 }
 
-/// What the document is about: what it draws first against the independent variable.
+/// Subjects of the document: the quantities of its first plot against the independent variable, without derivatives.
 fn subjects(document: &Document) -> Vec<&str> {
     let model = &document.program.model;
     let mut found: Vec<&str> = Vec::new();
@@ -69,13 +69,13 @@ fn subjects(document: &Document) -> Vec<&str> {
     found
 }
 
-/// The document's expression of a name such as `y'`.
+/// Compiled expression of a name such as `y'`; `None` if the model does not have it.
 pub(crate) fn observed(model: &Model, name: &str) -> Option<program::Compiled> {
     let stem = name.trim_end_matches('\'');
     model.lookup(stem, (name.len() - stem.len()) as u32)
 }
 
-/// What each column is taken for. `labels` gives a label in all languages of the document, in small letters.
+/// Meaning of each column. `labels` gives a label in all languages of the document, in lower case.
 pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str) -> Vec<String>) -> Vec<Meaning> {
     let model = &document.program.model;
     let known = measurable(document);
@@ -86,37 +86,39 @@ pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str
         unit: column.unit.clone().unwrap_or_else(Unit::dimensionless),
     };
     let mut meanings: Vec<Meaning> = table.columns.iter().map(nothing).collect();
-    // The body whose columns count, where there are several: the first.
+    // With several bodies, only the columns of the first one are used.
     let body = table.columns.iter().find_map(|column| column.body.as_ref());
     let of_body = |column: &Column| column.body.is_none() || column.body.as_ref() == body;
-    // Without a scale the positions of a film are those lengths, and are said to lack it.
+    // Positions in pixels match a length; the missing scale is reported later.
     let same =
         |own: &Unit, unit: &Unit| own.dimension == unit.dimension || own.dimension.lacks_scale_for(unit.dimension);
     let fits = |column: &Column, unit: &Unit| column.unit.as_ref().is_none_or(|own| same(own, unit));
     let errors: BTreeSet<usize> = (0..table.columns.len()).filter_map(|column| table.errors_of(column)).collect();
-    // First what is called as it is in the document, then as people call it, then by unit or place.
+    // Order of attempts: exact name, name regardless of case or label, customary name, single letter, then unit or
+    // position.
     let unknowns = 1 + known.iter().skip(1).take_while(|(name, _)| is_about(model, &subjects, name)).count();
     let unknowns = if model.states.is_empty() { known.len() } else { unknowns };
     for (names, how) in [by_exact_name, by_name, by_custom, by_letter, by_place].into_iter().enumerate() {
         for (index, column) in table.columns.iter().enumerate() {
             let independent = column.independent == index;
-            // Standard errors of another column and numbers of rows measure nothing.
+            // Columns of standard errors and row counters measure nothing.
             if errors.contains(&index) || column.origin.role == Role::Counter {
                 continue;
             }
-            // Every body has its own clock.
+            // The clock of each body is used.
             if !(of_body(column) || independent)
                 || meanings.get(index).is_none_or(|meaning| !meaning.quantity.is_empty())
             {
                 continue;
             }
             let free = |place: &usize| (*place == 0) == independent && !taken.get(*place).copied().unwrap_or(true);
-            // Only what the document is about is recognised by habit or place; the rest must be called by its name.
+            // Customary names and positions match only subjects and unknowns of the document; other quantities need
+            // their name.
             let within = if matches!(names, 0 | 1 | 3) { known.len() } else { unknowns };
             let candidates: Vec<usize> = (0..within)
                 .filter(free)
                 .filter(|&place| known.get(place).is_some_and(|(_, unit)| fits(column, unit)))
-                // What has no name at all can only be what the document draws first.
+                // A column without a name can only be a subject of the document.
                 .filter(|&place| {
                     let stem = known.get(place).map(|(name, _)| name.trim_end_matches('\''));
                     independent
@@ -140,7 +142,7 @@ pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str
             {
                 *meaning =
                     Meaning { quantity: name.clone(), unit: column.unit.clone().unwrap_or_else(|| unit.clone()) };
-                // Bodies share no columns, but each has its own clock.
+                // Each body has its own clock, so the independent variable can be assigned several times.
                 *taken = !independent;
             }
         }
@@ -148,13 +150,14 @@ pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str
     meanings
 }
 
-/// `T` is the quantity `T` where the document has a `t` too.
+/// Match of the exact name: `T` is the quantity `T` even if the document also has a `t`.
 fn by_exact_name(_: &str, names: &[(usize, &str)], column: &Column, _: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
     let name = squeezed(&column.name);
     names.iter().find(|(_, other)| squeezed(other) == name).map(|(place, _)| *place)
 }
 
-/// Whatever the capitals. Of single letters a capital is another quantity, unless nothing else is found.
+/// Match of the name or label regardless of case. A single letter is excluded here, because a capital usually is
+/// another quantity.
 fn by_name(spelled: &str, names: &[(usize, &str)], _: &Column, labels: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
     let letter = spelled.chars().count() == 1;
     let same = |name: &str| !letter && spelling(name) == spelled;
@@ -166,13 +169,13 @@ fn by_letter(spelled: &str, names: &[(usize, &str)], _: &Column, _: &dyn Fn(&str
     names.iter().find(|(_, name)| spelling(name) == spelled && !spelled.is_empty()).map(|(place, _)| *place)
 }
 
-/// Whether a name is a subject of the document, an unknown of its model, or a derivative of one.
+/// True if a name is a subject of the document, an unknown of its model, or a derivative of one.
 fn is_about(model: &Model, subjects: &[&str], name: &str) -> bool {
     let stem = name.trim_end_matches('\'');
     subjects.contains(&stem) || model.states.iter().any(|state| state.variable == stem)
 }
 
-/// Velocities and accelerations as tracking programs and people write them.
+/// Match of names of positions, velocities and accelerations that are customary in tracking programs and tables.
 fn by_custom(spelled: &str, names: &[(usize, &str)], _: &Column, _: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
     let stem = spelled.trim_end_matches(|letter: char| letter.is_ascii_digit());
     let order = match stem {
@@ -189,22 +192,23 @@ fn by_custom(spelled: &str, names: &[(usize, &str)], _: &Column, _: &dyn Fn(&str
     names.iter().find(of_order).map(|(place, _)| *place)
 }
 
-/// What has no name follows the order of the document; what has a unit, the first quantity that it can measure.
+/// Match by position or unit. A column without a name gets the next free quantity, one with a unit the first free
+/// quantity of its dimension.
 fn by_place(spelled: &str, names: &[(usize, &str)], column: &Column, _: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
     (spelled.is_empty() || column.unit.is_some()).then(|| names.first().map(|(place, _)| *place)).flatten()
 }
 
-/// A name without what people write differently: `v_{y}` as `vy`, `Y` as `y`.
+/// Name in lower case and without typesetting: `v_{y}` becomes `vy`, `Y` becomes `y`.
 fn spelling(name: &str) -> String {
     squeezed(name).to_lowercase()
 }
 
-/// A name without signs of typesetting: `v_{y}` as `vy`.
+/// Name without typesetting: `v_{y}` becomes `vy`.
 fn squeezed(name: &str) -> String {
     name.chars().filter(|letter| !matches!(letter, '_' | '{' | '}' | ' ' | '$' | '\\')).collect()
 }
 
-/// The label of a state or quantity.
+/// Label of a state or quantity.
 fn label<'a>(model: &'a Model, name: &str) -> Option<&'a str> {
     let of_state = model.states.iter().find(|state| state.name() == name).map(|state| &state.label);
     let label = of_state

@@ -1,5 +1,5 @@
-//! Records: measured data beside the model. A record belongs to no document; which of the document's quantities its
-//! columns measure is recognised for each document.
+//! Records: measured data beside the model. A record does not depend on a document. The meanings of its columns are
+//! recognised for each document.
 
 use crate::records::recognise::{Meaning, observed, recognise};
 use analysis::derivative::Differentiation;
@@ -9,115 +9,117 @@ use document::Document;
 use program::Model;
 use std::collections::BTreeMap;
 
-/// How many records there can be.
+/// Maximum number of records.
 pub const MOST_RECORDS: usize = 8;
 
-/// The largest file, in bytes, that the laboratory reads as a record: more than a million rows. The program takes larger
+/// Maximum size of a file that the page reads as a record, in bytes: more than a million rows. The program reads larger
 /// ones.
 pub const LONGEST_RECORD: usize = 64 << 20;
-/// The longest text, in bytes, that a sheet of a workbook may become.
+/// Maximum length of the text of a workbook sheet, in bytes.
 pub(crate) const LONGEST_TEXT: usize = LONGEST_RECORD;
-/// The longest texts, in bytes, that all records together keep for the next visit: browsers keep a few megabytes for a site.
+/// Maximum length of the stored texts of all records together, in bytes. Browsers store a few megabytes per site.
 pub(crate) const LONGEST_SAVED: usize = 1 << 20;
 
-/// Measured data.
+/// A record of measured data.
 #[derive(Clone, Debug)]
 pub(crate) struct Record {
-    /// Names it as long as it exists.
+    /// Id of the record, never reused.
     pub id: u32,
-    /// What it is called: its file's name.
+    /// Name: that of its file.
     pub name: String,
-    /// The text it was read from, for the next visit; empty where it is too long for that.
+    /// Text of the file, for the next visit; empty if it is too long to be stored.
     pub text: String,
-    /// What was read.
+    /// Table that was read from the text.
     pub table: Table,
-    /// What the text hides.
+    /// Findings about the text and the data, for the present independent variable.
     pub findings: Vec<Finding>,
-    /// What was said of the text as it was read.
+    /// Findings from reading the text, before any choice of the independent variable.
     pub said: Vec<Finding>,
-    /// The columns that a person has made independent variables; empty where none was chosen.
+    /// Columns that the user has chosen as independent variables; empty if none were chosen.
     pub against: Vec<usize>,
-    /// Whether the independent variable is another one than the text suggests.
+    /// True if the independent variable differs from the one suggested by the text.
     pub settled: bool,
-    /// The readings of the file as read, where there are several; they stay on offer when one has been chosen.
+    /// Alternative sets of independent variables found in the file, if it is ambiguous. They remain available after a
+    /// choice.
     pub readings: Vec<Vec<usize>>,
-    /// Columns that were computed from others: which, and from which.
+    /// Columns that were computed from others: index of the column and of its source.
     pub computed: Vec<(usize, usize)>,
-    /// The last columns, which a person had made of others.
+    /// Derivatives computed at the user's request. They are the last columns of the table.
     pub made: Vec<Made>,
-    /// What each column is taken for.
+    /// Use of each column.
     pub uses: Vec<Use>,
-    /// Whether it is drawn.
+    /// True if the record is drawn.
     pub shown: bool,
-    /// Where the model begins in it, in the fit whose numbers are in the sliders.
+    /// Clock reading at which the model begins in the applied fit.
     pub origin: Option<Origin>,
-    /// Values that parameters have in this record, by name and SI, for fits of several.
+    /// Values of parameters in this record, SI, by name, for fits of several records.
     pub known: BTreeMap<String, f64>,
-    /// The true values of parameters, by name and SI, if the data are simulated.
+    /// True values of parameters, SI, by name; `None` unless the data are simulated.
     pub truth: Option<Vec<(String, f64)>>,
 }
 
-/// Where the model begins in a record.
+/// Beginning of the model in a record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Origin {
-    /// The reading of the record's clock, SI.
+    /// Reading of the record's clock, SI.
     pub reading: f64,
-    /// Whether a fit has found it, so that later fits begin there too. Otherwise it is only where the fitted part began.
+    /// True if a fit has found it, so that later fits start there too. False if it is only the beginning of the fitted
+    /// part.
     pub found: bool,
 }
 
-/// What a column is taken for.
+/// Use of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Use {
     pub meaning: Meaning,
-    /// Whether a fit is to follow it.
+    /// True if fits use the column.
     pub fitted: bool,
-    /// The zero of its scale, SI, as a fit has found it.
+    /// Zero of the scale, SI, found by a fit.
     pub offset: f64,
-    /// Whether a person has chosen it: then it is not recognised again.
+    /// True if the user has chosen the meaning, so that it is not recognised again.
     pub chosen: bool,
-    /// Whether a person has stated the unit.
+    /// True if the user has stated the unit.
     pub stated: bool,
 }
 
-/// A column that was made of another one.
+/// Origin of a derivative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Made {
-    /// What it was made of.
+    /// Index of the source column.
     pub of: usize,
-    /// Which derivative it is.
+    /// Order of the derivative.
     pub order: usize,
-    /// How it was made.
+    /// Method of differentiation.
     pub how: Differentiation,
 }
 
 impl Use {
-    /// Whether the document has the quantity.
+    /// True if the document has the quantity, or the column is not used.
     fn fits(&self, model: &Model) -> bool {
         self.meaning.quantity.is_empty() || observed(model, &self.meaning.quantity).is_some()
     }
 }
 
 impl Record {
-    /// Which column a column was computed from, if it was.
+    /// Index of the source of a computed column; `None` for a measured one.
     pub fn computed_from(&self, column: usize) -> Option<usize> {
         self.computed.iter().find(|(computed, _)| *computed == column).map(|(_, source)| *source)
     }
 
-    /// Takes the columns for what they seem to measure, except where a person has said what they do.
+    /// Recognises the meaning of all columns, except those set by the user.
     pub fn take_for(&mut self, document: &Document, labels: &dyn Fn(&str) -> Vec<String>) {
         let model = &document.program.model;
         let differentiated: Vec<_> = self.differentiated().collect();
         let settled = self.settle_variable(document);
-        // What was made follows its source and takes no quantity from another column.
+        // Derivatives follow their source, so they take no part in the recognition.
         let made = self.table.columns.split_off(self.read_columns());
         let mut meanings = recognise(&self.table, document, labels);
         if !self.table.readings.is_empty() {
-            // Until a person has chosen the independent variable nothing is measured.
+            // An ambiguous table measures nothing until the user has chosen the independent variable.
             meanings.iter_mut().for_each(|meaning| meaning.quantity.clear());
         }
         self.table.columns.extend(made);
-        // A fit follows the first column that was not computed from another one.
+        // The fit uses the first column that was not computed from another one.
         let independent = |(column, meaning): (usize, &Meaning)| {
             !meaning.quantity.is_empty()
                 && meaning.quantity != model.independent.name

@@ -1,14 +1,14 @@
-//! The runs of a logger in one file, which become records of their own.
+//! Runs of a logger in one file, each of which becomes a record.
 
 use analysis::csv::{self, Dialect};
 use analysis::table::{Column, Table};
 
-/// The runs of a table by name, each as a text of its own; none where there are not several.
+/// Name and CSV text of each run of a table; empty unless there are several.
 pub(crate) fn texts(table: &Table) -> Vec<(String, String)> {
     table.runs().into_iter().map(|(name, columns)| (name, written(table, &columns))).collect()
 }
 
-/// Some columns as a text, without the empty rows at their ends.
+/// CSV text of some columns, without empty rows at the end.
 fn written(table: &Table, columns: &[usize]) -> String {
     let columns: Vec<&Column> = columns.iter().filter_map(|index| table.columns.get(*index)).collect();
     let filled =

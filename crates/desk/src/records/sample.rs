@@ -1,4 +1,4 @@
-//! Sample records: virtual measurements with fixed seeds, of columns whose truth is known.
+//! Sample records: virtual measurements of liquid columns with known parameters and fixed seeds.
 
 use crate::{Desk, Refusal};
 use analysis::virtual_record::Camera;
@@ -7,20 +7,20 @@ use document::Document;
 /// A sample record.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
-    /// The theory that it follows, by its file.
+    /// File of the theory that generates it.
     pub file: &'static str,
-    /// What it is called, in English and in Spanish.
+    /// Name in English and in Spanish.
     names: [&'static str; 2],
-    /// Values of parameters, SI.
+    /// Values of parameters, SI, by name.
     settings: &'static [(&'static str, f64)],
     camera: Camera,
 }
 
-/// A good camera on a tripod: a third of a millimetre by pixel, 30 frames a second.
+/// A good camera on a tripod: 0.33 mm per pixel, 30 frames per second. Lengths in m, times in s.
 const CAMERA: Camera =
     Camera { rate: 30.0, duration: 8.0, pixel: 3.3e-4, noise: 2e-4, jitter: 0.0, scale: 0.0, seed: 0 };
 
-/// The sample records: three lengths of the column, and one that no linear friction describes.
+/// The sample records: three column lengths with linear friction, and one with contact-line friction.
 pub const SAMPLES: [Sample; 4] = [
     Sample {
         file: "theories/linear.md",
@@ -49,15 +49,15 @@ pub const SAMPLES: [Sample; 4] = [
 ];
 
 impl Desk {
-    /// What the sample records are called.
+    /// Names of the sample records in the chosen language.
     pub fn sample_names(&self) -> [&'static str; SAMPLES.len()] {
         SAMPLES.map(|sample| self.play.language().pick(sample.names[0], sample.names[1]))
     }
 
-    /// Makes a sample record with the theory that it follows and adds it.
+    /// Makes a sample record with the theory that it follows, and adds it. Returns its id.
     ///
     /// # Errors
-    /// As [`Desk::add_record`].
+    /// As [`Desk::add_record`]; also if the theory lacks a parameter of the sample.
     pub fn add_sample(&mut self, sample: usize, theory: Document) -> Result<u32, Refusal> {
         let unknown = || Refusal::unknown(sample);
         let Sample { names, settings, camera, .. } = SAMPLES.get(sample).ok_or_else(unknown)?;

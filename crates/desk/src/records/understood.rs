@@ -1,4 +1,4 @@
-//! What the file says of the unit of a column, and what is assumed.
+//! Origin of the unit of a column, as shown to the user.
 
 use crate::Desk;
 use crate::records::recognise::observed;
@@ -7,14 +7,14 @@ use analysis::origin::UnitOrigin;
 use program::Model;
 use units::Language;
 
-/// The unit of a column as a person sees it.
+/// Unit of a column as shown to the user.
 #[derive(Debug, Default)]
 pub(crate) struct Understood {
-    /// Where it comes from, in words.
+    /// Origin of the unit in words; empty if there is nothing to say.
     pub origin: String,
-    /// Whether it is that of the quantity, because the file states none.
+    /// True if the file states no unit and that of the quantity is assumed.
     pub assumed: bool,
-    /// Whether the file states one that is not known.
+    /// True if the user must state the unit: the file states an unknown one, or the film has no scale.
     pub asked: bool,
 }
 
@@ -26,7 +26,7 @@ impl Desk {
         let lacks_scale = lacks_scale(self.play.model(), used);
         let asked = record.asks_for_unit(&record.uses, index) || lacks_scale;
         let plain = used.meaning.unit.text.is_empty() && !asked;
-        // What was made follows its source.
+        // The unit of a derivative follows from its source.
         if used.meaning.quantity.is_empty() || plain || record.how_made(index).is_some() {
             return Understood::default();
         }
@@ -44,13 +44,13 @@ impl Desk {
     }
 }
 
-/// Whether a column holds positions in pixels and its quantity is a length: the film has no scale.
+/// True if a column holds positions in pixels and its quantity is a length: the film has no scale.
 pub(crate) fn lacks_scale(model: &Model, used: &Use) -> bool {
     let expected = observed(model, &used.meaning.quantity).filter(|_| !used.meaning.quantity.is_empty());
     expected.is_some_and(|expected| used.meaning.unit.dimension.lacks_scale_for(expected.dimension()))
 }
 
-/// What to do about it.
+/// Remedy for a film without a scale.
 pub(crate) fn no_scale(language: Language) -> &'static str {
     language.pick(
         "in pixels: give the film a scale: two clicks on the ruler",
@@ -59,7 +59,7 @@ pub(crate) fn no_scale(language: Language) -> &'static str {
 }
 
 impl Record {
-    /// Whether the unit of a column must be stated by a person before its numbers mean anything.
+    /// True if the user must state the unit of a column, because that of the file is unknown.
     pub(crate) fn asks_for_unit(&self, uses: &[Use], column: usize) -> bool {
         let stated = uses.get(column).is_some_and(|used| used.stated);
         let unknown = |column: &analysis::table::Column| {

@@ -1,4 +1,4 @@
-//! The independent variable of a record: as read, that of the document, or as a person has chosen.
+//! The independent variable of a record: from the file, from the document, or chosen by the user.
 
 use crate::Desk;
 use crate::records::record::Record;
@@ -8,28 +8,29 @@ use analysis::origin::Reason;
 use document::Document;
 use units::Language;
 
-/// Most columns that are offered as the independent variable.
+/// Maximum number of single columns that are offered as the independent variable.
 const MOST: usize = 24;
 
 /// A choice of the independent variable.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VariableView {
-    /// The columns that are independent variables: one for all, or several, each for its own columns.
+    /// Indices of the independent columns: one for all columns, or several, each for the columns that belong to it.
     pub columns: Vec<usize>,
-    /// It in the chosen language.
+    /// Description in the chosen language.
     pub text: String,
-    /// True if it is chosen now.
+    /// True if it is the present choice.
     pub chosen: bool,
 }
 
 impl Desk {
-    /// Measures the columns of a record against these: against one, or each against the one of several that it belongs to.
+    /// Sets the independent variable of a record: one column for all, or several, each for the columns that belong to
+    /// it.
     pub fn set_record_variable(&mut self, id: u32, columns: &[usize]) {
         let mut records = std::mem::take(&mut self.data.records);
         let record = records.iter_mut().find(|record| record.id == id);
         if let Some(record) = record.filter(|record| columns.iter().all(|column| *column < record.read_columns())) {
             record.against = columns.to_vec();
-            // What columns were taken for followed from the earlier choice.
+            // The uses of columns followed from the earlier choice.
             record.uses.clear();
             record.origin = None;
             record.take_for(&self.document, &|label| self.labels(label));
@@ -40,8 +41,8 @@ impl Desk {
 }
 
 impl Record {
-    /// Takes the independent variable that a person has chosen, or else the one that suits the document. True if the roles of columns
-    /// may have changed; what was made of columns is forgotten then.
+    /// Applies the user's choice of the independent variable, or else the one that suits the document. Returns true if
+    /// the roles of columns may have changed; derivatives are then removed.
     pub(crate) fn settle_variable(&mut self, document: &Document) -> bool {
         let before = self.settled;
         let variable = &document.program.model.independent;
@@ -73,7 +74,7 @@ impl Record {
         true
     }
 
-    /// The choices of an independent variable, those that are in question first.
+    /// Possible choices of the independent variable, those of an ambiguous file first.
     pub(crate) fn variables(&self, language: Language) -> Vec<VariableView> {
         let table = &self.table;
         let now: Vec<usize> = table.clocks().filter(|index| *index < self.read_columns()).collect();

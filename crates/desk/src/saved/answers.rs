@@ -1,4 +1,4 @@
-//! Answers to questions as items, and back.
+//! Conversion between answers to questions and stored items.
 
 use super::Item;
 use super::format::{self, Content};
@@ -6,7 +6,7 @@ use crate::Desk;
 use play::{Answer, Grade};
 
 impl Desk {
-    /// The answers for the next visit, with the names of their questions.
+    /// The answers to store, with the names of their questions.
     pub fn saved_answers(&self) -> Vec<(String, Item)> {
         let item = |(name, Answer { typed, grade, revealed }): (String, Answer)| {
             let grade = grade.map(|grade| grade.code().to_owned());
@@ -15,7 +15,7 @@ impl Desk {
         self.play.saved_answers().into_iter().map(item).collect()
     }
 
-    /// Brings back the answer to the question of this name. Whether it is one, and there is such a question.
+    /// Restores the answer to the question of this name. Returns true if the item is an answer and the question exists.
     pub fn restore_answer(&mut self, question: &str, item: &Item) -> bool {
         let Content::Answer(format::Answer { typed, grade, revealed }) = &item.0 else { return false };
         let grade = grade.as_deref().and_then(Grade::from_code);

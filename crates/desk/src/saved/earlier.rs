@@ -1,5 +1,5 @@
-//! What earlier versions have stored: a text of its own for records, for fits and for answers, each of lines. It is only read;
-//! the next time the page saves, it is written as [`super::Item`].
+//! Reader for the storage formats of earlier versions: one text for all records, one for fits and one for answers, each
+//! made of lines. The next save writes the data as [`super::Item`].
 
 use super::format::{
     Answer, Column, Content, Derivative, Fit, Found, FoundOfRecord, Part, Record, Rival, Target, Task, Varied,
@@ -8,11 +8,12 @@ use super::number::Number;
 
 const RECORDS: &str = "meniscus records 1\n";
 const FITS: &str = "meniscus fits 2\n";
-/// What fits began with when initial values held at the first row of a record, whatever part of it was fitted.
+/// Head of the first format of fits, in which initial values held at the first row of a record, regardless of the
+/// fitted window.
 const FIRST_FITS: &str = "meniscus fits 1\n";
 
-/// When something was first stored, and the items. The first versions have stored neither a time nor an item alone. What
-/// cannot be read of a text is left out.
+/// The time at which the text was first stored, in milliseconds, and its items. The first versions stored no time; it
+/// is then 0. Unreadable parts are left out. `None` for an unknown format.
 pub(super) fn read(text: &str) -> Option<(u64, Vec<Content>)> {
     let timed = text.split_once('\n').and_then(|(since, text)| Some((since.parse().ok()?, text)));
     let (since, text) = timed.unwrap_or((0, text));
@@ -28,7 +29,7 @@ pub(super) fn read(text: &str) -> Option<(u64, Vec<Content>)> {
     timed.and_then(|_| answer(text)).map(|answer| (since, vec![answer]))
 }
 
-/// Three lines: what was typed, the grade, whether the answer was shown.
+/// An answer of three lines: the typed text, the grade, and whether the solution was shown.
 fn answer(text: &str) -> Option<Content> {
     let play::Answer { typed, grade, revealed } = play::Answer::of_lines(text)?;
     Some(Content::Answer(Answer { typed, grade: grade.map(|grade| grade.code().to_owned()), revealed }))
@@ -43,8 +44,8 @@ fn records(mut rest: &str) -> Vec<Content> {
     found
 }
 
-/// The first record of a text, and what follows it: a line for its name, one for what is known of it, one for the true
-/// values, one for the columns that a person has chosen, and the text itself.
+/// The first record of a text, and the rest of the text. A record has a line for its name, one for its properties, one
+/// for true values, one for the uses of columns chosen by the user, and then its text.
 fn record(rest: &str) -> Option<(Record, &str)> {
     let mut lines = rest.splitn(5, '\n');
     let (name, about, truth, chosen, rest) =
@@ -75,7 +76,7 @@ fn record(rest: &str) -> Option<(Record, &str)> {
     Some((record, rest))
 }
 
-/// `L=2e-1;gamma=4e-1`
+/// Values by name: `L=2e-1;gamma=4e-1`.
 fn values(text: &str) -> Vec<(String, Number)> {
     let entry = |entry: &str| {
         let (name, value) = entry.split_once('=')?;
@@ -84,7 +85,7 @@ fn values(text: &str) -> Vec<(String, Number)> {
     text.split(';').filter_map(entry).collect()
 }
 
-/// `1:central,3:smooth-5-2`
+/// Derivatives by column: `1:central,3:smooth-5-2`.
 fn derivatives(text: &str) -> Vec<Derivative> {
     let entry = |entry: &str| {
         let (column, method) = entry.split_once(':')?;
@@ -93,7 +94,8 @@ fn derivatives(text: &str) -> Vec<Derivative> {
     text.split(',').filter_map(entry).collect()
 }
 
-/// `1,1,y,cm;2,0,y',~cm/s`: column, whether it is fitted, quantity, unit; the tilde is before a unit that no person has stated.
+/// Uses of columns, `1,1,y,cm;2,0,y',~cm/s`: column, 1 if fitted, quantity, unit. A tilde marks a unit that the user
+/// has not stated.
 fn columns(text: &str) -> Vec<Column> {
     let entry = |entry: &str| {
         let mut parts = entry.splitn(4, ',');
@@ -105,7 +107,7 @@ fn columns(text: &str) -> Vec<Column> {
     text.split(';').filter_map(entry).collect()
 }
 
-/// Documents with their lengths, and fits that call them by their number.
+/// Documents, each preceded by the lengths of its texts, and fits that refer to them by number.
 fn fits(mut rest: &str) -> Vec<Content> {
     let mut documents: Vec<Vec<String>> = Vec::new();
     let mut found = Vec::new();
@@ -125,7 +127,7 @@ fn fits(mut rest: &str) -> Vec<Content> {
     found
 }
 
-/// The texts of a document and its translations, and what follows them.
+/// The texts of a document and its translations, and the rest of the text.
 fn document<'a>(lengths: &str, mut rest: &'a str) -> Option<(Vec<String>, &'a str)> {
     let mut texts = Vec::new();
     for length in lengths.split(' ') {
@@ -154,7 +156,7 @@ fn fit(head: &str, lines: &[&str], documents: &[Vec<String>]) -> Option<Fit> {
         loss: value("loss").map(str::to_owned),
         records,
     };
-    // `17`, or with another minimum `17 2e-1 1.7e-1 4e-1`: how much worse it is, and its numbers.
+    // `17`: number of starts. `17 2e-1 1.7e-1 4e-1`: also another minimum, its growth followed by its values.
     let searches = value("starts").unwrap_or("1");
     let (starts, rival) = searches.split_once(' ').unwrap_or((searches, ""));
     let rival = numbers(rival)?;
@@ -163,7 +165,7 @@ fn fit(head: &str, lines: &[&str], documents: &[Vec<String>]) -> Option<Fit> {
     Some(Fit { documents: documents.get(document.parse::<usize>().ok()?)?.clone(), task, found })
 }
 
-/// A record of a fit: `#` and its name, or its place; where the model begins; what is fixed; what it is called.
+/// A record of a fit: reference (`#` and its name, or its index), origin, fixed values, and its display name.
 fn part(head: &str, uses: &str) -> Option<Part> {
     let mut fields = head.splitn(4, ' ');
     let (record, origin) = (fields.next()?, time(fields.next()?)?);
@@ -178,12 +180,12 @@ fn part(head: &str, uses: &str) -> Option<Part> {
     })
 }
 
-/// A time, or `-` for none.
+/// A time; `-` is an open end.
 fn time(text: &str) -> Option<Option<Number>> {
     if text == "-" { Some(None) } else { text.parse().ok().map(|time| Some(Number(time))) }
 }
 
-/// `3` for the parameter of this number, `clock`, `scale0`; with a star where it is one number for all records.
+/// A varied number: `3` for the parameter of this index, `clock`, or `scale0`. A star marks one value for all records.
 fn varied(text: &str) -> Option<Varied> {
     let name = text.trim_end_matches('*');
     let target = match (name, name.strip_prefix("scale")) {
@@ -198,7 +200,8 @@ fn numbers(text: &str) -> Option<Vec<Number>> {
     text.split(' ').filter(|number| !number.is_empty()).map(|number| number.parse().ok().map(Number)).collect()
 }
 
-/// Without anything that was found: initial values held elsewhere then, and the fit is searched from the beginning.
+/// Removes the result of a fit from the first format, because its initial values held at another time. The fit is then
+/// repeated in full.
 fn begun_anew(mut content: Content) -> Content {
     if let Content::Fit(fit) = &mut content {
         fit.found.values.clear();

@@ -1,4 +1,5 @@
-//! Films as items, and back: what a person has said of them, and the tracks in numbers. No film is stored.
+//! Conversion between work on films and stored items: the user's settings and the tracks as numbers. The film itself is
+//! not stored.
 
 use super::Item;
 use super::format::{self, Content, Followed, Place};
@@ -15,14 +16,15 @@ use film::calibration::{CLICK, Calibration, Lengths, Parallax, Rectangle, Scale}
 use film::tracking::column::Click;
 use play::name_of;
 
-/// No more works are kept.
+/// Maximum number of works on films that are stored.
 pub(super) const MOST_WORKS: usize = 32;
-/// The tracks of all of them may have so many points; a point takes about a hundred bytes. A film with more is tracked again.
+/// Maximum number of track points stored for all films together, about 100 bytes each. The tracks of other films are
+/// computed again.
 const MOST_POINTS: usize = 10_000;
 
 impl Desk {
-    /// The works on films for the next visit, each with a name that is the same at every visit; those with the most recent
-    /// films, as far as there is room.
+    /// The works on films to store, each with a name that is the same at every visit. The most recent ones have
+    /// priority.
     pub fn saved_films(&self) -> Vec<(String, Item)> {
         let records = self.record_names();
         let mut room = MOST_POINTS;
@@ -37,13 +39,13 @@ impl Desk {
         let worked = |work: &&Work| !work.subject.is_nothing() || work.form != CalibrationForm::default();
         let mut items: Vec<(String, Item)> =
             self.films.works.iter().rev().filter(worked).take(MOST_WORKS).map(item).collect();
-        // The oldest first, as they are brought back.
+        // Oldest first, in the order of restoring.
         items.reverse();
         items
     }
 
-    /// Brings back the work on a film, after the records, with the name under which it is stored from now on. None where the item is no film,
-    /// and where the work on it is there already.
+    /// Restores the work on a film and returns its name in the storage. Records must be restored before. `None` if the
+    /// item is not a film, or the work on this film is already there.
     pub fn restore_film(&mut self, item: &Item) -> Option<String> {
         let Content::Film(saved) = &item.0 else { return None };
         let mut work = restored(saved)?;
@@ -131,7 +133,7 @@ fn saved(work: &Work, found: Option<format::FoundInFilm>, record: Option<String>
     }
 }
 
-/// The work; `None` where what was saved names no film.
+/// The work on a film; `None` if the saved work has no hash of a film, or no entry for its points.
 fn restored(saved: &format::Film) -> Option<Work> {
     let identity = FilmIdentity { name: saved.name.clone(), size: saved.size, hash: saved.hash.clone() };
     if identity.hash.is_empty() {
@@ -206,7 +208,7 @@ fn saved_recipe(recipe: &FilmRecipe) -> format::Recipe {
     }
 }
 
-/// The recipe; `None` where its camera is not possible.
+/// The recipe; `None` if its camera settings are invalid.
 fn restored_recipe(saved: &format::Recipe) -> Option<FilmRecipe> {
     let [Number(seconds), Number(rate), Number(exposure), Number(noise)] = saved.camera?;
     let settings = CameraSettings { seconds, rate, exposure, noise, seed: saved.seed };

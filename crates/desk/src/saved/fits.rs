@@ -1,5 +1,5 @@
-//! Fits as items, and back: what each was asked for and the numbers that it found. From those it is made again in a few
-//! trials, so that nothing of its outcome has to be kept.
+//! Conversion between fits and stored items: the definition and the values found. A fit is reconstructed from them in a
+//! few trials, so its outcome is not stored.
 
 use super::Item;
 use super::format::{self, Content};
@@ -10,12 +10,12 @@ use crate::fits::fit::{Definition, Found, Part, Waiting, texts};
 use analysis::fit::{Loss, Rival, Target, Varied};
 use play::name_of;
 
-/// The longest texts together: the records need their room too.
+/// Maximum length of all stored fits together, in bytes. The records need room too.
 const LONGEST: usize = 1 << 20;
 
 impl Desk {
-    /// The fits for the next visit, each with a name that is the same at every visit and in every page. Those whose records
-    /// will not be there are left out, and those for which there is no room.
+    /// The fits to store, each with a name that is the same at every visit and on every page. Fits of records that are
+    /// not stored are left out, and those that exceed the maximum length.
     pub fn saved_fits(&self) -> Vec<(String, Item)> {
         let mut saved = SavedFits { records: self.record_names(), fits: Vec::new(), length: 0 };
         for fit in &self.fits.finished {
@@ -32,21 +32,21 @@ impl Desk {
         saved.fits
     }
 
-    /// Brings back a fit, to be made again by [`Desk::advance_fit`]: the name under which it is stored from now on. None where
-    /// the item is no fit, and where one of its records is not there.
+    /// Restores a fit, to be reconstructed by [`Desk::advance_fit`], and returns its name in the storage. `None` if the
+    /// item is not a fit, or one of its records is missing.
     pub fn restore_fit(&mut self, item: &Item) -> Option<String> {
         let Content::Fit(saved) = &item.0 else { return None };
         let records = self.record_names();
         let waiting = self.waiting(saved, &records)?;
         let name = name(&waiting.texts, &task(&waiting.definition, &records)?);
-        // Those that were fitted together last probably will be again.
+        // The records of the last fit are likely to be fitted together again.
         self.fits.setup.others = waiting.definition.parts.iter().map(|part| part.record).collect();
         self.fits.setup.chosen = waiting.definition.parts.last().map(|part| part.record);
         self.fits.waiting.push_back(waiting);
         Some(name)
     }
 
-    /// Whether fits are waiting to be made again.
+    /// True if fits are waiting to be reconstructed.
     pub fn has_fits_waiting(&self) -> bool {
         !self.fits.waiting.is_empty()
     }
@@ -70,7 +70,8 @@ impl Desk {
         Some(Waiting { definition, texts: saved.documents.clone(), found })
     }
 
-    /// A part of a fit, if its record is there: by its name in the storage, in texts of earlier versions by its place.
+    /// Part of a fit if its record is there. The record is found by its name in the storage; in formats of earlier
+    /// versions by its index.
     fn part(&self, saved: &format::Part, names: &[(u32, String)]) -> Option<Part> {
         let record = match names.iter().find(|(_, name)| *name == saved.record) {
             Some((id, _)) => self.record(*id)?,
@@ -85,17 +86,17 @@ impl Desk {
     }
 }
 
-/// What is being written.
+/// Collector of the fits to store.
 struct SavedFits {
-    /// The records that will be there: their ids and names.
+    /// Ids and storage names of the records that are stored.
     records: Vec<(u32, String)>,
-    /// Names and items.
+    /// Storage names and items.
     fits: Vec<(String, Item)>,
     length: usize,
 }
 
 impl SavedFits {
-    /// Adds a fit, unless there is no room for it or one of its records will not be there.
+    /// Adds a fit, unless it exceeds the maximum length, is stored already, or one of its records is not stored.
     fn add(&mut self, definition: &Definition, documents: Vec<String>, found: &Found) {
         let Some(task) = task(definition, &self.records) else { return };
         let name = name(&documents, &task);
@@ -112,14 +113,15 @@ impl SavedFits {
     }
 }
 
-/// The name of a fit. What it has found is no part of it: made again, its last digits may differ.
+/// Storage name of a fit. It does not depend on the result, whose last digits may differ after a reconstruction.
 fn name(documents: &[String], task: &format::Task) -> String {
-    // Texts and numbers only: there is nothing in it that could not be written.
+    // Texts and numbers can always be serialised.
     let asked = serde_json::to_string(task).unwrap_or_default();
     name_of(&documents.iter().chain([&asked]).map(String::as_str).collect::<Vec<_>>())
 }
 
-/// What was asked for, with the ids and names of the records that will be there; `None` if one of its own will not.
+/// The definition in the storage format. `records`: ids and names of the stored records. `None` if a record of the fit
+/// is not stored.
 fn task(definition: &Definition, records: &[(u32, String)]) -> Option<format::Task> {
     let part = |part: &Part| {
         let (_, record) = records.iter().find(|(id, _)| *id == part.record)?;

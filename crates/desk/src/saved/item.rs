@@ -1,23 +1,23 @@
-//! An item in the storage: one JSON object with the version of the format and the time when it was first stored.
+//! A stored item: one JSON object with the version of the format and the time when it was first stored.
 //!
 //! ```json
 //! {"meniscus":3,"since":1763812800000,"item":{"record":{"name":"film.txt","text":"…"}}}
 //! ```
 //!
-//! The whole item is one text, so that the storage never holds half of it.
+//! An item is stored as a single text, so that the storage never holds an incomplete one.
 
 use super::earlier;
 use super::format::Content;
 use serde::{Deserialize, Serialize};
 
-/// The version of the format. Records had a version 1 of their own, fits 1 and 2, answers none: see [`earlier`].
+/// Version of the format. Records also had a version 1, fits versions 1 and 2, answers none: see [`earlier`].
 const VERSION: u32 = 3;
 
-/// The longest text of an item that is read, in bytes. What is written is shorter: a record of 1 MiB, six bytes for each
-/// character where all of them are escaped.
+/// Maximum length of the text of an item that is read, in bytes. Written items are shorter: a record of 1 MiB with six
+/// bytes per character if all are escaped.
 pub(crate) const LONGEST_ITEM: usize = 8 << 20;
 
-/// Something that is kept for the next visit: a record, a fit or an answer.
+/// An item stored for the next visit: a record, a fit, an answer or the work on a film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item(pub(super) Content);
 
@@ -30,14 +30,14 @@ struct Stored<C> {
 }
 
 impl Item {
-    /// The text that is stored; `since` is when the item was first stored, in milliseconds.
+    /// The text to store. `since`: time when the item was first stored, in milliseconds.
     pub fn write(&self, since: u64) -> String {
-        // Texts and numbers only: there is nothing in it that could not be written.
+        // Texts and numbers can always be serialised.
         serde_json::to_string(&Stored { version: VERSION, since, item: &self.0 }).unwrap_or_default()
     }
 
-    /// When the items of a stored text were first stored, and the items: one, or all that an earlier version has kept in one
-    /// text. None where this version cannot read them.
+    /// Reads a stored text: the time when it was first stored, in milliseconds, and its items. There is one item, or
+    /// several in texts of earlier versions. `None` if this version cannot read the text.
     pub fn read(text: &str) -> Option<(u64, Vec<Self>)> {
         if text.len() > LONGEST_ITEM {
             return None;

@@ -1,5 +1,5 @@
-//! What is kept for the next visit: items in one format, how a desk is turned into them and back, and which of them a page
-//! writes and removes.
+//! Data stored for the next visit: the format of items, conversion between a desk and items, and synchronisation with
+//! the storage of the page.
 
 mod answers;
 mod earlier;
@@ -17,8 +17,9 @@ mod tracks;
 pub use item::Item;
 pub use shelf::{Change, Left, Shelf};
 
-/// Name in the storage of a document that was opened from a file and not changed here: by its file and title. Colons in them are
-/// escaped, so that the keys of its items begin like those of no other document: `Pendulum` is no part of `Pendulum: large angles`.
+/// Key in the storage of an unchanged document opened from a file, made of its file name and title. Colons in both are
+/// escaped, so that the keys of its items, which continue with a colon, never start like those of another document:
+/// `Pendulum` and `Pendulum: large angles`.
 pub fn own_document_key(file: &str, title: &str) -> String {
     let [file, title] = [file, title].map(|text| text.replace('%', "%25").replace(':', "%3A"));
     format!("own:{file}:{title}")

@@ -1,10 +1,11 @@
-//! Numbers in what is saved.
+//! Numbers in stored items.
 
 use serde::de::{Error, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 
-/// A number that reads back as the same bits. JSON has none that are not finite: they are written as texts, `"inf"` or `"NaN"`.
+/// A number that keeps its bits when stored and read. JSON has no infinities and NaN; they are written as texts,
+/// `"inf"` or `"NaN"`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Number(pub f64);
 

@@ -1,4 +1,4 @@
-//! Points of a film in what is saved, and its factor.
+//! Conversion of points and slow-motion factors of films.
 
 use super::format::Place;
 use super::number::Number;
@@ -12,7 +12,7 @@ pub(super) fn point([Number(x), Number(y)]: Place) -> [f64; 2] {
     [x, y]
 }
 
-/// A factor of the time base, if it is possible.
+/// A slow-motion factor within the allowed range; otherwise `None`.
 pub(super) fn factor(Number(factor): Number) -> Option<f64> {
     (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(&factor).then_some(factor)
 }

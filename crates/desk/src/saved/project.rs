@@ -1,22 +1,22 @@
-//! What a project holds of a desk besides its document.
+//! Items of a project file besides its document.
 
 use super::Item;
 use super::films::MOST_WORKS;
 use crate::{Desk, MOST_FITS, MOST_RECORDS};
 use std::collections::HashSet;
 
-/// A desk holds no more records, works on films and fits. So many are tried: a file from a stranger may have thousands.
+/// Maximum number of items that are tried, because a file of unknown origin may have thousands.
 const MOST_TRIED: usize = MOST_RECORDS + MOST_WORKS + MOST_FITS;
 
 impl Desk {
-    /// Records, works on films, fits and answers with their names, as texts; `now` in milliseconds.
+    /// Records, works on films, fits and answers: names and texts to store. `now` in milliseconds.
     pub fn project_items(&self, now: u64) -> Vec<(String, String)> {
         let groups = [self.saved_records(), self.saved_films(), self.saved_fits(), self.saved_answers()];
         groups.into_iter().flatten().zip(now..).map(|((name, item), since)| (name, item.write(since))).collect()
     }
 
-    /// Takes what a project holds, in the order in which it was written: fits come after their records. What is here already stays
-    /// as it is. How many items could not be taken.
+    /// Restores the items of a project in the order in which they were written, because fits need their records.
+    /// Existing items stay unchanged. Returns the number of items that could not be restored.
     pub fn take_project_items(&mut self, items: &[(String, String)]) -> usize {
         let records = self.record_names().into_iter().map(|(_, name)| name);
         let others = [self.saved_fits(), self.saved_films()].into_iter().flatten().map(|(name, _)| name);
@@ -43,7 +43,7 @@ impl Desk {
         refused
     }
 
-    /// Brings back a record, the work on a film, or a fit, with its name.
+    /// Restores a record, the work on a film, or a fit, and returns its name in the storage.
     fn restore_measured(&mut self, item: &Item) -> Option<String> {
         self.restore_record(item).or_else(|| self.restore_film(item)).or_else(|| self.restore_fit(item))
     }

@@ -1,4 +1,4 @@
-//! Records as items, and back.
+//! Conversion between records and stored items.
 
 use super::Item;
 use super::format::{self, Content};
@@ -11,7 +11,7 @@ use play::name_of;
 use units::Unit;
 
 impl Desk {
-    /// The records for the next visit, each with a name that is the same at every visit and in every page. Those that are too
+    /// The records to store, each with a name that is the same at every visit and on every page. Records that are too
     /// long are left out.
     pub fn saved_records(&self) -> Vec<(String, Item)> {
         let document = self.document_name();
@@ -19,13 +19,13 @@ impl Desk {
         self.record_names().into_iter().filter_map(|(id, name)| Some((name, item(self.record(id)?)))).collect()
     }
 
-    /// What a fit has found of a record holds beside this document alone.
+    /// Hash of the document's text. Results of a fit for a record are valid only with this document.
     fn document_name(&self) -> String {
         name_of(&[&self.document.source])
     }
 
-    /// The names of the records that will be there at the next visit, by their ids: by their content, and by their order where
-    /// two are the same.
+    /// Ids and storage names of the records that are stored. Names are hashes of the content, with a number added for
+    /// equal records.
     pub(crate) fn record_names(&self) -> Vec<(u32, String)> {
         let mut names: Vec<(u32, String)> = Vec::new();
         for record in self.data.records.iter().filter(|record| self.is_lasting(record.id)) {
@@ -44,7 +44,7 @@ impl Desk {
         names
     }
 
-    /// Whether a record will be there at the next visit: it, and those before it, leave it room.
+    /// True if a record is stored for the next visit, given the length of the records before it.
     pub(crate) fn is_lasting(&self, id: u32) -> bool {
         let mut sum = 0;
         for record in &self.data.records {
@@ -57,8 +57,8 @@ impl Desk {
         false
     }
 
-    /// Brings back a record: the name under which it is stored from now on. None where the item is no record, where it cannot
-    /// be read, and where there is no room to keep it.
+    /// Restores a record and returns its name in the storage. `None` if the item is not a record, cannot be read, or is
+    /// too long to be stored.
     pub fn restore_record(&mut self, item: &Item) -> Option<String> {
         let Content::Record(saved) = &item.0 else { return None };
         let truth = saved.truth.as_deref().map(read_values);
@@ -93,7 +93,7 @@ impl Desk {
     }
 }
 
-/// A record beside the document of this name.
+/// The stored form of a record. `document`: hash of the document's text.
 fn saved(record: &Record, document: &str) -> format::Record {
     let offsets = record.uses.iter().enumerate().filter(|(_, used)| used.offset != 0.0);
     let offsets: Vec<(usize, Number)> = offsets.map(|(column, used)| (column, Number(used.offset))).collect();
@@ -117,7 +117,7 @@ fn saved(record: &Record, document: &str) -> format::Record {
     }
 }
 
-/// A name on one line.
+/// Name with line breaks replaced by spaces.
 pub(super) fn line(name: &str) -> String {
     name.replace(['\n', '\r'], " ")
 }
@@ -130,7 +130,7 @@ fn read_values(saved: &[(String, Number)]) -> Vec<(String, f64)> {
     saved.iter().map(|(name, Number(value))| (name.clone(), *value)).collect()
 }
 
-/// What columns are taken for.
+/// Stored form of the uses of columns.
 pub(super) fn write_uses<'a>(uses: impl Iterator<Item = (usize, &'a Use)>) -> Vec<format::Column> {
     let column = |(column, used): (usize, &Use)| format::Column {
         column,
@@ -142,7 +142,7 @@ pub(super) fn write_uses<'a>(uses: impl Iterator<Item = (usize, &'a Use)>) -> Ve
     uses.map(column).collect()
 }
 
-/// Takes columns for what was saved of them. A unit that is not known is left out. Whether all columns exist.
+/// Applies stored uses to columns. Columns with an unknown unit are skipped. Returns true if all columns exist.
 pub(super) fn take_uses(uses: &mut [Use], saved: &[format::Column]) -> bool {
     let mut all = true;
     for format::Column { column, quantity, unit, stated, fitted } in saved {

@@ -1,50 +1,51 @@
-//! What lasts from visit to visit, item by item, so that two pages of the same site do not overwrite each other's.
+//! Synchronisation with the storage, item by item, so that two pages of the same site do not overwrite each other's
+//! data.
 //!
-//! The storage is shared, the shelf is each page's own: it remembers what this page has read or written. A page removes only
-//! what it had and has no more; what another page has added it leaves alone, and what another page has removed it does not
-//! bring back.
+//! The storage is shared; each page has its own shelf, which records the items that this page has read or written. A
+//! page removes only items that it had and has no longer. It keeps items that another page has added, and does not
+//! restore items that another page has removed.
 
 use super::Item;
 use std::collections::BTreeMap;
 
-/// What one page knows of the items of one kind in the storage.
+/// Items of one kind in the storage as this page has read or written them.
 #[derive(Clone, Debug, Default)]
 pub struct Shelf {
     known: BTreeMap<String, Known>,
-    /// When items were first stored that from now on have other keys than in an earlier version.
+    /// Times of first storage of items whose key has changed since an earlier version, by the new key.
     moved: BTreeMap<String, u64>,
 }
 
-/// An item as this page has read or written it last.
+/// An item as this page has last read or written it.
 #[derive(Clone, Debug)]
 struct Known {
-    /// When it was first stored, in milliseconds: the order of the items.
+    /// Time when it was first stored, in milliseconds. Items are ordered by it.
     since: u64,
-    /// The whole text.
+    /// Stored text.
     text: String,
 }
 
-/// What is to be done in the storage.
+/// A change to be made in the storage.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// Store this text under this key.
+    /// Store the text (second) under the key (first).
     Write(String, String),
-    /// Remove what is stored under this key.
+    /// Remove the text under this key.
     Remove(String),
 }
 
-/// Keys of what stays in the storage unused.
+/// Keys of texts that stay in the storage unused.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Left {
-    /// Items for which there was no use.
+    /// Items that the page did not take.
     pub refused: Vec<String>,
-    /// Texts that are no items, or those of a later version.
+    /// Texts that are not items, or items of a later version.
     pub unreadable: Vec<String>,
 }
 
 impl Shelf {
-    /// Reads keys and stored texts, and passes on the items in the order in which they were first stored. `take` gives the key
-    /// under which this page keeps the item from now on, if it does.
+    /// Reads keys and stored texts, and passes the items to `take` in the order in which they were first stored. `take`
+    /// returns the new key of the item, or `None` if it does not use the item.
     pub fn read(
         &mut self,
         stored: impl IntoIterator<Item = (String, String)>,
@@ -74,8 +75,8 @@ impl Shelf {
         left
     }
 
-    /// What has to be done so that the storage holds these items of this page, with their keys; `now` in milliseconds.
-    /// `is_stored` says whether there is something under a key.
+    /// Changes that bring the storage to these items of this page, given with their keys. `now` in milliseconds.
+    /// `is_stored`: true if the storage has a text under a key.
     pub fn keep(&mut self, items: Vec<(String, Item)>, now: u64, is_stored: impl Fn(&str) -> bool) -> Vec<Change> {
         let mut changes = Vec::new();
         let mut known = BTreeMap::new();
@@ -85,9 +86,9 @@ impl Shelf {
             let since = before.as_ref().map(|before| before.since).or(moved).unwrap_or(now + place as u64);
             let text = item.write(since);
             let write = match &before {
-                // What an earlier version has stored is another text.
+                // The text also differs if an earlier version has stored it.
                 Some(before) => before.text != text && is_stored(&key),
-                // Another page may have stored the same item; it stays where it is.
+                // Another page may have stored the same item; it is not overwritten.
                 None => !is_stored(&key),
             };
             if write {
@@ -99,7 +100,7 @@ impl Shelf {
         changes
     }
 
-    /// What could not be written is new the next time.
+    /// Marks a key whose text could not be written, so that the next call of [`Shelf::keep`] tries again.
     pub fn has_failed(&mut self, key: &str) {
         self.known.remove(key);
     }
@@ -195,7 +196,7 @@ mod tests {
     fn what_an_earlier_version_has_stored_is_written_in_this_format() {
         let mut storage = Storage::from([("a".to_owned(), "5\n3 s\ncorrect\n".to_owned())]);
         let (mut shelf, _) = load(&storage);
-        // Under another name too: nothing is there twice.
+        // Nothing is stored twice, not even an item with a new key.
         storage.insert("old".into(), "6\n4 s\n\nrevealed".into());
         shelf.read([("old".to_owned(), storage["old"].clone())], |_, _| Some("new".to_owned()));
         save(&mut storage, &mut shelf, items(&["a", "new"]), 9);

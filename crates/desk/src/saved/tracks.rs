@@ -1,4 +1,4 @@
-//! What was found in a film as numbers, and back.
+//! Conversion between tracks of a film and stored numbers.
 
 use super::format::{FoundInFilm, TrackInFilm};
 use super::number::Number;
@@ -32,7 +32,7 @@ fn saved_track(track: &Track) -> TrackInFilm {
     }
 }
 
-/// None where frames or times are out of order, or a number is not finite.
+/// The tracks; `None` if frames are out of order, or a number is not finite.
 pub(super) fn restored(saved: &FoundInFilm) -> Option<Found> {
     let frames: Vec<(usize, f64)> = saved.frames.iter().map(|&(frame, Number(time))| (frame, time)).collect();
     let in_order = frames.is_sorted_by(|one, other| one.0 < other.0) && frames.iter().all(|one| one.1.is_finite());

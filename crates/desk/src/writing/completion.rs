@@ -1,29 +1,29 @@
-//! What can stand where somebody writes.
+//! Completion and explanation at the cursor of the editor.
 
 use super::mark::{from_utf16, in_utf16};
 use crate::Desk;
 use document::assist::{Explanation, Suggestion, complete, explain, typeset_at};
 use program::Program;
 
-/// What can stand at a place of a text.
+/// Completions at a position of a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Proposals {
-    /// Where the word begins that they replace, in units of UTF-16.
+    /// Start of the word that they replace, in UTF-16 code units.
     pub from: usize,
-    /// In the order in which they are shown.
+    /// Suggestions in the order in which they are shown.
     pub suggestions: Vec<Suggestion>,
 }
 
-/// What stands where the cursor is.
+/// Explanation of the text at the cursor.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Insight {
-    /// The word, and what it is.
+    /// The word under the cursor and its explanation.
     pub word: Option<(String, Explanation)>,
-    /// The statement of the model, as `<math>` elements; empty elsewhere.
+    /// The statement of the model, as `<math>` elements; empty outside of one.
     pub typeset: String,
 }
 
-/// What stands at `place`, in units of UTF-16, of a text. `program` is the one that runs.
+/// Explanation of the text at `place`, in UTF-16 code units. `program`: the running program.
 pub fn insight(text: &str, program: Option<&Program>, place: usize) -> Insight {
     let (outline, offset) = (document::read(text), from_utf16(text, place));
     let found = explain(&outline, program, offset);
@@ -32,8 +32,7 @@ pub fn insight(text: &str, program: Option<&Program>, place: usize) -> Insight {
 }
 
 impl Desk {
-    /// What can stand at `place`, in units of UTF-16, of a text as it stands in the editor. Units are those of the model that
-    /// runs.
+    /// Completions at `place`, in UTF-16 code units, of the text in the editor. Units are those of the running model.
     pub fn propose(&self, text: &str, place: usize) -> Proposals {
         let found = complete(&document::read(text), Some(self.play.program()), from_utf16(text, place));
         let from = in_utf16(text, std::iter::once(found.span.start)).into_values().next().unwrap_or_default();

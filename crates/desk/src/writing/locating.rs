@@ -1,11 +1,11 @@
-//! Where the elements of the drawing stand in the picture that is shown.
+//! Positions of the elements of the drawing in the shown picture.
 
 use super::sketching::{DrawingPlaces, Sketching};
 use crate::Desk;
 
 impl Desk {
-    /// Where the drawing and its elements stand at the time shown. `None` while the text in the editor is not the one that runs, or has
-    /// no drawing.
+    /// Positions of the drawing and its elements at the shown time. `None` if the text in the editor is not the running
+    /// one, or has no drawing.
     pub fn drawing_places(&mut self) -> Option<DrawingPlaces> {
         if self.writing.has_begun() && !self.writing.runs() {
             return None;

@@ -1,21 +1,21 @@
-//! Places of findings as editors in browsers count them: in units of UTF-16.
+//! Positions of findings in UTF-16 code units, as counted by editors in browsers.
 
 use model::{Diagnostic, Edit, Severity};
 use std::collections::BTreeMap;
 use units::Words;
 
-/// A piece of text in the place of another one.
+/// Replacement of a piece of text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TextChange {
-    /// Where it begins, in units of UTF-16.
+    /// Start, in UTF-16 code units.
     pub from: usize,
-    /// Where it ends.
+    /// End, in UTF-16 code units.
     pub to: usize,
-    /// What stands there afterwards.
+    /// Text that replaces the piece.
     pub text: String,
 }
 
-/// Edits of a text in the units of an editor.
+/// Converts edits of a text to UTF-16 code units.
 pub fn text_changes(text: &str, edits: &[Edit]) -> Vec<TextChange> {
     let places = in_utf16(text, edits.iter().flat_map(|edit| [edit.span.start, edit.span.end]));
     let place = |bytes: usize| places.get(&bytes).copied().unwrap_or_default();
@@ -26,22 +26,22 @@ pub fn text_changes(text: &str, edits: &[Edit]) -> Vec<TextChange> {
     edits.iter().map(change).collect()
 }
 
-/// The primary place of a finding.
+/// Position and text of a finding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mark {
-    /// Where it begins, in units of UTF-16.
+    /// Start, in UTF-16 code units.
     pub from: usize,
-    /// Where it ends.
+    /// End, in UTF-16 code units.
     pub to: usize,
-    /// How grave it is.
+    /// Severity of the finding.
     pub severity: Severity,
-    /// What is wrong.
+    /// Description of the fault.
     pub message: Words,
-    /// What to do.
+    /// Possible remedies.
     pub remedies: Vec<Words>,
 }
 
-/// The marks of a text.
+/// Marks of the findings in a text.
 pub(super) fn marks<'a>(text: &str, findings: impl Iterator<Item = &'a Diagnostic> + Clone) -> Vec<Mark> {
     let spans = findings.clone().map(Diagnostic::span);
     let places = in_utf16(text, spans.flat_map(|span| [span.start, span.end]));
@@ -55,7 +55,8 @@ pub(super) fn marks<'a>(text: &str, findings: impl Iterator<Item = &'a Diagnosti
     findings.map(mark).collect()
 }
 
-/// Places in bytes as places in UTF-16, in one pass over the text. A place inside a character is that of its beginning.
+/// Converts byte offsets to UTF-16 code units in one pass over the text. An offset inside a character counts as its
+/// start.
 pub(super) fn in_utf16(text: &str, places: impl Iterator<Item = usize>) -> BTreeMap<usize, usize> {
     let mut found: BTreeMap<usize, usize> = places.map(|place| (place, 0)).collect();
     let (mut bytes, mut units) = (0, 0);
@@ -72,7 +73,7 @@ pub(super) fn in_utf16(text: &str, places: impl Iterator<Item = usize>) -> BTree
     found
 }
 
-/// A place in UTF-16 as one in bytes; inside a character, that of its beginning.
+/// Converts a position in UTF-16 code units to a byte offset. A position inside a character counts as its start.
 pub(super) fn from_utf16(text: &str, place: usize) -> usize {
     let mut units = 0;
     for (bytes, letter) in text.char_indices() {

@@ -1,4 +1,4 @@
-//! A document while it is written: its texts as they stand in the editor, what is wrong with them, and whether they are what runs.
+//! Editing of a document: the texts in the editor, their findings, and whether they are the running ones.
 
 mod completion;
 mod locating;

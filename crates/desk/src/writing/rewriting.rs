@@ -1,4 +1,4 @@
-//! What a change of the text does: it is checked, and its program takes the place of the one that runs.
+//! Effect of an edit: the text is checked, and its program replaces the running one.
 
 use super::state::Writing;
 use crate::Desk;
@@ -11,25 +11,25 @@ impl Desk {
         &self.writing
     }
 
-    /// Begins to write with the texts that run, the base document first.
+    /// Starts editing with the running texts, the base document first.
     pub fn begin_writing(&mut self, texts: Vec<String>) {
         self.writing = Writing::of_running(texts);
     }
 
-    /// Goes on with what was being written when these texts began to run.
+    /// Continues an earlier edit of the texts that now run.
     pub fn continue_writing(&mut self, writing: Writing) {
         self.writing = writing;
     }
 
-    /// Takes another text for one of the files. If that gives a program, it takes the place of the present one as
-    /// [`play::Play::replace_program`] says: time, parameters, plots and what is measured stay. A text with more errors than the one
-    /// that runs only brings its findings; the present program runs on. Whether the program was replaced.
+    /// Replaces the text of one file. If the texts give a program, it replaces the running one as described in
+    /// [`play::Play::replace_program`]: time, parameters, plots and measured data stay. If they have more errors than
+    /// the running texts, only the findings change. Returns true if the program was replaced.
     pub fn write(&mut self, file: usize, text: String) -> bool {
         let document = self.writing.change(file, text);
         self.take_document(document)
     }
 
-    /// The same for all texts at once: those of an earlier visit, for example.
+    /// Replaces all texts at once, as [`Desk::write`] does for one, for example with those of an earlier visit.
     pub fn write_all(&mut self, texts: Vec<String>) -> bool {
         let document = self.writing.change_all(texts);
         self.take_document(document)
@@ -43,7 +43,7 @@ impl Desk {
         is_there
     }
 
-    /// Puts another document in the place of the present one, while it runs.
+    /// Replaces the open document while the simulation runs.
     fn replace_document(&mut self, document: Document) {
         let document = self.with_present_sizes(document);
         let before = &self.document.program;
@@ -57,7 +57,7 @@ impl Desk {
             .map(|(index, parameter)| was_varied(&parameter.name).unwrap_or_else(|| program.vary.contains(&index)));
         self.fits.setup.varied = varied.collect();
         self.play.replace_program(program.clone());
-        // What was added stands behind the plots of the document, whose number may be another.
+        // The added plots follow those of the document, whose number may have changed.
         let own = program.plots.len();
         (self.residual_plot, self.cycle_plot) = (PlotId::at(own), PlotId::at(own + 1));
         self.document = document;
@@ -67,7 +67,7 @@ impl Desk {
         self.revision.fits += 1;
     }
 
-    /// The document with the sizes of families that a person has set, where it still has them.
+    /// The document with the sizes of families that the user has set, if it still has these families.
     fn with_present_sizes(&self, document: Document) -> Document {
         let present = self.document.program.model.sizes.iter().filter(|size| size.value != size.stated);
         let kept = present.filter(|size| document.program.model.sizes.iter().any(|other| other.name == size.name));

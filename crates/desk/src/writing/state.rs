@@ -1,41 +1,42 @@
-//! What is known of the texts in the editor.
+//! State of the texts in the editor.
 
 use super::mark::{Mark, TextChange, in_utf16, marks, text_changes};
 use document::{Document, Opened};
 use model::{Diagnostic, Fix, Severity};
 
-/// The texts of a document as they stand in the editor, the base document first, and what was found in them.
+/// The texts of a document in the editor, the base document first, and their findings.
 #[derive(Clone, Debug, Default)]
 pub struct Writing {
     texts: Vec<String>,
     findings: Vec<(usize, Diagnostic)>,
-    /// How many errors the texts have that run. Texts with more do not take their place.
+    /// Number of errors in the running texts. Texts with more errors do not replace them.
     tolerated: usize,
     runs: bool,
 }
 
 impl Writing {
-    /// Of texts that run.
+    /// State of texts that run.
     pub(super) fn of_running(texts: Vec<String>) -> Self {
         let opened = open(&texts);
         Self { tolerated: errors(&opened.diagnostics), findings: opened.diagnostics, texts, runs: true }
     }
 
-    /// Of texts in which these errors leave nothing to run. The first of their versions that gives a document runs, whatever else is
-    /// wrong with it.
+    /// State of texts that cannot run because of these errors. The first edit that gives a document runs, regardless of
+    /// its other errors.
     pub fn of_faulty(texts: Vec<String>, findings: Vec<(usize, Diagnostic)>) -> Self {
         Self { tolerated: usize::MAX, findings, texts, runs: false }
     }
 
-    /// Takes another text for one of the files and checks all of them. The document that they give, unless they have more errors
-    /// than the texts that run. The same text again gives none.
+    /// Replaces the text of one file and checks all texts. Returns the new document, `None` if the texts have more
+    /// errors than the running ones or the text has not changed.
     pub fn change(&mut self, file: usize, text: String) -> Option<Document> {
         let before = self.texts.get_mut(file).filter(|before| **before != text)?;
         *before = text;
         self.check()
     }
 
-    /// The same for all texts at once, and for one more of them than before.
+    /// Replaces all texts, possibly with another number of them, and checks them. Returns the document as
+    /// [`Writing::change`].
     pub fn change_all(&mut self, texts: Vec<String>) -> Option<Document> {
         self.texts = texts;
         self.check()
@@ -58,38 +59,38 @@ impl Writing {
         &self.texts
     }
 
-    /// What was found in them, each with the number of its text.
+    /// Findings, each with the index of its text.
     pub fn findings(&self) -> &[(usize, Diagnostic)] {
         &self.findings
     }
 
-    /// How many of the findings are errors.
+    /// Number of findings that are errors.
     pub fn errors(&self) -> usize {
         errors(&self.findings)
     }
 
-    /// Whether these texts are what runs. Otherwise it is the last version that had no more errors than the one before it.
+    /// True if these texts are the running ones. Otherwise the last version without additional errors runs.
     pub fn runs(&self) -> bool {
         self.runs
     }
 
-    /// Whether writing has begun.
+    /// True if editing has started.
     pub fn has_begun(&self) -> bool {
         !self.texts.is_empty()
     }
 
-    /// A place in one text, in bytes, as browsers count it: in units of UTF-16.
+    /// Converts a byte offset in one text to UTF-16 code units.
     pub fn in_utf16(&self, file: usize, place: usize) -> usize {
         let text = self.texts.get(file).map_or("", String::as_str);
         in_utf16(text, [place].into_iter()).into_values().next().unwrap_or_default()
     }
 
-    /// The changes of one text that a remedy makes.
+    /// Text changes made by a remedy in one text.
     pub fn changes(&self, file: usize, fix: &Fix) -> Vec<TextChange> {
         text_changes(self.texts.get(file).map_or("", String::as_str), &fix.edits)
     }
 
-    /// The places of the findings in one text.
+    /// Marks of the findings in one text.
     pub fn marks(&self, file: usize) -> Vec<Mark> {
         let text = self.texts.get(file).map_or("", String::as_str);
         marks(text, self.findings.iter().filter(|(number, _)| *number == file).map(|(_, found)| found))

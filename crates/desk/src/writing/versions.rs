@@ -1,13 +1,13 @@
-//! Versions of a text: which of them are kept, and how they differ.
+//! Versions of a text: thinning of the history, and comparison.
 
 use std::collections::BTreeMap;
 
-/// Ages are compared with this one added, in milliseconds: the versions of the last minutes are as dear as each other.
+/// Added to the age of a version, in milliseconds, so that versions of the last minutes have nearly the same weight.
 const RECENT: u64 = 300_000;
 
-/// Which of the versions made at these times (milliseconds, in ascending order) are given up so that no more than `most` remain, by
-/// their places. The older the versions, the wider the gaps between those that stay: each time the one goes whose neighbours are
-/// closest together in proportion to its age. The first and the last stay.
+/// Indices of the versions to delete so that at most `most` remain, but at least 2. `times`: ascending, in
+/// milliseconds, like `now`. Each step deletes the version with the smallest distance between its neighbours relative
+/// to its age, so that gaps grow with age. The first and the last version are kept.
 pub fn superfluous_versions(times: &[u64], now: u64, most: usize) -> Vec<usize> {
     let mut kept: Vec<usize> = (0..times.len()).collect();
     let mut given_up = Vec::new();
@@ -25,16 +25,16 @@ pub fn superfluous_versions(times: &[u64], now: u64, most: usize) -> Vec<usize> 
     given_up
 }
 
-/// How many lines differ between two versions.
+/// Number of lines that differ between two versions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LineChanges {
-    /// Lines that only the later version has.
+    /// Number of lines that only the later version has.
     pub added: usize,
-    /// Lines that only the earlier one has.
+    /// Number of lines that only the earlier version has.
     pub removed: usize,
 }
 
-/// Compares all texts of two versions by their lines. Lines that have only moved are no change.
+/// Counts the lines that differ between all texts of two versions. Moved lines do not count.
 pub fn line_changes<'a>(
     before: impl IntoIterator<Item = &'a str>,
     after: impl IntoIterator<Item = &'a str>,
@@ -73,7 +73,7 @@ mod tests {
     #[test]
     fn versions_are_thinned_with_age() {
         const MINUTE: u64 = 60_000;
-        // One each minute for a day, given up as they come.
+        // One version per minute for a day, thinned after each.
         let mut times: Vec<u64> = Vec::new();
         for minute in 0..1440 {
             let now = minute * MINUTE;

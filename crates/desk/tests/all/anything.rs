@@ -1,4 +1,4 @@
-//! Nothing that can be done, in any order, breaks the desk.
+//! No sequence of actions breaks the desk.
 
 use crate::support::followed;
 use desk::{Desk, number};
@@ -6,7 +6,7 @@ use figure::{Direction, Point, Settings};
 use play::PlotId;
 use proptest::prelude::*;
 
-/// Something a person can do.
+/// An action of the user.
 #[derive(Clone, Debug)]
 enum Action {
     Tick(f64),

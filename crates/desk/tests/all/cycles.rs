@@ -1,4 +1,4 @@
-//! Records cycle by cycle, as the page shows them: in the record's units, beside the run, in both languages.
+//! Cycles of records as shown on the page: in the record's units, beside the run, in both languages.
 
 use crate::support::followed;
 use crate::support::{set, utube};
@@ -8,12 +8,12 @@ use figure::{Point, Settings};
 const OMEGA: f64 = 9.6;
 const DAMPING: f64 = 0.39;
 
-/// A film of 5 s in centimetres; with dry friction the swings end sooner and sooner than exponentially.
+/// A film of 5 s in centimetres. With dry friction the oscillation ends earlier than an exponential decay.
 fn film(friction: f64) -> String {
     let mut text = "t [s]\ty [cm]\n".to_owned();
     for frame in 0..150 {
         let t = f64::from(frame) / 30.0;
-        // A camera's noise, near enough: no function of the frame that a sinusoid follows.
+        // Deterministic noise that no sinusoid follows.
         let noise = 0.01 * libm::sin(1.7 * f64::from(frame * frame));
         let envelope = (6.0 * libm::exp(-DAMPING * t) - friction * t).max(0.0);
         text += &format!("{t:.6}\t{:.6}\n", 1.0 + envelope * libm::cos(OMEGA * t + 0.7) + noise);
@@ -79,14 +79,14 @@ fn another_column_is_looked_at_and_a_flat_one_says_why_not() {
     let view = desk.cycles().unwrap();
     assert!(view.rows.is_empty() && view.sentences[0].contains("does not oscillate"), "{view:?}");
     assert!(!desk.play().plots()[desk.cycle_plot().place()].offered);
-    // Without the record there is nothing to look at, and another one takes its place.
+    // Without the record there are no cycles; then another record replaces it.
     desk.remove_record(id);
     assert_eq!(desk.cycles(), None);
     desk.add_record("again.txt", film.as_bytes()).unwrap();
     assert!(!desk.cycles().unwrap().rows.is_empty());
 }
 
-/// What is read at the place of a value of the plot of the cycles.
+/// Readout of the plot of the cycles at the abscissa `x`.
 fn read(desk: &mut Desk, x: f64) -> Vec<String> {
     let index = desk.cycle_plot();
     let figure = followed(desk).layout_plot(index, &Settings::default()).unwrap();
@@ -99,7 +99,7 @@ fn read(desk: &mut Desk, x: f64) -> Vec<String> {
 #[test]
 fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
     let mut desk = utube();
-    // Five times as slow: as slow as the column of the document.
+    // Five times slower, like the column of the document.
     let slow: Vec<String> = film(0.0)
         .lines()
         .map(|line| match line.split_once('\t') {
@@ -120,7 +120,7 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
     let measured = read(&mut desk, 10.0);
     assert!(measured.iter().any(|text| text.starts_with("ω = (1.9") && text.contains(" ± ")), "{measured:?}");
     assert!(!measured.iter().any(|text| text.starts_with("simulation")), "{measured:?}");
-    // A run of another frequency beside it, once it stands still.
+    // The cycles of a run with another frequency appear once it is paused.
     set(&mut desk, "b", 0.0);
     desk.play_mut().play();
     (0..500).for_each(|_| assert!(desk.play_mut().tick(0.05)));
@@ -141,7 +141,7 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
         };
         assert_ne!(at(&mut desk), at(&mut desk));
     }
-    // Against the amplitude nothing is in the order of time.
+    // Against the amplitude the points are not ordered in time.
     desk.show_cycles(frequency, true);
     assert_eq!(desk.play().plots()[index.place()].title, "Angular frequency against amplitude");
     assert!(followed(&mut desk).layout_plot(index, &Settings::default()).is_some());

@@ -1,4 +1,4 @@
-//! What a person makes of a record and reads off it: derivatives of a column, measured points under the pointer.
+//! Derivatives of a column made by the user, and measured points under the pointer.
 
 use crate::support::followed;
 use crate::support::{play, utube};
@@ -41,11 +41,11 @@ fn derivatives_are_columns_that_are_no_witnesses() {
     // (y[i+1] - y[i-1])/(2 dt), at 1 s.
     let exact = (5.0 * libm::sin(2.1) - 5.0 * libm::sin(1.9)) / 100.0;
     assert!((number(&cells[20]) - exact).abs() < 1e-6, "{} is not {exact}", cells[20]);
-    // A fit does not take it for independent information, nor follow it unasked.
+    // A derivative is not independent information, and fits do not use it by default.
     let fitted: Vec<bool> = desk.records()[0].columns.iter().map(|column| column.fitted).collect();
     assert_eq!(fitted, [false, true, false, false]);
 
-    // Made once more by polynomials, which leave no gap beside a missing frame.
+    // The derivatives are made again with polynomials, which leave no gap beside a missing frame.
     desk.make_derivatives(id, 1, Differentiation::Smooth { window: 5, degree: 3 }).unwrap();
     assert_eq!(columns(&desk).len(), 4);
     let cells = desk.record_cells(id, 2, 0..99);
@@ -75,7 +75,7 @@ fn what_was_made_follows_its_source_and_comes_back() {
     crate::support::bring_back_records(&mut later, &saved);
     assert_eq!(columns(&later), columns(&desk));
     assert_eq!(later.record_cells(0, 3, 0..99), desk.record_cells(id, 3, 0..99));
-    // What its source no longer measures, it does not measure either.
+    // If the source measures nothing, its derivative measures nothing.
     desk.set_column_quantity(id, 1, "");
     assert_eq!(made(&desk).1, "");
 }
@@ -90,7 +90,7 @@ fn measured_points_are_read_beside_the_curve() {
         let readout = followed(desk).hover_plot(PlotId::at(0), at);
         readout.map(|readout| readout.samples.into_iter().map(|sample| sample.text).collect::<Vec<_>>())
     };
-    // Before the run has gone anywhere there are only points.
+    // Before the run starts only measured points are read.
     let early = read(&mut desk, 1.0).unwrap();
     assert_eq!(early.len(), 1, "{early:?}");
     assert!(early[0].starts_with("film.txt: t = 1.0") && early[0].contains("y = 0.20"), "{early:?}");
@@ -98,12 +98,12 @@ fn measured_points_are_read_beside_the_curve() {
     let both = read(&mut desk, 0.51).unwrap();
     assert_eq!(both.len(), 3, "y, y' and the point: {both:?}");
     assert!(both[2].starts_with("film.txt: t = 0.5") && both[2].contains("y = 0.33"), "{both:?}");
-    // Between two far points none is meant.
+    // Between two distant points neither is read.
     let figure =
         followed(&mut desk).layout_plot(PlotId::at(0), &Settings { width: 2000.0, ..Settings::default() }).unwrap();
     let at = Point { x: figure.x_scale().unwrap().pixel(1.5) as f32, y: figure.panel.y + 10.0 };
     assert_eq!(followed(&mut desk).hover_plot(PlotId::at(0), at).unwrap().samples.len(), 2);
-    // The keyboard's cursor, which goes on from where the pointer was, reads it as well.
+    // The keyboard cursor continues from the pointer's position and also reads measured points.
     read(&mut desk, 0.55);
     let readout = followed(&mut desk).move_cursor(PlotId::at(0), -1).expect("the cursor is on the run");
     assert!(readout.samples.iter().any(|sample| sample.text.starts_with("film.txt: ")), "{readout:?}");

@@ -8,7 +8,7 @@ use play::PlotId;
 
 const TABLE: &str = "t [s]\ty [m]\n0\t0.4\n0.5\t0.33\n1\t0.2\n1.5\tword\n2\t-0.1\n";
 
-/// Reads a file to its end. The last progress before that.
+/// Reads a file to its end. Returns the id of the record and the last progress before the end.
 fn read(desk: &mut Desk, name: &str, bytes: &[u8], budget: usize) -> Result<(u32, f64), Refusal> {
     desk.begin_record(name, bytes.to_vec())?;
     let mut part = 0.0;
@@ -36,7 +36,7 @@ fn a_record_is_the_same_in_slices_as_at_once() {
         assert_eq!(whole.add_record("film", bytes).unwrap(), id);
         assert_eq!(slices.records(), whole.records());
         assert_eq!(slices.saved_records(), whole.saved_records());
-        // A workbook comes back from its text.
+        // A workbook is restored from its text.
         let mut later = utube();
         crate::support::bring_back_records(&mut later, &slices.saved_records());
         assert_eq!(later.records()[0].columns, slices.records()[0].columns);
@@ -52,12 +52,12 @@ fn a_file_that_is_given_up_leaves_nothing() {
     assert_eq!((desk.record_progress(), desk.records().len()), (None, 0));
     assert_eq!(desk.take_announcement(), Some(Announcement::RecordCancelled("film".to_owned())));
     assert_eq!(desk.advance_record(1), Ok(None));
-    // What is no table leaves nothing either, and the next file is read.
+    // A file that is not a table leaves no trace, and the next file is read.
     let refusal = read(&mut desk, "words", b"no numbers\nat all\n", 4).unwrap_err();
     assert!(matches!(refusal, Refusal::UnreadableRecord { .. }), "{refusal:?}");
     assert_eq!(desk.record_progress(), None);
     read(&mut desk, "film", TABLE.as_bytes(), 1 << 20).unwrap();
-    // Nor what is too large.
+    // Neither does a file that is too large.
     let refusal = desk.begin_record("huge", vec![b'1'; LONGEST_RECORD + 1]).unwrap_err();
     assert_eq!(refusal, Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
 }

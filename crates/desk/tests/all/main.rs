@@ -1,4 +1,4 @@
-//! Tests of the laboratory without a screen; one program, since linking many takes longer than they do.
+//! Tests of the laboratory without a screen, linked as one program because linking many takes longer than the tests.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 

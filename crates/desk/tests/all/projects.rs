@@ -1,4 +1,4 @@
-//! Projects: what a desk holds besides its document goes into one file and comes back in another visit.
+//! Projects: the data of a desk besides its document are written to one file and restored at another visit.
 
 use crate::support::utube;
 use desk::document::page::Source;
@@ -31,7 +31,7 @@ fn records_and_answers_come_back_and_are_not_taken_twice() {
     assert_eq!(third.records().len(), 1);
 }
 
-/// A file from a stranger may hold thousands of items; the desk tries no more of them than it has room for.
+/// A file of unknown origin may contain thousands of items; the desk tries no more than it has room for.
 #[test]
 fn a_project_with_thousands_of_items_is_taken_in_part() {
     let film = |number: usize| {
@@ -44,7 +44,7 @@ fn a_project_with_thousands_of_items_is_taken_in_part() {
     let mut desk = utube();
     let refused = desk.take_project_items(&many);
     assert!((4900..=5000).contains(&refused), "{refused}");
-    // A record that comes twice is taken once, also where it is one of many.
+    // A repeated record is restored once, also among many others.
     let mut owner = utube();
     owner.begin_record("film.csv", RECORD.to_vec()).unwrap();
     while owner.record_progress().is_some() {
@@ -58,7 +58,7 @@ fn a_project_with_thousands_of_items_is_taken_in_part() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
 
-    /// Whatever stands in a file: no panic, and a project that is read is written again.
+    /// No text causes a panic, and a project that was read can be written again.
     #[test]
     fn any_text_is_a_project_or_refused(text in "\\PC{0,200}", at in 0usize..400, byte in any::<u8>()) {
         let _ = Project::read(&text);

@@ -1,4 +1,4 @@
-//! What is read off: readouts, scene, table, plots, questions, pitch.
+//! Displays of the simulation: readouts, scene, table, plots, questions, pitch.
 
 use crate::support::followed;
 use crate::support::{open, play, readout, set, utube};
@@ -145,7 +145,7 @@ fn plots_grow_with_the_run_and_end_at_the_moment_shown() {
     assert!(followed(&mut desk).layout_plot(PlotId::at(9), &Settings::default()).is_none());
 }
 
-/// How many pieces the lines of a figure have.
+/// Number of pieces of the lines of a figure.
 fn pieces(desk: &mut Desk, index: usize) -> usize {
     let figure = followed(desk).layout_plot(PlotId::at(index), &Settings::default()).unwrap();
     figure.items().filter(|item| matches!(item, Item::Polyline(..))).count()

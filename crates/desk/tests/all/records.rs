@@ -1,4 +1,5 @@
-//! Measured data beside the model: columns are recognised, points and residuals lie where they should, nothing is lost.
+//! Measured data beside the model: columns are recognised, points and residuals have the right positions, no record is
+//! lost.
 
 use crate::support::followed;
 use crate::support::utube;
@@ -26,7 +27,7 @@ fn theory(name: &str) -> document::Document {
     document::open(&read(format!("{name}.md")), &[&read(format!("{name}.es.md"))]).document.unwrap()
 }
 
-/// Each record has the same colour wherever it is drawn, and none that of a curve.
+/// Each record has the same colour in every plot, different from that of any curve.
 #[test]
 fn records_in_one_plot_have_colours_of_their_own() {
     let mut desk = utube();
@@ -60,7 +61,7 @@ fn columns_are_taken_for_what_they_measure() {
         assert_eq!(meanings(&desk, 0), owned(&expected), "{text}");
         desk.remove_record(id);
     }
-    // The theories measure a level that is no unknown.
+    // The theories measure a level that is not an unknown.
     let mut other = Desk::open(theory("linear"));
     other.add_record("a", "t\ty\tv\n0\t1\t2\n1\t3\t9\n2\t4\t1\n".as_bytes()).unwrap();
     assert_eq!(meanings(&other, 0), owned(&[("t", "s", false), ("y", "m", true), ("x'", "m/s", false)]));
@@ -110,7 +111,7 @@ fn dots(desk: &mut Desk, plot: usize) -> Vec<(f64, f64)> {
         _ => None,
     });
     let centres: Vec<f32> = centres.flatten().collect();
-    // Those of the legend stand above the panel.
+    // Dots of the legend are above the panel.
     let inside = centres.chunks(2).filter(|at| at[1] >= figure.panel.y);
     inside.map(|at| (x.value(at[0].into()), y.value(at[1].into()))).collect()
 }
@@ -125,9 +126,9 @@ fn points_lie_where_they_were_measured() {
             assert!((one.0 - other.0).abs() < 0.02 && (one.1 - other.1).abs() < 0.01, "{found:?}");
         }
     };
-    // The model begins where the record does, whatever its clock reads then.
+    // The model begins with the record, regardless of the clock's first reading.
     near(dots(&mut desk, 0), &[(0.0, 0.4), (0.1, 0.33), (0.4, 0.12)]);
-    // Nothing of it is measured in the phase portrait.
+    // The record has no points in the phase portrait.
     assert_eq!(dots(&mut desk, 1), []);
     desk.show_record(id, false);
     assert_eq!(dots(&mut desk, 0), []);
@@ -151,7 +152,7 @@ fn a_measurement_without_errors_leaves_nothing_over() {
     let record = desk.records().remove(0);
     assert!(record.synthetic);
     assert_eq!(record.rows, 121);
-    // The velocities are the tracking program's, and that is seen.
+    // The velocities were computed by the tracking program, which is detected.
     assert!(
         record.findings.iter().any(|finding| finding.contains("no independent information")),
         "{:?}",
@@ -163,7 +164,7 @@ fn a_measurement_without_errors_leaves_nothing_over() {
     (0..40).for_each(|_| assert!(desk.play_mut().tick(0.05)));
     desk.play_mut().pause();
     let plot = dots(&mut desk, residuals);
-    // So far as the run has come; the position is exact to the step of the run.
+    // Residuals exist up to the front of the run. The position is exact to the step of the run.
     let (zero, finite): (Vec<_>, Vec<_>) = plot.iter().partition(|(_, left)| left.abs() < 1e-4);
     assert!(zero.len() > 50 && zero.iter().all(|(time, _)| *time <= desk.play().time() + 1e-6), "{plot:?}");
     assert!(finite.iter().all(|(_, left)| left.abs() < 0.01), "{finite:?}");
@@ -192,7 +193,7 @@ fn each_error_of_a_measurement_is_checked() {
 fn the_ghost_shows_the_measured_level() {
     for (mut desk, names) in [(utube(), 2), (Desk::open(theory("linear")), 1), (Desk::open(theory("cosine")), 1)] {
         assert!(followed(&mut desk).outline().is_none_or(|outline| outline.values.is_none()));
-        // A model's state that never was: nothing computed can be taken for it.
+        // A state that the model never has, so that no computed value equals it.
         desk.add_record("a", "t y\n0 0.01\n0.1 0.03\n0.2 0.02\n0.3 0.01\n1.2 0\n1.3 0.01\n".as_bytes()).unwrap();
         let follows = followed(&mut desk).outline().map_or_else(Vec::new, |outline| outline.follows.clone());
         assert!(follows.iter().filter(|follows| **follows == Follows::Measured).count() >= names);
@@ -209,7 +210,7 @@ fn the_ghost_shows_the_measured_level() {
         assert_ne!(ghost(&mut desk).expect("between two rows"), first);
         desk.play_mut().tick(0.5);
         assert_eq!(ghost(&mut desk), None, "in a gap nothing was measured");
-        // Other parameters leave the measurement where it is.
+        // Other parameters do not change the outline.
         desk.play_mut().scrub(0.0);
         assert_eq!(ghost(&mut desk), Some(first));
     }
@@ -232,11 +233,11 @@ fn records_come_back() {
     assert_eq!(after[0].columns, before[0].columns);
     assert_eq!((after[0].shown, after[1].shown, after[1].synthetic), (false, true, true));
     assert_eq!(later.saved_records(), saved, "names and texts are the same at every visit");
-    // The same record twice has two names.
+    // Two equal records have different names.
     later.add_record("línea 1", THREE.as_bytes()).unwrap();
     let names: Vec<String> = later.saved_records().into_iter().map(|(name, _)| name).collect();
     assert!(names.len() == 3 && names[0] != names[2] && names[1] != names[2], "{names:?}");
-    // What is too large for the browser is left out.
+    // A record that is too large for the browser's storage is left out.
     let rows: String = (0..200_000).map(|row| format!("{row} {row}\n")).collect();
     desk.add_record("long", rows.as_bytes()).unwrap();
     assert_eq!(desk.saved_records(), saved);
@@ -260,7 +261,7 @@ fn samples_are_made_and_fitted() {
     let length = detail.estimates.iter().find(|one| one.name == "L").unwrap();
     assert!(length.value.starts_with("0.24") || length.value.starts_with("0.23"), "{length:?}");
     assert!(length.remark.starts_with("truth: 0.24 m; off by "), "{length:?}");
-    // It stands in the sliders, and the whole record is compared with it.
+    // The fit is applied to the sliders, and the run covers the whole record.
     assert!((desk.play().parameter_values()[0] - 0.24).abs() < 0.001);
     assert!((desk.play().end() - 8.0).abs() < 0.05, "{}", desk.play().end());
     assert_eq!(desk.play().time(), 0.0);
@@ -281,13 +282,13 @@ fn theories_are_ranked() {
     assert_eq!(desk.fit_texts(fits[0].id)[0].0, "theories/linear.md");
     assert_eq!(fits[0].difference, "0.0");
     assert!(fits.iter().all(|fit| !fit.applicable), "another document is open");
-    // Opened, it can be shown.
+    // In a desk with its document open, the fit can be applied.
     let mut opened = Desk::open(theory("linear"));
     opened.adopt_records(&mut desk);
     assert!(opened.fits()[0].applicable);
     opened.apply_fit(fits[0].id);
     assert!((opened.play().parameter_values()[0] - 0.18).abs() < 0.003);
-    // A fit is given up when asked.
+    // A fit can be cancelled.
     opened.begin_fit("theories/linear.md").unwrap();
     opened.cancel_fit();
     assert!(!opened.advance_fit());
@@ -322,6 +323,6 @@ fn columns_without_names_measure_what_the_document_draws_first() {
     desk.add_record("run.txt", b"0 1.5 0.2\n0.1 1.4 0.3\n0.2 1.2 0.1\n0.3 1.0 0.4\n").unwrap();
     let records = desk.records();
     let taken: Vec<&str> = records[0].columns.iter().map(|column| column.quantity.as_str()).collect();
-    // The third could be anything.
+    // The third column is ambiguous.
     assert_eq!(taken, ["t", "y", ""]);
 }

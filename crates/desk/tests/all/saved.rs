@@ -1,4 +1,4 @@
-//! The saved-state format: what was stored by earlier versions, what is damaged, and that everything reads back.
+//! The storage format: data of earlier versions, damaged data, and round trips.
 
 use crate::support::{bring_back_texts, utube};
 use desk::{Change, Desk, Differentiation, Item, Left, Shelf};
@@ -27,7 +27,7 @@ struct Visit {
 }
 
 impl Visit {
-    /// Opens the page; what was left in the storage unused.
+    /// Opens the page. Returns the visit, and the keys that remain unused in the storage.
     fn begin(storage: &BTreeMap<String, String>) -> (Self, [Left; 2]) {
         let (mut desk, mut visit) = (linear(), Self::default());
         let named = |kind: &str, name: Option<String>| name.map(|name| format!("{kind}:{name}"));
@@ -88,7 +88,7 @@ fn what_earlier_versions_have_stored_comes_back_and_is_stored_anew() {
     desk.set_same(gamma, false);
     assert!(desk.fit_choices()[gamma].values.iter().any(|known| known.text == "0.41"));
 
-    // Records keep their keys, fits get others; each is there once.
+    // Records keep their keys, fits get new ones, and no item is stored twice.
     visit.save(&mut storage);
     let keys: Vec<&str> = storage.keys().map(String::as_str).collect();
     assert_eq!(&keys[2..], ["record:159d2ddcf951f93c", "record:ad6a005bfab9dd0f"]);
@@ -96,7 +96,7 @@ fn what_earlier_versions_have_stored_comes_back_and_is_stored_anew() {
     assert!(storage.values().all(|text| text.starts_with("{\"meniscus\":3,\"since\":")), "{storage:?}");
     let since = |key: &str| Item::read(&storage[key]).unwrap().0;
     assert_eq!([keys[2], keys[3]].map(since), [1000, 900]);
-    // The fits keep their times under their other keys.
+    // The fits keep their times under the new keys.
     let times = [keys[0], keys[1]].map(since);
     assert_eq!(times.iter().min().zip(times.iter().max()), Some((&2000, &3000)));
     let written = storage.clone();
@@ -156,7 +156,7 @@ fn the_first_versions_had_one_text_for_all() {
 
 #[test]
 fn a_record_that_there_is_no_room_for_stays_in_the_storage() {
-    // Each of two pages has stored one that leaves no room for the other's.
+    // Two pages have each stored a record that leaves no room for the other.
     let rows = |from: usize| (from..from + 50_000).map(|row| format!("{row} {row}.5\n")).collect::<String>();
     let storage: BTreeMap<String, String> = ["one", "two"]
         .iter()
@@ -195,7 +195,7 @@ fn answers_come_back() {
         [0, 1].map(|question| later.play().answer(question)),
         [0, 1].map(|question| desk.play().answer(question))
     );
-    // As earlier versions have stored them.
+    // The format of earlier versions.
     let (since, items) = Item::read("77\n9.81 m/s²\nscale\nrevealed").unwrap();
     assert_eq!(since, 77);
     assert!(later.restore_answer(&saved[0].0, &items[0]));
@@ -208,7 +208,7 @@ fn answers_come_back() {
     );
 }
 
-/// Everything that a record can have.
+/// A record with every possible setting.
 fn record() -> Desk {
     let mut desk = linear();
     let id = desk.add_record("a \"b\".txt", "t y [cm]\n0 1\n0.5 3\n1 2\n1.5 4\n2 1\n2.5 3\n3 2\n".as_bytes()).unwrap();
@@ -242,7 +242,7 @@ proptest! {
         since in any::<u64>(),
         grade in prop::option::of("\\PC{0,8}"),
     ) {
-        // What is finite is a number of JSON, the rest a text.
+        // Finite values are JSON numbers, others are texts.
         let number = |value: &f64| if value.is_finite() { format!("{value:e}") } else { format!("\"{value}\"") };
         let text = serde_json::to_string(&name).unwrap();
         let numbers = values.iter().map(number).collect::<Vec<_>>().join(",");
@@ -260,7 +260,7 @@ proptest! {
             let stored = format!(r#"{{"item":{item},"later":[{{}}],"since":{since},"meniscus":3}}"#);
             let (read_since, items) = Item::read(&stored).expect("an item");
             prop_assert_eq!((read_since, items.len()), (since, 1));
-            // Bits of numbers, not their values: NaN is not equal to itself.
+            // Compares bits instead of values, because NaN differs from itself.
             let written = items[0].write(since);
             let (_, again) = Item::read(&written).expect("an item");
             prop_assert_eq!(again[0].write(since), written.clone());
@@ -356,7 +356,7 @@ fn what_is_nested_or_long_without_end_is_refused() {
     let long =
         format!("{{\"meniscus\":3,\"since\":1,\"item\":{{\"answer\":{{\"typed\":\"{}\"}}}}}}", "1".repeat(9 << 20));
     assert_eq!(Item::read(&long), None);
-    // As many derivatives of a column as there is room for are still one.
+    // Repeated derivatives of one column count once.
     let text = record().saved_records()[0].1.write(0);
     let one = r#"{"column":1,"method":"central"}"#;
     let many = text.replace(one, &vec![one; 1000].join(","));

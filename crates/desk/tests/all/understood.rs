@@ -1,9 +1,9 @@
-//! What the page says of the units and runs of a record.
+//! Display of the units and runs of a record.
 
 use crate::support::utube;
 use desk::{Desk, MOST_RECORDS, Refusal};
 
-/// Quantity, unit, and `assumed` or `asked` of each column of the record of this number.
+/// Quantity, unit, and `assumed` or `asked`, of each column of the record at this index.
 fn units(desk: &Desk, record: usize) -> Vec<String> {
     let word = |assumed, asked| match (assumed, asked) {
         (true, _) => " assumed",
@@ -26,7 +26,7 @@ fn assumed_units_are_marked_and_unknown_ones_asked_for() {
         desk.records().remove(0).columns.into_iter().map(|column| column.unit_origin).collect()
     };
     assert_eq!(origins(&desk), ["assumed: the file states none", "from the header", "unknown unit: `ticks/s`"]);
-    // What is asked for is not drawn before it is answered.
+    // A column without a known unit is not drawn until the user states it.
     let saved = desk.saved_records();
     desk.set_column_unit(id, 2, "cm/s").unwrap();
     desk.set_column_unit(id, 0, "ms").unwrap();
@@ -50,7 +50,7 @@ fn a_time_in_an_unknown_unit_measures_nothing_until_it_is_stated() {
     assert!(!desk.has_points());
     desk.set_column_unit(id, 0, "ms").unwrap();
     assert!(desk.has_points());
-    // Nor do times that are all the same.
+    // Constant times are not usable either.
     let mut desk = utube();
     desk.add_record("a", b"t [s],y [cm]\n5,1\n5,3\n5,4\n").unwrap();
     assert!(!desk.has_points());
@@ -70,7 +70,7 @@ fn runs_become_records_with_their_own_clocks() {
         assert_eq!(units(&desk, record), ["t s", "y cm"]);
     }
     assert_eq!(desk.record_cells(records[1].id, 0, 0..2), ["0", "1"]);
-    // As many as there is room for.
+    // Records are added up to the maximum number.
     for _ in 0..3 {
         desk.add_record("cart.csv", text.as_bytes()).unwrap();
     }

@@ -1,4 +1,4 @@
-//! What was removed or overwritten last can be put back, as it was and where it was.
+//! Undo restores the last removed or overwritten item with its content and its place.
 
 use crate::support::{play, set, utube};
 use desk::{Announcement, Desk};
@@ -10,7 +10,7 @@ fn told(desk: &mut Desk) -> Vec<Announcement> {
     std::iter::from_fn(|| desk.take_announcement()).collect()
 }
 
-/// Everything that a removal may take away.
+/// Text of the state that removals can change.
 fn everything(desk: &mut Desk) -> String {
     let parameters: Vec<f64> = desk.play().parameters().iter().map(|parameter| parameter.value).collect();
     let records: Vec<String> = desk.records().into_iter().map(|record| format!("{record:?}")).collect();
@@ -79,7 +79,7 @@ fn only_the_last_removal_is_undone() {
     desk.play_mut().restore_defaults();
     desk.play_mut().restore_defaults();
     assert_eq!(desk.undo_number(), None);
-    // Another document goes on with the numbering: what a person still sees does not undo something else.
+    // The numbering continues with another document, so that an old undo button undoes nothing else.
     let mut other = utube();
     other.adopt_records(&mut desk);
     set(&mut other, "b", 77.0);

@@ -1,4 +1,4 @@
-//! The independent variable of a record: asked where several readings hold, that of the document, or chosen.
+//! The independent variable of a record: asked if the file is ambiguous, taken from the document, or chosen.
 
 use crate::support::{bring_back_records, open, utube};
 use desk::Desk;
@@ -37,7 +37,7 @@ fn an_open_variable_is_asked_for_and_measures_nothing_before() {
         "{:?}",
         desk.records()[0].findings
     );
-    // Each answer makes it a record, and is there at the next visit.
+    // Each choice makes the file a usable record, and is stored for the next visit.
     for reading in [vec![0], vec![0, 2]] {
         desk.set_record_variable(id, &reading);
         assert_eq!(quantities(&desk)[..2], ["t", "y"]);
@@ -61,7 +61,7 @@ fn the_document_s_variable_is_found_and_given_back() {
         let id = desk.add_record("a", &data).unwrap();
         assert_eq!(quantities(&desk), ["", "f", "A"], "{heads}");
         assert!(desk.has_points());
-        // What a person chooses comes before it.
+        // The user's choice has priority.
         desk.set_record_variable(id, &[0]);
         assert_eq!(choices(&desk).1.map(|chosen| choices(&desk).0[chosen].contains("against")), Some(true));
         desk.set_record_variable(id, &[1]);

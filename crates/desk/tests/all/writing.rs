@@ -1,4 +1,4 @@
-//! A document is written while it runs.
+//! Editing of a document while it runs.
 
 use crate::support::{UTUBE, UTUBE_ES, open, parameter, play, set, state, utube};
 use desk::Desk;
@@ -6,7 +6,7 @@ use desk::document::TEMPLATES;
 use proptest::prelude::*;
 use units::Language;
 
-/// A desk at which writing has begun.
+/// A desk with editing started.
 fn writing() -> Desk {
     let mut desk = utube();
     desk.begin_writing(vec![UTUBE.to_owned(), UTUBE_ES.to_owned()]);
@@ -71,7 +71,7 @@ fn a_faulty_text_leaves_the_last_good_one_running_and_is_marked() {
     assert_eq!(String::from_utf16(&units[mark.from..mark.to]).unwrap(), "gg");
     assert!(!mark.remedies.is_empty());
     assert!(desk.writing().marks(1).is_empty());
-    // Mended, it runs.
+    // After the correction it runs.
     assert!(desk.write(0, UTUBE.to_owned()));
     assert_eq!(state(&desk), before);
 }
@@ -124,7 +124,7 @@ fn a_text_that_came_with_an_error_can_be_written_on() {
     assert!(desk.write(0, faulty.replace("parameter b   = 50 ", "parameter b   = 60 ")));
     assert!(!desk.write(0, faulty.replace("parameter b   = 50 ", "parameter b   = 60 [")));
     assert!(desk.write(0, UTUBE.to_owned()));
-    // From here on that error is one too many.
+    // The number of tolerated errors has decreased, so this error is now one too many.
     assert!(!desk.write(0, faulty));
 }
 
@@ -148,7 +148,7 @@ fn proposals_count_places_as_browsers_do() {
     let place = text.find("om").unwrap() + 2 - "\u{1f600}".len() + 2;
     let found = desk.propose(text, place);
     assert_eq!(found.from, place - 2);
-    // The name of a quantity of the model that runs is none of this text's.
+    // Names of the running model are not suggested if this text does not define them.
     assert_eq!(found.suggestions, []);
     let found = desk.propose(text, place - 2);
     assert_eq!(found.suggestions.iter().take(2).map(|one| one.text.as_str()).collect::<Vec<_>>(), ["k", "z"]);
@@ -168,7 +168,7 @@ fn remedies_are_changes_as_browsers_count_them() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
-    /// Whatever is typed in between, the text as it was is the document as it was, and the run is the same.
+    /// After any edits, restoring the text restores the document and the run.
     #[test]
     fn any_typing_can_be_taken_back(
         typing in prop::collection::vec((0.0..1.0_f64, 0_usize..40, "[ -~\\n]{0,12}|```\n|\\]|'|2[.]5|\u{1f600}"), 1..5),
@@ -205,18 +205,18 @@ fn a_text_with_nothing_to_run_becomes_a_document_with_its_first_version_that_giv
     let texts = vec![faulty.clone(), UTUBE_ES.to_owned()];
     let mut writing = desk::Writing::of_faulty(texts, opened.diagnostics);
     assert!(!writing.runs() && writing.errors() > 0 && !writing.marks(0).is_empty());
-    // The same text again, and one that is no better.
+    // The unchanged text, and a text that is no better.
     assert!(writing.change(0, faulty.clone()).is_none());
     assert!(writing.change(0, faulty + "\n").is_none());
     assert!(writing.change(7, UTUBE.to_owned()).is_none());
-    // An error beside the model is shown and stops nothing.
+    // An error outside the model is reported, and the document still runs.
     let beside = UTUBE.replace("\"Phase portrait\": y'", "\"Phase portrait\": w'");
     assert_ne!(beside, UTUBE);
     let document = writing.change(0, beside).expect("a document");
     assert!(writing.runs() && writing.errors() > 0);
     let mut desk = Desk::open(document);
     desk.continue_writing(writing);
-    // From here on errors may not become more.
+    // From here on the number of errors must not increase.
     assert!(!desk.write(0, UTUBE.replace("rho*S*L*y''", "rho*S*LL*y''")));
     assert!(desk.write(0, UTUBE.to_owned()));
     assert_eq!(desk.writing().errors(), 0);
@@ -235,7 +235,7 @@ fn the_elements_of_the_drawing_are_found_while_the_text_runs() {
     play(&mut desk, [0.01; 30]);
     let y = desk.play().course().state()[0];
     assert!((end(&mut desk) - at(y)).abs() < 1e-9);
-    // A text that does not run has no places; one that runs again has its own.
+    // A text that does not run has no positions; a corrected one has its own.
     assert!(!desk.write(0, text.replace("m*y''", "m*(y''")));
     assert_eq!(desk.drawing_places(), None);
     assert!(desk.write(0, text.replace("y + 4 [cm])\" width", "y + 5 [cm])\" width")));

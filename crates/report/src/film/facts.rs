@@ -1,25 +1,25 @@
-//! What a film file is like.
+//! Properties of a film file.
 
 use units::Language;
 use units::number::plain;
 
-/// A film file, and by what its lengths are known.
+/// Properties of a film file and its calibration.
 #[derive(Clone, Debug, Default)]
 pub struct FilmFile {
-    /// Width and height of the upright picture, if the file was read.
+    /// Width and height of the upright picture in pixels; `None` if the file was not read.
     pub size: Option<[f64; 2]>,
-    /// When the frames are shown, in seconds; empty if the file was not read.
+    /// Times of the frames in seconds; empty if the file was not read.
     pub times: Vec<f64>,
-    /// Frames a second.
+    /// Frames per second.
     pub rate: Option<f64>,
-    /// How large the file is, in bytes.
+    /// Size of the file in bytes.
     pub bytes: u64,
-    /// The length that calibrates it, as it was typed.
+    /// Length that calibrates it, as typed.
     pub calibrated_by: Option<String>,
 }
 
 impl FilmFile {
-    /// Size, length, frames, each with its name.
+    /// Picture size, frames, file size and calibration as pairs of term and value.
     pub fn facts(&self, language: Language) -> Vec<(String, String)> {
         let plain = |value: f64, digits: usize| plain(value, digits, language.style());
         let mut facts = Vec::new();

@@ -1,4 +1,4 @@
-//! The film from which a record comes: what it is like, and pictures of it with what was tracked and fitted.
+//! The film from which a record was made: its properties, and pictures of it with the tracked and the fitted curve.
 
 mod facts;
 mod page;
@@ -10,43 +10,43 @@ pub use page::{TrackReport, film_html};
 pub use picture::Frame;
 pub(crate) use section::films;
 
-/// A film from which a record comes.
+/// The film from which a record was made.
 #[derive(Clone, Debug, Default)]
 pub struct Film {
-    /// The name of its file.
+    /// File name.
     pub name: String,
-    /// What is known of it, each with its name: size, length, rate.
+    /// Properties as pairs of term and value.
     pub facts: Vec<(String, String)>,
-    /// What a person should know of its times, its camera and its scale, in sentences.
+    /// Remarks about its times, its camera and its scale, in sentences.
     pub notes: Vec<String>,
-    /// Pictures of it; a part of them may be missing.
+    /// Pictures of it; may be empty.
     pub pictures: Vec<FilmPicture>,
 }
 
-/// What a picture of a film shows.
+/// Content of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FilmView {
-    /// A frame, by its number from 0.
+    /// A frame, by its index from 0.
     Frame(usize),
-    /// The strip along a tube from every frame, side by side.
+    /// Space-time picture: the strip along a tube from every frame, side by side.
     SpaceTime,
 }
 
-/// A grey picture with lines over it. Lines are in units of a drawing of some size, which the picture fills.
+/// A grey picture with lines over it. The lines are in units of a drawing of `size`, which the picture fills.
 #[derive(Clone, Debug)]
 pub struct FilmPicture {
-    /// What it shows.
+    /// Content of the picture.
     pub view: FilmView,
-    /// Pixels in a row, and rows.
+    /// Number of columns and rows.
     pub pixels: [usize; 2],
-    /// Their values, row by row from the top.
+    /// Grey values, row by row from the top.
     pub grey: Vec<u8>,
     /// Width and height of the drawing.
     pub size: [f64; 2],
-    /// What was tracked.
+    /// Tracked curves.
     pub tracked: Vec<Vec<[f64; 2]>>,
-    /// The fitted curve.
+    /// Fitted curves.
     pub fitted: Vec<Vec<[f64; 2]>>,
-    /// The marks of the calibration: a line between two, or a single point.
+    /// Marks of the calibration: a line between two points, or a single point.
     pub marks: Vec<Vec<[f64; 2]>>,
 }

@@ -1,22 +1,22 @@
-//! The report of a film that was tracked: a page of its own, without a fit.
+//! The report of a tracked film: a page without a fit.
 
 use super::{Film, section};
 use crate::markup::{self, Page, escaped};
 use crate::page::footer;
 use units::Language;
 
-/// A tracked film and where it comes from.
+/// Data of the report of a tracked film.
 #[derive(Clone, Copy, Debug)]
 pub struct TrackReport<'a> {
     /// The film with its pictures.
     pub film: &'a Film,
     /// The language of the report.
     pub language: Language,
-    /// The command that repeats it; may be empty.
+    /// Command that repeats the tracking; may be empty.
     pub command: &'a str,
-    /// The version of the program.
+    /// Version of the program.
     pub version: &'a str,
-    /// When it was made, as it is to be read; may be empty.
+    /// Date of the report as text; may be empty.
     pub date: &'a str,
 }
 

@@ -1,39 +1,40 @@
-//! The pictures of a film: a frame with the marks of the calibration, and space-time pictures with what was tracked and fitted.
+//! Pictures of a film: a frame with the marks of the calibration, and space-time pictures, both with the tracked and
+//! the fitted curves.
 
 use super::{FilmPicture, FilmView};
 use film::tracking::Track;
 use film::tracking::column::SpaceTimePicture;
 
-/// The width of a drawing.
+/// Width of a drawing, in pixels.
 const WIDTH: f64 = 720.0;
-/// The greatest height of a space-time picture.
+/// Maximum height of a space-time picture.
 const HIGHEST: f64 = 320.0;
-/// And that of a frame.
+/// Maximum height of a frame.
 const HIGHEST_FRAME: f64 = 480.0;
-/// Pixels of a picture, at most: half a byte each, so that all pictures of a film together weigh less than 200 kB.
+/// Maximum number of pixels of a picture. With half a byte each, all pictures of a film together take less than 200 kB.
 const MOST_PIXELS: f64 = 80_000.0;
 
-/// The points of a curve in the frames of a film, in pixels.
+/// A curve: frame number and point in pixels.
 type Curve = [(usize, [f64; 2])];
 
-/// A frame and what is drawn over it, in pixels of the upright picture.
+/// A frame and the curves over it, in pixels of the upright picture.
 pub struct Frame<'a> {
-    /// Its number from 0.
+    /// Index of the frame from 0.
     pub number: usize,
     /// Width and height of the picture.
     pub size: [f64; 2],
-    /// The grey value at a point, from 0 to 255.
+    /// Grey value at a point, from 0 to 255.
     pub grey: &'a dyn Fn([f64; 2]) -> f64,
-    /// What was tracked.
+    /// Tracks.
     pub tracks: &'a [Track],
-    /// The fitted curves.
+    /// Fitted curves: frame number and point.
     pub fitted: &'a [Vec<(usize, [f64; 2])>],
-    /// The marks of the calibration: a line between two or more, or a single point.
+    /// Marks of the calibration: a line between two or more points, or a single point.
     pub marks: &'a [Vec<[f64; 2]>],
 }
 
 impl FilmPicture {
-    /// A frame with the marks of the calibration and the paths.
+    /// Picture of a frame with the marks of the calibration and the curves.
     pub fn frame(frame: &Frame<'_>) -> Self {
         let [width, height] = frame.size;
         let scale = (WIDTH / width).min(HIGHEST_FRAME / height);
@@ -53,7 +54,8 @@ impl FilmPicture {
         }
     }
 
-    /// A space-time picture with the path, and the fitted curve if there is one, in the pixels of the picture.
+    /// Space-time picture with the track and the fitted curve, which may be empty. Points of both are in pixels of the
+    /// upright picture.
     pub fn space_time(picture: &SpaceTimePicture, track: &Track, fitted: &Curve) -> Self {
         let size = [picture.frames.len().max(1) as f64, picture.rows.max(1) as f64];
         let drawing = [WIDTH, (WIDTH * size[1] / size[0]).clamp(160.0, HIGHEST)];
@@ -83,7 +85,8 @@ impl FilmPicture {
     }
 }
 
-/// A smaller picture of `pixels`: each is the mean of nine points of the picture of this size.
+/// Reduced picture of `pixels` columns and rows. Each pixel is the mean of nine points of the original, whose width and
+/// height are given second.
 fn averaged([columns, rows]: [usize; 2], [width, height]: [f64; 2], value: &dyn Fn([f64; 2]) -> f64) -> Vec<u8> {
     let [across, down] = [width / columns as f64, height / rows as f64];
     let mut grey = Vec::with_capacity(columns * rows);

@@ -1,4 +1,4 @@
-//! The section of a film in a report.
+//! Section about a film in a report.
 
 use super::{Film, FilmPicture, FilmView};
 use crate::markup::{Page, escaped};
@@ -7,12 +7,13 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use units::Language;
 
-/// The colours of lines over grey pictures: what was tracked, the fitted curve, marks. Colour-blind people can tell them apart.
+/// Colours of the lines over grey pictures: tracked curve, fitted curve, marks. They can be distinguished by
+/// colour-blind readers.
 const TRACKED: &str = "#ffb000";
 const FITTED: &str = "#dc267f";
 const MARKS: &str = "#648fff";
 
-/// The sections of some films.
+/// Adds the sections about the films.
 pub fn films(page: &mut Page, films: &[Film], language: Language) {
     for film in films {
         page.heading(&[language.pick::<&str>("The film ", "El vídeo "), &film.name].concat());
@@ -20,7 +21,7 @@ pub fn films(page: &mut Page, films: &[Film], language: Language) {
     }
 }
 
-/// What is known of a film, and its pictures.
+/// Adds the properties of a film and its pictures.
 pub fn contents(page: &mut Page, film: &Film, language: Language) {
     page.raw("<dl class=\"steps\">");
     film.facts.iter().for_each(|(term, value)| page.pair(term, value));
@@ -37,7 +38,7 @@ pub fn contents(page: &mut Page, film: &Film, language: Language) {
 
 fn caption(picture: &FilmPicture, language: Language) -> String {
     let mut text = match picture.view {
-        // People count from 1, as the page does.
+        // Frames count from 1 for readers, as on the page.
         FilmView::Frame(frame) => {
             [language.pick::<&str>("Frame ", "Fotograma "), &(frame + 1).to_string(), "."].concat()
         }
@@ -81,7 +82,7 @@ fn drawing(picture: &FilmPicture, caption: &str) -> String {
         "\"/>",
     ]
     .concat();
-    // Where the fitted curve lies on the tracked one, both are seen.
+    // The fitted curve is thinner than the tracked one, so that both are visible where they coincide.
     let layers = [(&picture.tracked, TRACKED, "3"), (&picture.fitted, FITTED, "1.5"), (&picture.marks, MARKS, "1.5")];
     for (lines, colour, width) in layers {
         out.extend([
@@ -112,7 +113,7 @@ fn drawing(picture: &FilmPicture, caption: &str) -> String {
     out
 }
 
-/// To a tenth of a unit.
+/// Number rounded to one decimal.
 fn short(value: f64) -> String {
     units::number::shortest((value * 10.0).round() / 10.0)
 }

@@ -1,4 +1,4 @@
-//! What the tests of reports share: fits of the gallery's theories to a record with known truth.
+//! Shared code of the tests: fits of theories of the gallery to a record with known truth.
 #![allow(dead_code, missing_docs, reason = "no test uses all of it")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by them")]
 
@@ -14,7 +14,7 @@ pub fn theory(name: &str) -> Document {
     document::open(&read(format!("{name}.md")), &[&read(format!("{name}.es.md"))]).document.unwrap()
 }
 
-/// What stands behind a report.
+/// Data of a report.
 pub struct Fitted {
     pub document: Document,
     pub name: String,
@@ -25,8 +25,8 @@ pub struct Fitted {
     pub notes: Vec<Vec<String>>,
 }
 
-/// Times and levels of a column that swings with 10 rad/s and loses its amplitude at 0.4 /s, with a scatter that knows
-/// nothing of itself, 30 frames a second.
+/// Times in s and levels in m of a column with 10 rad/s and a damping of 0.4 /s, with independent noise, at 30 frames
+/// per second.
 pub fn level() -> (Vec<f64>, Vec<f64>) {
     let times: Vec<f64> = (0..240).map(|frame| f64::from(frame) / 30.0).collect();
     let mut state = 12345_u32;
@@ -53,7 +53,7 @@ pub fn observed(document: &mut Document, expression: &str, times: &[f64], values
     }
 }
 
-/// A finished fit of what the theory varies by itself.
+/// A finished fit of the parameters that the theory varies by default.
 pub fn fitted(name: &str, document: Document, records: Vec<Record>, change: impl FnOnce(&mut Task)) -> Fitted {
     let mut task = Task {
         parameters: document.program.model.parameters.iter().map(|parameter| parameter.value).collect(),
@@ -97,7 +97,7 @@ pub fn record(document: &mut Document, name: &str, times: &[f64], values: &[f64]
     Record { name: name.to_owned(), observations: vec![observed(document, "y", times, values)], ..Record::default() }
 }
 
-/// The tree of a page: all that this crate writes is XML as well, but for the doctype's and the empty elements.
+/// A page as well-formed XML: without its doctype, and with closed `meta` elements.
 pub fn parsed(page: &str) -> String {
     let page = page.replace("<!doctype html>", "");
     let mut closed = String::new();
@@ -110,7 +110,7 @@ pub fn parsed(page: &str) -> String {
     closed
 }
 
-/// What the page says.
+/// The text of a page.
 pub fn texts(page: &str) -> String {
     let source = parsed(page);
     let tree = roxmltree::Document::parse(&source).unwrap_or_else(|error| panic!("{error}"));

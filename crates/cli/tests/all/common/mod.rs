@@ -1,4 +1,4 @@
-//! The program as a person runs it: words in, texts and an exit code out.
+//! Runs of the program: arguments in, texts and an exit code out.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -15,7 +15,7 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().expect("the workspace is there")
 }
 
-/// What a command did.
+/// Result of a command.
 #[derive(Debug)]
 pub struct Done {
     pub code: i32,
@@ -23,12 +23,12 @@ pub struct Done {
     pub stderr: String,
 }
 
-/// Runs `meniscus` with these words. It must not panic, whatever they are.
+/// Runs `meniscus` with these arguments and asserts that it does not panic.
 pub fn meniscus(words: &[&str]) -> Done {
     done(program().args(words).output().expect("the program starts"))
 }
 
-/// Texts and code of a command that has ended.
+/// Texts and exit code of a finished command.
 pub fn done(output: Output) -> Done {
     let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
     let (stdout, stderr) = (text(output.stdout), text(output.stderr));
@@ -65,7 +65,7 @@ E = m*x'^2/2 + k*x^2/2 in [J] "Energy"
 ```
 "#;
 
-/// A directory with `spring.md` in it; gone when dropped.
+/// A temporary directory with `spring.md` in it.
 pub fn directory_with(text: &str) -> (tempfile::TempDir, PathBuf) {
     let directory = tempfile::tempdir().expect("a temporary directory");
     let path = directory.path().join("spring.md");

@@ -40,7 +40,8 @@ y = -l*cos(theta) in [m] "Upwards"
 "#;
 const PROJECTILE: &str = include_str!("../../../../../simulations/projectile.md");
 
-/// What is filmed: a document, the position of its body in metres by its states, where zero is and how large a pixel is.
+/// A filmed scene: a document, the position of its body in metres as a function of the states, the zero, and the size
+/// of a pixel.
 struct Scene {
     source: &'static str,
     settings: CameraSettings,
@@ -60,7 +61,7 @@ fn drawing([x, y]: [f64; 2]) -> Plane {
     Plane::new(width, height, (0..width * height).map(grey).collect()).expect("a picture")
 }
 
-/// Films the simulation of the desk, clicks the body a little beside its middle, and marks a ruler of 500 pixels.
+/// Films the simulation of the desk, clicks the body slightly off its centre, and marks a ruler of 500 pixels.
 fn filmed(scene: &Scene) -> Desk {
     let mut desk = open(scene.source, &[]);
     let recipe = desk.film_recipe(scene.settings).expect("a recipe");
@@ -100,9 +101,8 @@ fn filmed(scene: &Scene) -> Desk {
     desk
 }
 
-/// Fits some parameters, from other values than those of the film, and the zeros of clock and scale: the first exposure is over a little
-/// after the start, and a click beside the middle shifts positions.
-/// Value and standard error of each by its name.
+/// Fits some parameters from other starts, and the zeros of clock and scale: the first exposure ends slightly after the
+/// start, and the click off the centre shifts positions. Returns value and standard error by name.
 fn fitted(desk: &mut Desk, varied: &[(&str, f64)]) -> impl Fn(&str) -> [f64; 2] + use<> {
     let choices = desk.fit_choices();
     let parameters = desk.play().model().parameters.len();

@@ -1,4 +1,4 @@
-//! Films of the simulation itself: the recipe, the truth, and the same film at the next visit.
+//! Films of the simulation itself: recipe, truth, and the same film at the next visit.
 
 use super::scene::{AXIS, HEIGHT, PIXEL, REST, WIDTH, level, picture};
 use super::{ruler, surface};
@@ -55,7 +55,7 @@ fn plane(time: f64, seed: u64) -> Plane {
     Plane::new(width, height, grey).unwrap()
 }
 
-/// What moves in the drawing: the level, something else, and something that is not always seen.
+/// True positions of moving points in the drawing: the level, another object, and one that is not always visible.
 fn truth(settings: &CameraSettings, frames: usize) -> FilmTruth {
     let times: Vec<f64> = (0..frames).map(|frame| settings.time(frame)).collect();
     let part = |place: &dyn Fn(f64) -> [f64; 2]| times.iter().map(|time| place(*time)).collect::<Vec<_>>();
@@ -96,7 +96,7 @@ fn a_track_is_compared_with_the_truth() {
     assert_eq!((comparison.scale_error, comparison.differences.len()), (None, 75));
     let mean = comparison.differences.iter().map(|(_, both)| both[0]).sum::<f64>() / 75.0;
     assert!(mean.abs() < 1e-9, "{mean}");
-    // The point that was clicked moves as the level does.
+    // The clicked point moves like the level.
     let [first, later] = [0, 40].map(|at| comparison.path[at].1[1] + level(recipe.settings.time(at)));
     assert!((first - later).abs() < 1e-9, "{first} {later}");
     // The marks are 100 pixels apart, which are 10 cm: the scale is right.
@@ -121,7 +121,7 @@ fn the_same_recipe_is_the_same_film_at_the_next_visit() {
     assert_eq!(play.parameter_values(), desk.play().from_start().parameter_values());
     assert_eq!(filmed(&mut next, &recipe, 75), FilmOpening::TakenUp);
     assert_eq!(next.film_recipes(), [], "the open one is not offered again");
-    // What was found is shown at once; only the strips are read, and nothing is computed.
+    // The tracks are shown at once. Only the strips are read; nothing is computed.
     let found = next.film().unwrap().tracks();
     assert_eq!(found, desk.film().unwrap().tracks());
     next.take_up_tracking().unwrap();
@@ -136,7 +136,7 @@ fn the_same_recipe_is_the_same_film_at_the_next_visit() {
     assert_eq!(next.advance_tracking(1), Ok(true));
     assert!(!next.is_tracking() && next.film().unwrap().tracks() == found);
     assert_eq!(next.film().unwrap().space_time(0), desk.film().unwrap().space_time(0));
-    // A correction needs no further reading of the film.
+    // A correction does not need the frames again.
     let at = found[0].points[20].position;
     next.anchor_surface(0, Click { frame: 20, position: at }).unwrap();
     assert_eq!(next.wanted_frame(), None);
@@ -187,7 +187,7 @@ fn what_no_camera_can_film_is_refused_in_both_languages() {
     // Another version of the document is another simulation.
     let recipe = recipe(&desk, |_| ());
     assert!(open(&SIMULATION.replace("= 8 ", "= 9 "), &[]).filmed_play(&recipe).is_err());
-    // Without a truth nothing is compared.
+    // Without known truth there is no comparison.
     assert_eq!(desk.compare_with_truth(), []);
     desk.open_film(super::identity("file.mp4"), super::container(20)).unwrap();
     desk.follow_in_film(Subject::Nothing).unwrap();

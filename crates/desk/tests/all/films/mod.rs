@@ -1,4 +1,4 @@
-//! Films in the laboratory: from pictures to a record, a fit, and the work at the next visit.
+//! Films in the laboratory: tracking, record, fit, and restoring at the next visit.
 
 mod bodies;
 mod filmed;
@@ -45,7 +45,7 @@ pub fn laboratory() -> Desk {
     open(THEORY, &[])
 }
 
-/// The click on the surface in the first frame, three pixels beside it.
+/// The click on the surface in the first frame, off by three pixels.
 pub fn surface() -> Subject {
     let position = [AXIS + 1.5, REST - level(0.0) + 3.0];
     Subject::Surfaces(vec![FilmedSurface::new(Click { frame: 0, position })])
@@ -62,7 +62,7 @@ pub fn frame(frame: usize) -> desk::film::Plane {
     picture(frame as f64 / RATE, frame as u64)
 }
 
-/// A film of two seconds and more, tracked and calibrated.
+/// A tracked and calibrated film of more than two seconds.
 pub fn tracked() -> Desk {
     let mut desk = laboratory();
     assert_eq!(desk.open_film(identity("swing.mp4"), container(75)), Ok(FilmOpening::New));
@@ -91,7 +91,7 @@ fn a_film_becomes_a_record_with_errors() {
     let quantities: Vec<&str> = record.columns.iter().map(|column| column.quantity.as_str()).collect();
     assert_eq!(quantities, ["t", "y", ""], "errors measure nothing");
     let columns = columns(&desk);
-    // Where the surface is for a person is a constant of the tracking: three pixels below the edge, as clicked.
+    // The tracked surface has a constant offset to the true one, here three pixels, set by the click.
     let off: Vec<f64> = columns[0].iter().zip(&columns[1]).map(|(t, y)| y - PIXEL * level(*t)).collect();
     let mean = off.iter().sum::<f64>() / off.len() as f64;
     let squares = off.iter().zip(&columns[2]).map(|(off, sigma)| ((off - mean) / sigma) * ((off - mean) / sigma));
@@ -192,7 +192,7 @@ fn without_a_scale_the_record_is_in_pixels() {
     assert!(desk.record_cells(record.id, 1, 0..1)[0].starts_with("15"), "{:?}", desk.record_cells(record.id, 1, 0..1));
     assert!(desk.film_notes().iter().any(|note| note.contains("pixels")));
     assert!(desk.film_model_at(0, 0).is_none());
-    // A pixel is no length: nothing is drawn over the model's centimetres, and a fit says what to do.
+    // Positions in pixels are not lengths: no points are drawn, and a fit states the remedy.
     let column = &record.columns[1];
     assert_eq!((column.head.as_str(), column.quantity.as_str(), column.unit_asked), ("y [px]", "y", true));
     assert!(!desk.has_points());
@@ -291,7 +291,7 @@ fn a_point_is_clicked_by_hand() {
     let mut desk = laboratory();
     desk.open_film(identity("ball.mp4"), container(75)).unwrap();
     let click = |frame: usize| Click { frame, position: [10.0 + frame as f64, HEIGHT as f64 - 20.0] };
-    // A single point is no record yet.
+    // A single point does not make a record.
     desk.follow_in_film(Subject::Points { clicks: vec![click(9)], sigma: 1.0 }).unwrap();
     assert!(desk.records().is_empty());
     desk.follow_in_film(Subject::Points { clicks: vec![click(9), click(3), click(6)], sigma: 1.0 }).unwrap();

@@ -123,7 +123,7 @@ fn the_film_has_positions_scale_and_part_of_the_project_and_its_own_times() {
     let Subject::Points { clicks, .. } = film.subject() else { panic!("{:?}", film.subject()) };
     assert_eq!((clicks.len(), clicks[0].frame, clicks[19].position), (20, 1, [40.0, 175.0]));
     assert_eq!((film.ends(), film.factor()), ([1, 20], 1.0));
-    // A round length that fits into the picture stands for the scale, which has the error of its two marks.
+    // The scale is shown as a round length that fits into the picture. Its error is that of two marks.
     let LengthsForm::Ruler { marks: [[left, y], [right, _]], length, .. } = &film.calibration_form().lengths else {
         panic!("{:?}", film.calibration_form())
     };
@@ -161,7 +161,7 @@ fn several_masses_are_bodies_with_key_frames() {
     let Subject::Bodies(bodies) = film.subject() else { panic!("{:?}", film.subject()) };
     let frames = |body: &FilmedBody| body.keys.iter().map(|key| key.frame).collect::<Vec<_>>();
     assert_eq!(bodies.iter().map(frames).collect::<Vec<_>>(), [[1, 8], [1, 8]]);
-    // What Tracker has found is there before anything is tracked here.
+    // The tracks of Tracker are available before any tracking here.
     assert_eq!(film.tracks().iter().map(|track| track.points.len()).collect::<Vec<_>>(), [20, 20]);
     let columns = columns(&desk);
     assert!((columns[0][3] - 4.0 / RATE).abs() < 1e-4 && columns.len() == 9, "{}", columns.len());
@@ -175,7 +175,7 @@ fn a_stated_slow_motion_is_taken_and_known_work_is_kept() {
     assert_eq!(opening, Ok(FilmOpening::New));
     assert!((desk.film().expect("it is open").factor() - 8.0).abs() < 1e-6);
     assert!((columns(&desk)[0][0] - 1.0 / 240.0).abs() < 1e-5);
-    // The same film in another project: what was done with it stays.
+    // The same film in another project keeps the work done on it.
     desk.add_record("again.trz", &packed(1, |text| text)).unwrap();
     let film = desk.take_project_film().expect("its film is in the archive");
     assert_eq!(desk.open_project_film(&film, identity("swing.mp4"), container(40)), Ok(FilmOpening::TakenUp));

@@ -43,7 +43,7 @@ fn the_report_of_a_fit_shows_the_film() {
     let (tracked, fitted) = (curve(1), curve(2));
     assert_eq!((tracked.len(), fitted.len()), (75, 75));
     assert!(tracked.iter().zip(&fitted).all(|(one, other)| one[0] == other[0] && (one[1] - other[1]).abs() < 1.5));
-    // Without the film the words remain.
+    // After the film is closed, the text about it remains.
     desk.close_film();
     let page = report(&desk);
     assert!(page.contains("The film swing.mp4") && !page.contains("data:image/png"));
@@ -61,7 +61,7 @@ fn a_record_of_a_film_is_saved_with_its_errors_and_scale() {
     assert_eq!(lines.next().unwrap(), "t [s],y [m],sigma_y [m]");
     assert_eq!(lines.count(), 75);
     let workbook = desk.export_record(id, ExportKind::Workbook).unwrap();
-    // Both are read as the record itself, error of the scale included.
+    // Both files are read back as the same record, including the error of the scale.
     for (name, bytes) in [("again.csv", text.into_bytes()), (workbook.name.as_str(), workbook.bytes)] {
         let mut again = laboratory();
         again.add_record(name, &bytes).unwrap();

@@ -1,4 +1,4 @@
-//! A film with known truth: the liquid of an upright tube that swings, drawn as planes.
+//! A film with known truth: an oscillating liquid in an upright tube, generated as luma planes.
 
 use desk::film::Plane;
 use desk::film::containers::{Codec, Coding, Container, Film, Orientation, Sample};
@@ -8,9 +8,9 @@ pub const WIDTH: usize = 160;
 pub const HEIGHT: usize = 240;
 /// Frames a second.
 pub const RATE: f64 = 30.0;
-/// Metres in a pixel.
+/// Size of a pixel in metres.
 pub const PIXEL: f64 = 1e-3;
-/// The axis of the tube, and its level at rest, in pixels.
+/// Axis of the tube and level at rest, in pixels.
 pub const AXIS: f64 = 80.0;
 pub const REST: f64 = 120.0;
 /// Of the swing: pixels, radians a second, one over the time of decay.
@@ -19,12 +19,12 @@ pub const OMEGA: f64 = 8.0;
 pub const DECAY: f64 = 0.25;
 const TIMESCALE: u32 = 600;
 
-/// The level above rest in pixels, from the first frame on.
+/// Level above rest in pixels at `time` in s, counted from the first frame.
 pub fn level(time: f64) -> f64 {
     AMPLITUDE * libm::exp(-DECAY * time) * libm::cos(OMEGA * time)
 }
 
-/// What the file of a film of so many frames says, taken at the usual rate.
+/// Container data of a film with this number of frames at the usual rate.
 pub fn container(frames: usize) -> Film {
     let sample = |frame: usize| Sample {
         offset: 1000 + 10 * frame as u64,
@@ -82,7 +82,7 @@ pub fn picture(time: f64, seed: u64) -> Plane {
     Plane::new(WIDTH, HEIGHT, grey).unwrap()
 }
 
-/// Opens a film and follows the surface, until the record is there. How often each frame was asked for.
+/// Opens a film and tracks the surface until the record exists. Returns the number of frames that were requested.
 pub fn track(desk: &mut Desk, picture: &dyn Fn(usize) -> Plane) -> usize {
     desk.begin_tracking().unwrap();
     let mut asked = 0;

@@ -1,4 +1,4 @@
-//! Corrections, undo, and the work at the next visit.
+//! Corrections, undo, and restoring the work on a film.
 
 use super::{columns, frame, laboratory, ruler, scene, surface, tracked};
 use crate::support::{bring_back_records, play};
@@ -10,14 +10,14 @@ use scene::{container, identity, level, track};
 fn an_anchor_repeats_the_path_alone() {
     let mut desk = tracked();
     let before = columns(&desk);
-    // Where the surface is, so that nothing changes.
+    // An anchor on the tracked surface changes nothing.
     let point = desk.film().unwrap().tracks()[0].points[20];
     desk.anchor_surface(0, Click { frame: 20, position: point.position }).unwrap();
     assert!(desk.is_tracking() && desk.wanted_frame().is_none(), "no frame is needed");
     while !desk.advance_tracking(10).unwrap() {}
     let close = columns(&desk)[1].iter().zip(&before[1]).all(|(one, other)| (one - other).abs() < 5e-5);
     assert!(close);
-    // Far from it: the track follows the click there.
+    // An anchor far from it: the track follows the click there.
     desk.anchor_surface(0, Click { frame: 20, position: [80.0, point.position[1] + 60.0] }).unwrap();
     while !desk.advance_tracking(10).unwrap() {}
     assert!((columns(&desk)[1][20] - before[1][20]).abs() > 0.04);
@@ -57,14 +57,14 @@ fn the_work_is_there_at_the_next_visit() {
     assert_eq!(next.saved_films(), desk.saved_films());
     assert_eq!(columns(&next), columns(&desk));
     assert!(next.film().is_none());
-    // Another film of this name is another one; the same under another name is the same.
+    // A different film with the same name is not taken for it; the same film with another name is.
     assert_eq!(next.open_film(desk::FilmIdentity::new("swing.mp4", 5, b"x"), container(75)), Ok(FilmOpening::SameName));
     let renamed = desk::FilmIdentity { name: "copy.mp4".into(), ..identity("swing.mp4") };
     assert_eq!(next.open_film(renamed, container(75)), Ok(FilmOpening::TakenUp));
     let (one, other) = (desk.film().unwrap(), next.film().unwrap());
     assert_eq!((one.tracks(), one.subject()), (other.tracks(), other.subject()));
     assert_eq!((one.calibration(), one.calibration_form()), (other.calibration(), other.calibration_form()));
-    // The record changes with the work on it, and the model lies over the film without another tracking.
+    // The record follows changes of the calibration, and the model is drawn over the film without further tracking.
     let mut form = ruler();
     form.origin = Some([80.0, 130.0]);
     next.calibrate_film(form, None).unwrap();
@@ -116,7 +116,7 @@ fn stored_work_is_not_trusted() {
     let desk = tracked();
     let text = desk.saved_films()[0].1.write(7);
     let changes = [
-        // A click outside the picture, so that nothing is followed.
+        // A click outside the picture: no surface is tracked.
         ("[[0,[81.5,83.0]]]", "[[0,[1e9,83.0]]]"),
         ("\"ends\":[0,74]", "\"ends\":[74,18446744073709551615]"),
         ("\"factor\":1.0", "\"factor\":0.0"),

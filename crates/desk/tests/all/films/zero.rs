@@ -1,11 +1,11 @@
-//! The zero of a film's heights, which is a click or not known at all.
+//! The zero of heights in a film, which is set by a click or unknown.
 
 use super::scene::{DECAY, OMEGA, container, identity, track};
 use super::{THEORY, frame, ruler, surface, tracked};
 use crate::support::open;
 use desk::{CalibrationForm, Desk};
 
-/// The theory about a level of its own.
+/// The theory with a separate parameter for the level.
 fn level() -> String {
     THEORY
         .replace("omega = 7.5", "c = 0 [cm] in -9..9\nparameter omega = 7.5")
@@ -14,7 +14,7 @@ fn level() -> String {
         .replace("y'(0) =", "z'(0) =")
 }
 
-/// Whether each of the film's zeros is varied.
+/// True for each of the two zeros that is varied.
 fn zeros(desk: &Desk) -> Vec<bool> {
     desk.fit_choices().into_iter().filter(|choice| choice.name.is_empty()).map(|choice| choice.varied).collect()
 }
@@ -34,7 +34,7 @@ fn the_zero_of_a_film_is_varied_unless_somebody_or_the_theory_says_otherwise() {
     let detail = desk.fit_detail(desk.fits()[0].id).unwrap();
     let omega = desk.play().course().parameters()[0];
     assert!((omega - (OMEGA * OMEGA + DECAY * DECAY).sqrt()).abs() < 0.01, "{omega} {:?}", detail.sentences);
-    // A parameter that shifts the whole curve is the zero already: `c`, or the start of a fall.
+    // A parameter that shifts the whole curve replaces the zero: `c`, or the start of a fall.
     let fall = THEORY.replace("y'' + 2*beta*y' + omega^2*y = 0", "y'' + beta*y' = -9.8 [m/s^2]");
     for (theory, own) in [(fall, "y_0"), (level(), "c")] {
         let mut desk = open(&theory, &[]);
@@ -49,7 +49,8 @@ fn the_zero_of_a_film_is_varied_unless_somebody_or_the_theory_says_otherwise() {
     }
 }
 
-/// Heights count from the lower edge of the picture: of two theories one has that level, and the other gets the zero.
+/// Heights count from the lower edge of the picture. One of two theories has a parameter for this level; the zero is
+/// varied for the other.
 #[test]
 fn a_ranking_varies_the_zero_of_a_film_where_a_theory_has_none() {
     let vary = |theory: &str, names: &str| theory.replacen("---\n\n", &format!("vary: {names}\n---\n\n"), 1);

@@ -1,4 +1,4 @@
-//! Fits of several records, with numbers in common; fits that outlast a visit.
+//! Fits of several records with shared numbers, and fits that are restored at the next visit.
 
 mod saved;
 mod several;
@@ -21,7 +21,7 @@ fn place(desk: &Desk, name: &str) -> usize {
     desk.fit_choices().iter().find(|choice| choice.name == name).expect(name).index
 }
 
-/// A film of a column that swings down from 4 cm: 30 frames a second, with a noise that is the same each time.
+/// A film of a column that is released at 4 cm: 30 frames per second, with reproducible noise.
 fn film(length: f64, damping: f64, seed: u64) -> String {
     let omega = (19.6 / length - damping * damping).sqrt();
     let mut state = seed;
@@ -38,7 +38,7 @@ fn film(length: f64, damping: f64, seed: u64) -> String {
 const LENGTHS: [f64; 3] = [0.18, 0.24, 0.3];
 const DAMPING: f64 = 0.4;
 
-/// Linear damping, with three records of different lengths and one friction.
+/// Linear damping and three records with different lengths and the same friction.
 fn three() -> Desk {
     let mut desk = Desk::open(theory("linear"));
     for (length, seed) in LENGTHS.into_iter().zip(1..) {
@@ -58,7 +58,7 @@ fn fit(desk: &mut Desk) -> FitDetail {
     desk.fit_detail(last).unwrap()
 }
 
-/// One 9999 that stands for no measurement decides a fit of least squares.
+/// A single 9999 for a missing measurement dominates a fit of least squares.
 #[test]
 fn a_fit_that_one_value_decides_is_in_doubt() {
     let mut desk = Desk::open(theory("linear"));
@@ -71,7 +71,7 @@ fn a_fit_that_one_value_decides_is_in_doubt() {
     assert_eq!(detail.doubt.as_deref(), Some("Values far from all others have decided it."), "{:?}", detail.sentences);
 }
 
-/// A column of 2 m and more swings too slowly for the record.
+/// A column of 2 m or more oscillates too slowly for the record.
 #[test]
 fn a_fit_that_misses_the_record_is_in_doubt() {
     let mut desk = Desk::open(document::open(&theory_text("../utube.md"), &[]).document.unwrap());
@@ -92,12 +92,12 @@ fn a_fit_that_misses_the_record_is_in_doubt() {
 fn a_best_value_at_an_end_of_its_range_is_in_doubt() {
     for (damping, doubtful) in [(-0.1, true), (DAMPING, false)] {
         let mut desk = Desk::open(theory("linear"));
-        // What grows has a negative damping, and the theory allows none.
+        // A growing oscillation has negative damping, which the theory excludes.
         desk.add_record("grows.txt", film(0.24, damping, 1).as_bytes()).unwrap();
         let detail = fit(&mut desk);
         let doubt = "gamma = 0 1/s is in doubt: it stands at an end of the range";
         assert_eq!(detail.sentences.iter().any(|one| one.starts_with(doubt)), doubtful, "{:?}", detail.sentences);
-        // What is in doubt does not stand in the sliders by itself, and the message says why.
+        // A doubtful result is not applied automatically, and the message states the reason.
         let length = |desk: &Desk| desk.play().course().parameters()[place(desk, "L")];
         assert_eq!(length(&desk) == 0.2, doubtful);
         let said = std::iter::from_fn(|| desk.take_announcement()).last().unwrap();

@@ -1,4 +1,4 @@
-//! Fits that outlast a visit.
+//! Fits that are restored at the next visit.
 
 use super::{film, fit, place, theory, three, together};
 use desk::{Desk, Item};
@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 #[test]
 fn fits_come_back() {
     let mut desk = three();
-    // One record alone, of a part of it; then all of them.
+    // One fit of a part of one record, then one of all records.
     desk.set_fit_window(1, "4").unwrap();
     fit(&mut desk);
     desk.set_fit_window(1, "").unwrap();
@@ -21,7 +21,7 @@ fn fits_come_back() {
     assert_eq!(before.len(), 3, "the same fit twice is one");
 
     let (records, fits) = (desk.saved_records(), desk.saved_fits());
-    // Another document is open when the page is opened again.
+    // The page is opened with another document.
     let mut later = Desk::open(theory("cosine"));
     crate::support::bring_back_records(&mut later, &records);
     crate::support::bring_back_fits(&mut later, &fits);
@@ -53,7 +53,7 @@ fn fits_come_back() {
             )
         );
         assert_eq!(desk.fit_detail(one.id), later.fit_detail(other.id));
-        // The theory can be opened, as it was.
+        // The texts of the theory are restored unchanged.
         assert_eq!(desk.fit_texts(one.id), later.fit_texts(other.id));
     }
     assert!(after.iter().any(|fit| !fit.predicted.is_empty()));
@@ -97,15 +97,15 @@ fn fits_that_cannot_come_back_are_left_out() {
         assert!(text.contains(from), "{from} {text}");
         assert_eq!(restored(&records, &text.replace(from, to)), 0, "{from}");
     }
-    // What a later version adds is ignored, and what is missing has its default.
+    // Fields of later versions are ignored, and missing ones have their defaults.
     let more =
         text.replace("\"parameters\":", "\"more\":{\"a\":[null]},\"parameters\":").replace("\"stated\":false,", "");
     assert_eq!(restored(&records, &more), 1);
-    // Of a record that is gone, there is nothing to come back to.
+    // A fit of a removed record is not stored.
     let gone = desk.records()[2].id;
     desk.remove_record(gone);
     assert_eq!(desk.saved_fits(), []);
-    // Nor does a new record take its place.
+    // A new record does not replace the removed one.
     desk.add_record("tube 3.txt", film(0.5, 0.1, 9).as_bytes()).unwrap();
     assert_eq!(desk.saved_fits(), []);
 }

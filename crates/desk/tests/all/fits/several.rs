@@ -1,4 +1,4 @@
-//! Fits of several records, with numbers in common, of a part of them, by several theories.
+//! Fits of several records: shared numbers, a fitted window, and several theories.
 
 use super::{DAMPING, LENGTHS, fit, place, theory, theory_text, three, together};
 use desk::{Desk, ExportKind, Imprint, Item};
@@ -12,14 +12,14 @@ fn number(value: &str) -> f64 {
 #[test]
 fn records_are_fitted_together() {
     let mut desk = three();
-    // The last one is looked at, and takes part whatever is said.
+    // The latest record is chosen by default and always takes part.
     let records = desk.fit_records();
     assert_eq!(records.iter().map(|record| record.taking_part).collect::<Vec<_>>(), [false, false, true]);
     assert!(records[2].chosen);
-    // Nothing is to be shared as long as there is one record.
+    // With one record there is nothing to share.
     assert!(desk.fit_choices().iter().all(|choice| choice.same.is_none()));
     together(&mut desk);
-    // As on the command line, what is varied is each record's own, and what is held is the slider's.
+    // As on the command line, each record has its own varied values, and all share the sliders' fixed values.
     for choice in desk.fit_choices().iter().filter(|choice| !choice.name.is_empty()) {
         assert_eq!(choice.same, Some(!choice.varied), "{choice:?}");
     }
@@ -39,7 +39,7 @@ fn records_are_fitted_together() {
     for ((_, found), truth) in lengths.iter().zip(LENGTHS) {
         assert!((found / truth - 1.0).abs() < 0.01, "{lengths:?}");
     }
-    // What follows from a record's own length is its own; what holds for all stands first.
+    // A quantity derived from a record's own length belongs to this record. Estimates for all records come first.
     assert_eq!(of("T").len(), 3);
     assert_eq!(found.estimates[0].record, "");
     assert_eq!(desk.fits()[0].records.len(), 3);
@@ -69,7 +69,7 @@ fn the_sliders_follow_the_record_that_is_looked_at() {
         let text = desk.announcement_text(&told);
         assert!(text != "The parameters have the fitted values", "of which record is said: {text}");
     }
-    // A fit of one record leaves the sliders alone when another one is looked at.
+    // A fit of one record does not change the sliders when another record is chosen.
     desk.fit_records().iter().for_each(|record| desk.fit_with(record.id, false));
     fit(&mut desk);
     let second = desk.records()[1].id;
@@ -100,7 +100,7 @@ fn what_is_known_of_each_record_is_held() {
     assert_eq!(desk.play().parameter_values()[length], 0.3);
     desk.choose_record(records[0].id);
     assert_eq!(desk.play().parameter_values()[length], 0.18);
-    // It is known at the next visit too.
+    // The value is restored at the next visit.
     let saved = desk.saved_records();
     let mut later = Desk::open(theory("linear"));
     crate::support::bring_back_records(&mut later, &saved);
@@ -108,7 +108,7 @@ fn what_is_known_of_each_record_is_held() {
     later.vary(length, false);
     later.set_same(length, false);
     assert_eq!(later.fit_choices()[length].values, desk.fit_choices()[length].values);
-    // Without a value it is the slider's.
+    // Without a value the slider's value is used.
     later.set_known(length, later.fit_records()[0].id, "").unwrap();
     assert_eq!(later.fit_choices()[length].values[0].text, "0.2");
 }
@@ -132,7 +132,8 @@ fn theories_of_several_records_are_ranked() {
     assert_eq!(page.matches("<svg").count(), 6, "of both theories in every record");
 }
 
-/// A robust loss is asked for, said, kept apart from least squares, and there again at the next visit.
+/// A robust loss can be chosen, is reported, is ranked separately from least squares, and is restored at the next
+/// visit.
 #[test]
 fn a_loss_is_chosen_and_kept() {
     let mut desk = three();
@@ -157,7 +158,7 @@ fn a_loss_is_chosen_and_kept() {
     assert_eq!(later.saved_fits().iter().filter(|(_, fit)| fit.write(0).contains("\"loss\":\"tukey\"")).count(), 1);
 }
 
-/// A film whose clock begins at 0.5 s, and in which the column is let go after 1 s.
+/// A film whose clock starts at 0.5 s and whose column is released after 1 s.
 fn late_film() -> String {
     let omega = libm::sqrt(19.6 / 0.2 - 0.16);
     let mut state = 5_u64;
@@ -172,8 +173,8 @@ fn late_film() -> String {
     (0..180).map(row).collect()
 }
 
-/// The initial values of a part hold where it begins: in the result, in the sliders and beside the record, and again after
-/// another visit.
+/// The initial values hold at the start of the fitted part: in the result, on the sliders, beside the record, and after
+/// a restored visit.
 #[test]
 fn a_part_begins_with_its_initial_values() {
     let said = "The initial values hold at 1.5 s on the record's clock. Nothing is predicted of the 30 values before.";
@@ -183,11 +184,11 @@ fn a_part_begins_with_its_initial_values() {
     let of_part = fit(&mut desk);
     assert!(of_part.sentences.iter().any(|sentence| sentence == said), "{:?}", of_part.sentences);
     let start = desk.play().parameter_values()[place(&desk, "y_0")];
-    // The friction is not that of the film, and bends it a little.
+    // The theory's friction differs from that of the film, which biases the value slightly.
     assert!((start - 0.04).abs() < 0.01, "{start}");
     let values = desk.play().parameter_values().to_vec();
     let (records, fits) = (desk.saved_records(), desk.saved_fits());
-    // A fit of everything begins at the first value again, and one of the part where the part begins.
+    // A fit of all values begins at the first one again, and a fit of a part at its start.
     desk.set_fit_window(0, "").unwrap();
     let whole = fit(&mut desk);
     let begins = |sentence: &&String| sentence.starts_with("The initial values hold at ");
@@ -199,13 +200,13 @@ fn a_part_begins_with_its_initial_values() {
         assert!((one - other).abs() <= 1e-3 * other.abs(), "{one} {other}");
     }
 
-    // Where the model begins in the record is there again, without a fit.
+    // The origin of the model in the record is restored without a fit.
     let mut again = Desk::open(theory("quadratic"));
     crate::support::bring_back_records(&mut again, &records);
     let begins = |records: &[(String, Item)]| records[0].1.write(0).contains("\"origin\":1.5");
     assert!(begins(&records));
     assert_eq!(again.saved_records(), records);
-    // Beside another document it means nothing.
+    // With another document the origin is not valid.
     let mut other = Desk::open(theory("linear"));
     crate::support::bring_back_records(&mut other, &records);
     assert!(!begins(&other.saved_records()));
@@ -218,7 +219,7 @@ fn a_part_begins_with_its_initial_values() {
         later.fit_detail(later.fits()[0].id).unwrap()
     };
     assert_eq!(restored(&fits[0].1), of_part, "searches and other minima among it");
-    // What the first versions have found with other initial values is searched from the beginning.
+    // A fit of the first format, which had other initial values, is searched again in full.
     let texts = ["md", "es.md"].map(|ending| theory_text(&format!("quadratic.{ending}")));
     let numbers = |numbers: &[f64]| numbers.iter().map(|number| format!("{number:e}")).collect::<Vec<_>>().join(" ");
     let earlier = format!(
@@ -235,7 +236,7 @@ fn a_part_begins_with_its_initial_values() {
     assert!(sentences.iter().any(|sentence| sentence == said), "{sentences:?}");
 }
 
-/// The id of a fit, or of a kept run, that is gone is not given again: something may still call it by that.
+/// Ids of removed fits and kept runs are not reused, because old references may exist.
 #[test]
 fn ids_are_given_once() {
     let mut desk = three();
@@ -249,7 +250,7 @@ fn ids_are_given_once() {
     while desk.advance_fit() {}
     let second = desk.fits()[0].id;
     assert_ne!(first, second);
-    // Nor after another document has been opened.
+    // Ids are not reused with another document either.
     desk.remove_fit(second);
     let mut other = Desk::open(theory("quadratic"));
     other.adopt_records(&mut desk);

@@ -7,7 +7,7 @@ pub const UTUBE: &str = include_str!("../../../../play/tests/all/support/utube.m
 /// Its Spanish edition.
 pub const UTUBE_ES: &str = include_str!("../../../../play/tests/all/support/utube.es.md");
 
-/// Opens a document that must be without faults.
+/// Opens a document and asserts that it has no findings.
 pub fn open(source: &str, translations: &[&str]) -> Desk {
     let opened = desk::document::open(source, translations);
     assert!(opened.diagnostics.is_empty(), "{:#?}", opened.diagnostics);
@@ -39,28 +39,28 @@ pub fn play(desk: &mut Desk, frames: impl IntoIterator<Item = f64>) {
     desk.play_mut().pause();
 }
 
-/// Brings back records as at the next visit.
+/// Restores records as at the next visit.
 pub fn bring_back_records(desk: &mut Desk, saved: &[(String, Item)]) {
     for (_, item) in saved {
         assert!(desk.restore_record(&stored(item)).is_some());
     }
 }
 
-/// Brings back fits as at the next visit; their records must be there.
+/// Restores fits as at the next visit. Their records must be there.
 pub fn bring_back_fits(desk: &mut Desk, saved: &[(String, Item)]) {
     for (_, item) in saved {
         assert!(desk.restore_fit(&stored(item)).is_some());
     }
 }
 
-/// An item, once it has been in the storage.
+/// An item after a round trip through the storage.
 fn stored(item: &Item) -> Item {
     let (since, mut items) = Item::read(&item.write(1_763_812_800_000)).expect("it reads back");
     assert_eq!((since, items.len()), (1_763_812_800_000, 1));
     items.remove(0)
 }
 
-/// Brings back the records and fits of stored texts. How many of them the desk has taken.
+/// Restores the records and fits of stored texts. Returns the number of restored items.
 pub fn bring_back_texts(desk: &mut Desk, texts: &[&str]) -> usize {
     let items = texts.iter().filter_map(|text| Item::read(text)).flat_map(|(_, items)| items);
     items.filter_map(|item| desk.restore_record(&item).or_else(|| desk.restore_fit(&item))).count()
@@ -76,7 +76,7 @@ pub fn readout(desk: &mut Desk, name: &str) -> String {
     desk.play_mut().readouts().into_iter().find(|readout| readout.name == name).expect("the readout exists").value
 }
 
-/// The simulation, once what is measured has been brought up to it, as before each drawing.
+/// The simulation after measured data were updated, as before each drawing.
 pub fn followed(desk: &mut Desk) -> &mut Play {
     desk.follow();
     desk.play_mut()

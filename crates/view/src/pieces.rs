@@ -103,7 +103,7 @@ pub fn column_head(words: impl Into<View>) -> HtmlTh {
     th().scope("col").child(words)
 }
 
-/// A remove button; `name` says what is removed.
+/// A remove button with this accessible name.
 pub fn cross(name: String) -> HtmlButton {
     button().class("icon small").called(name).child(icons::cross())
 }

@@ -25,7 +25,7 @@ fn apply(app: App, large: bool) {
     app.wake();
 }
 
-/// The switch.
+/// Button that switches the presentation size on and off.
 pub fn button_of(app: App) -> HtmlButton {
     let words = app.words();
     let large = create_signal(browser::remembered("size").is_some());

@@ -41,7 +41,7 @@ impl Sound {
         self.on
     }
 
-    /// Switches sound on or off. Returns false if it is off afterwards, for instance because the browser has no sound.
+    /// Switches sound on or off. Returns false if that failed because the browser has no sound.
     pub fn turn(&mut self, on: bool) -> bool {
         if on && self.voice.is_none() {
             self.voice = Voice::new();

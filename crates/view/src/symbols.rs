@@ -3,7 +3,7 @@
 use crate::views::*;
 use units::alphabet::{self, greek_letter};
 
-/// A typeset name: `h_l` as MathML. Hidden from screen readers, because the label says the same in words.
+/// A typeset name: `h_l` as MathML. Hidden from screen readers, because the label has the same meaning.
 pub fn symbol(name: &str) -> HtmlSpan {
     span().class("symbol").attr("aria-hidden", "true").inner_html(units::mathml::typeset_name(name))
 }

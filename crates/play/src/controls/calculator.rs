@@ -86,7 +86,7 @@ impl Reader<'_> {
         true
     }
 
-    /// `a + b - c`
+    /// Parses a sum: `a + b - c`.
     fn sum(&mut self) -> Option<Value> {
         let mut left = self.product()?;
         loop {
@@ -103,7 +103,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `a*b/c`
+    /// Parses a product: `a*b/c`.
     fn product(&mut self) -> Option<Value> {
         let mut left = self.signed()?;
         loop {
@@ -124,7 +124,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `-a`; a power binds more tightly.
+    /// Parses a sign: `-a`; a power binds more tightly.
     fn signed(&mut self) -> Option<Value> {
         if self.take('+') {
             return self.nested(Self::signed);
@@ -136,7 +136,7 @@ impl Reader<'_> {
         Some(Value { node: self.graph().negate(value.node), ..value })
     }
 
-    /// `a^b^c`, right-associative.
+    /// Parses a power: `a^b^c`, right-associative.
     fn power(&mut self) -> Option<Value> {
         let base = self.operand()?;
         if !self.take('^') {
@@ -171,7 +171,7 @@ impl Reader<'_> {
         if self.rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') { self.number() } else { self.name() }
     }
 
-    /// `3.5`, `2e-3 [m]`
+    /// Parses a number, optionally with a unit: `3.5`, `2e-3 [m]`.
     fn number(&mut self) -> Option<Value> {
         let length = super::typed::number_length(self.rest);
         let (digits, rest) = self.rest.split_at(length);
@@ -186,7 +186,7 @@ impl Reader<'_> {
         Some(Value::new(self.graph().constant(unit.to_si(number)), unit.dimension))
     }
 
-    /// `rho`, `ω₀`, `y'(0)`, `sqrt(2)`
+    /// Parses a name, an initial value or a call: `rho`, `ω₀`, `y'(0)`, `sqrt(2)`.
     fn name(&mut self) -> Option<Value> {
         let mut name = String::new();
         let mut order = 0;

@@ -26,7 +26,7 @@ pub struct DrawingView {
     pub index: usize,
     /// Label in the chosen language; `a(t)` if there is none.
     pub label: String,
-    /// `a(t)`
+    /// Symbol with argument: `a(t)`.
     pub symbol: String,
     /// Heights of the points, which are equally spaced.
     pub heights: Vec<f64>,

@@ -94,8 +94,8 @@ impl Play {
         }
     }
 
-    /// Value (SI) of an expression as in presets (`2*m*omega_0`, `y(0)/2`), or of typed arithmetic with units (`15/4
-    /// s`). A pure number is taken to be in `unit`.
+    /// Value (SI) of an expression as in presets (`2*m*omega_0`, `y(0)/2`), or of typed arithmetic with units
+    /// (`15/4 s`). A pure number is taken to be in `unit`.
     ///
     /// # Errors
     ///

@@ -50,7 +50,7 @@ pub struct ParameterGroup {
 /// One option of a switch or a choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChoiceView {
-    /// The value.
+    /// Value of the parameter for this option.
     pub value: f64,
     /// Text of the option in the chosen language.
     pub text: String,

@@ -20,7 +20,8 @@ struct Decides {
     index: usize,
     /// Least and greatest value, SI.
     range: (f64, f64),
-    /// Scale of its changes, SI: the width of its range, or its default value without a range.
+    /// Scale of its changes, SI: the width of its range. Without a range, the magnitude of its default value, or one
+    /// unit if that is 0.
     scale: f64,
 }
 

@@ -59,7 +59,7 @@ impl Histogram {
         }
     }
 
-    /// The bars.
+    /// Present bins.
     pub fn bins(&self) -> &Bins {
         &self.bins
     }

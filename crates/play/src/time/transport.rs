@@ -7,9 +7,9 @@ use engine::Setup;
 /// Status of the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// Standing still.
+    /// Paused.
     Paused,
-    /// Going on with the clock.
+    /// Playing: the run follows the clock.
     Playing,
     /// Paused because the recording is full; go back to the start or scrub back to continue.
     Full,
@@ -126,9 +126,9 @@ impl Play {
         self.announce(Announcement::Scrubbed(self.course.time()));
     }
 
-    /// Computes one grid step towards a time (SI), from the end of the recording and without an announcement: for data
-    /// beside the run, such as a film, that control the time. Returns true if more remains to be computed; false while
-    /// the run plays.
+    /// Computes one grid step towards a time (SI), from the end of the recording and without an announcement. Used when
+    /// something other than the transport, such as a film, controls the time. Returns true if more remains to be
+    /// computed; false while the run plays.
     pub fn compute_on(&mut self, until: f64) -> bool {
         let before = self.course.front();
         if self.playing || self.full || before >= until || self.course.error().is_some() {
@@ -154,8 +154,8 @@ impl Play {
         self.speed
     }
 
-    /// Text of a playback speed, a multiple of the document's speed: `2 ×` in real time, otherwise with its unit, `2
-    /// d/s`.
+    /// Text of a playback speed, a multiple of the document's speed: `2 ×` in real time, otherwise with its unit,
+    /// `2 d/s`.
     pub fn speed_text(&self, speed: f64) -> String {
         self.pace.text(speed, self.style)
     }

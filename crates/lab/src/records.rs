@@ -1,4 +1,4 @@
-//! List of records: what is plotted, the meaning of their columns, excluded data.
+//! List of records: what is plotted, the meaning of their columns, data quality.
 
 use crate::app::App;
 use crate::{derivatives, intake};

@@ -1,4 +1,4 @@
-//! The handle of the laboratory: the page's views of the simulation, and the desk beside it.
+//! Handle of the laboratory: the views of the simulation, and the desk beside it.
 
 mod host;
 
@@ -18,103 +18,104 @@ use units::Language;
 use view::views::*;
 use web_sys::{File, console};
 
-/// What was found in the files, each with the number of its file.
+/// Diagnostics of the files: (file index, diagnostic).
 pub type Findings = Vec<(usize, Diagnostic)>;
 
-/// What the page holds for as long as it is open.
+/// State of the page, as long as it is open.
 #[derive(Default)]
 pub struct Lab {
-    /// The desk, when a document is open that has no errors.
+    /// Desk of the open document; `None` if no document is open or it has errors.
     pub desk: Option<Desk>,
-    /// The desk of the last document that ran, while another is open that does not: it holds the records.
+    /// Desk of the last document that ran, while a document that does not run is open: it holds the records.
     pub parked: Option<Desk>,
-    /// The files of the document.
+    /// Files of the document.
     pub sources: Vec<Source>,
-    /// The files of the last document that ran, while another is open that does not.
+    /// Files of the last document that ran, while a document that does not run is open.
     pub sources_before: Vec<Source>,
-    /// The texts of a document in which nothing runs, while one is open.
+    /// Texts of an open document that does not run.
     pub faulty: Writing,
-    /// What was found in them.
+    /// Diagnostics of these texts.
     pub findings: Findings,
-    /// What is stored of the laboratory.
+    /// State of the browser's storage.
     pub saved: Saved,
-    /// A file that a link needs, and the state of its document.
+    /// A file that a link needs (its name), and the state to be restored with it.
     pub awaited: Option<(String, String)>,
-    /// Whether the equations of the theories have been asked for.
+    /// True once the equations of the theories have been requested.
     pub reads_equations: bool,
-    /// The editor, once it has been started.
+    /// The editor, once started.
     pub editor: Option<Editor>,
-    /// Under which name the browser keeps what is written of the open document, and what this page has kept there last.
+    /// Name under which the browser stores the written text of the open document, and the text stored last by this
+    /// page.
     pub written_as: Option<Kept>,
-    /// When the text was changed, and when a version of it was made.
+    /// Times of the last change of the text and of the last version.
     pub version_times: VersionTimes,
-    /// Whether the editor shows the open document, and not the one before it.
+    /// True if the editor shows the open document and not the previous one.
     pub editor_is_current: bool,
-    /// Whether the editor takes the focus when it is there.
+    /// True if the editor takes the focus when it appears.
     pub focuses_editor: bool,
-    /// Whether fits are being worked on.
+    /// True while fits are being computed.
     pub fitting: bool,
-    /// Files that are to be read as records, and whether one is being read.
+    /// Queue of files to be read as records.
     pub files: VecDeque<File>,
-    /// See `files`.
+    /// True while a file of the queue is being read.
     pub reading: bool,
-    /// The pictures of the film that is open.
+    /// Player of the open film.
     pub player: Option<Rc<Player>>,
-    /// Whether it is being tracked.
+    /// True while the film is being tracked.
     pub tracking: bool,
-    /// Whether the run is being brought to where the film is.
+    /// True while the run is being computed up to the time of the film.
     pub bringing: bool,
 }
 
 impl Lab {
-    /// The texts in the editor and what was found in them.
+    /// Texts in the editor with their diagnostics.
     pub fn writing(&self) -> &Writing {
         self.desk.as_ref().map_or(&self.faulty, Desk::writing)
     }
 }
 
-/// The handle; copied freely.
+/// Handle of the laboratory; cheap to copy.
 #[derive(Clone, Copy)]
 pub struct App(&'static Laboratory);
 
-/// Everything that the handle leads to; the views of the simulation among it.
+/// Data behind the handle, including the views of the simulation.
 pub struct Laboratory {
-    /// The views of the simulation.
+    /// Views of the simulation.
     pub page: view::App,
     store: &'static Store,
-    /// Raised when records have changed, or what their columns are taken for.
+    /// Raised when records or the meaning of their columns have changed.
     pub records: Signal<u64>,
-    /// Raised when fits have changed, what they vary and what has come of them.
+    /// Raised when fits, their varied parameters or their results have changed.
     pub fits: Signal<u64>,
-    /// Whether files are being dragged over the page.
+    /// True while files are being dragged over the page.
     pub dragging_files: Signal<bool>,
-    /// The record that was added last, until a person has seen it.
+    /// Id of the record added last, until the user has seen it.
     pub new_record: Signal<Option<u32>>,
-    /// The film that is open.
+    /// The open film.
     pub films: Films,
-    /// How far the fits have come that a person has begun.
+    /// Progress of the fits started by the user, `None` while none runs.
     pub fit_progress: Signal<Option<FitProgress>>,
-    /// How far the file has been read that is being read as a record.
+    /// Progress of reading a file as a record, `None` while none is read.
     pub record_progress: Signal<Option<RecordProgress>>,
-    /// Why the last record could not be read.
+    /// Reason why the last record could not be read.
     pub record_refusal: Signal<Option<String>>,
-    /// Whether the list of documents has been asked for.
+    /// True while the list of documents is open.
     pub library_asked_for: Signal<bool>,
-    /// Whether the ways to publish the document have been asked for.
+    /// True while the publishing dialog is open.
     pub publishing: Signal<bool>,
     /// Raised when a text in the editor has been checked.
     pub written: Signal<u64>,
     /// Raised when a text has been changed from outside the editor, before it is checked.
     pub typed: Signal<u64>,
-    /// Which file the editor shows.
+    /// Index of the file shown by the editor.
     pub written_file: Signal<usize>,
-    /// What is under the cursor.
+    /// Information on the word under the cursor.
     pub insight: Signal<Insight>,
-    /// Counts the moves of the cursor in a form, so that only the last one is followed.
+    /// Counts the cursor moves in a form, so that only the last one is handled.
     pub resting: Signal<u64>,
-    /// In which form the document is written.
+    /// Form in which the document is edited.
     pub writing_panel: Signal<Panel>,
-    /// The first equation of each theory that has been read so far, by its file.
+    /// First equation of each theory read so far, by file name.
     pub equations: Signal<BTreeMap<String, String>>,
 }
 
@@ -134,17 +135,18 @@ impl Deref for Laboratory {
     }
 }
 
-/// What the views reach the laboratory through.
+/// Owner of the state, through which views access the laboratory.
 #[derive(Default)]
 struct Store {
     lab: RefCell<Lab>,
     app: OnceCell<App>,
-    /// What the views have shown of records, fits, answers and the film.
+    /// Revisions of records, fits, answers and film that the views have shown.
     seen: Cell<(u64, u64, u64, u64)>,
 }
 
 impl Store {
-    /// The laboratory's state; none where it is in use already. That is a fault of the page, and the console says where.
+    /// State of the laboratory; `None` if it is already in use. Nested use is a programming error and is reported in
+    /// the console with its place.
     #[inline(never)]
     #[track_caller]
     fn lab(&self) -> Option<RefMut<'_, Lab>> {
@@ -156,7 +158,7 @@ impl Store {
         lab
     }
 
-    /// The desk, if a document is open.
+    /// The desk; `None` if no document is open or the state is in use.
     #[inline(never)]
     #[track_caller]
     fn desk(&self) -> Option<RefMut<'_, Desk>> {
@@ -165,7 +167,7 @@ impl Store {
 }
 
 impl App {
-    /// An empty laboratory, for as long as the page is open.
+    /// Creates an empty laboratory, which lives as long as the page.
     pub fn new(language: Language) -> Self {
         let counter = || create_signal(0);
         let store: &'static Store = Box::leak(Box::default());
@@ -191,23 +193,24 @@ impl App {
             equations: create_signal(BTreeMap::new()),
         };
         let app = Self(Box::leak(Box::new(laboratory)));
-        // It is empty, since it was just made.
+        // Set here for the first time, so this cannot fail.
         let _ = store.app.set(app);
         app
     }
 
-    /// The words of the interface, without tracking: whatever shows words is built again for another language.
+    /// Texts of the interface. Not tracked: views with texts are rebuilt when the language changes.
     pub fn words(self) -> &'static Words {
         words_in(self.language.get_untracked())
     }
 
-    /// Works on everything the page holds. Must not be nested: the inner use does nothing and is reported in the console.
+    /// Calls `work` with the state of the page. Calls must not be nested: an inner call does nothing and is reported in
+    /// the console.
     #[track_caller]
     pub fn with<T>(self, work: impl FnOnce(&mut Lab) -> T) -> Option<T> {
         self.store.lab().map(|mut lab| work(&mut lab))
     }
 
-    /// Reads something from the desk; its default where no document is open. Must not be nested.
+    /// Reads from the desk; returns the default if no document is open. Calls must not be nested.
     #[track_caller]
     pub fn read_desk<T: Default>(self, read: impl FnOnce(&mut Desk) -> T) -> T {
         match self.store.desk() {
@@ -216,13 +219,13 @@ impl App {
         }
     }
 
-    /// Reads something of the texts in the editor.
+    /// Reads from the texts in the editor.
     #[track_caller]
     pub fn read_writing<T: Default>(self, read: impl FnOnce(&Writing) -> T) -> T {
         self.with(|lab| read(lab.writing())).unwrap_or_default()
     }
 
-    /// Does something at the desk, tells the views and draws.
+    /// Performs an action on the desk, notifies the views and redraws.
     #[track_caller]
     pub fn act_on_desk<T: Default>(self, act: impl FnOnce(&mut Desk) -> T) -> T {
         let result = self.read_desk(act);
@@ -230,7 +233,7 @@ impl App {
         result
     }
 
-    /// As [`App::act_on_desk`], for what may be refused: the refusal in words.
+    /// As [`App::act_on_desk`], for actions that can be refused. Returns the text of the refusal.
     #[track_caller]
     pub fn attempt_on_desk(self, act: impl FnOnce(&mut Desk) -> Result<(), Refusal>) -> Option<String> {
         self.act_on_desk(|desk| act(desk).err().map(|refusal| desk.refusal_text(&refusal)))

@@ -1,4 +1,4 @@
-//! Large parts of the laboratory that few visits need: they stand in the page deflated, or in a site in files of their own.
+//! Large parts of the laboratory that few visits need: deflated inside the page, or separate files in a site.
 
 use crate::packing;
 use js_sys::Promise;
@@ -7,27 +7,27 @@ use view::views::{document, window};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement};
 
-/// No part is longer when it is inflated.
+/// Maximum length of an inflated part, in bytes.
 const LONGEST: usize = 4_000_000;
 
-/// The element of a part. A heading of a document may have its id, too; a script it cannot be.
+/// Element of a part. Only `script` elements are searched, because a heading of a document may have the same id.
 pub fn part(id: &str) -> Option<Element> {
     document().query_selector(&format!("script#{id}")).ok()?
 }
 
-/// Whether the laboratory belongs to a site, where a part is a file.
+/// True if the laboratory belongs to a site, where parts are separate files.
 pub fn is_in_site() -> bool {
     part("player").is_some_and(|part| part.has_attribute("data-script"))
 }
 
-/// The text that stands in a part.
+/// Inflated text of a part.
 pub async fn inflated(part: &Element) -> Option<String> {
     let letters = window().atob(&part.text_content()?).ok()?;
     let bytes: Vec<u8> = letters.chars().map(|letter| letter as u8).collect();
     packing::inflate(&bytes, LONGEST).await
 }
 
-/// Runs the script of this address.
+/// Runs the script at this address.
 pub async fn run_file(address: &str) -> Option<()> {
     let script = script()?;
     let loaded = Promise::new(&mut |done, failed| {

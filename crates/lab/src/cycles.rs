@@ -1,4 +1,5 @@
-//! An oscillation cycle by cycle: a choice of plots, the table, the words. Nothing is computed while it is closed.
+//! Analysis of an oscillation cycle by cycle: choice of plots, table, explanations. Nothing is computed while it is
+//! closed.
 
 use crate::app::App;
 use desk::{CycleColumn, CyclesView, ExportKind};
@@ -7,7 +8,7 @@ use view::stage::plots;
 use view::views::*;
 use web_sys::HtmlDetailsElement;
 
-/// The section; nothing while there is no record.
+/// The section; empty while there are no records.
 pub fn view(app: App) -> View {
     let any = memo(move || {
         app.records.track();
@@ -19,7 +20,7 @@ pub fn view(app: App) -> View {
 fn card(app: App) -> View {
     let words = app.words();
     let open = create_signal(app.read_desk(|desk| desk.looks_at_cycles()));
-    // Raised whenever something else is looked at.
+    // Raised whenever another selection is made.
     let looked = create_signal(0_u32);
     let mut details = details();
     let node: HtmlDetailsElement = details.node();
@@ -66,7 +67,7 @@ fn content(app: App, looked: Signal<u32>) -> View {
     ))
 }
 
-/// Which column, which quantity, against what.
+/// Choice of column, quantity and abscissa.
 fn choices(app: App, looked: Signal<u32>) -> HtmlDiv {
     let words = app.words();
     let columns = move || {

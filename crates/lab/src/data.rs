@@ -1,10 +1,10 @@
-//! The recorded run and the records as a workbook.
+//! Export of the recorded run and the records as a workbook.
 
 use crate::app::App;
 use view::browser;
 use view::views::*;
 
-/// The button that saves it.
+/// Button that saves the workbook.
 pub fn workbook_button(app: App) -> HtmlButton {
     let save = move |_| {
         let kind = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";

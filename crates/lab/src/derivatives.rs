@@ -1,4 +1,4 @@
-//! Velocity and acceleration computed from a record's column: which column, by which method.
+//! Form for computing velocity and acceleration from a column of a record: column and method.
 
 use crate::app::App;
 use crate::intake;
@@ -7,10 +7,10 @@ use view::browser;
 use view::views::*;
 use web_sys::HtmlDetailsElement;
 
-/// What was chosen last: the same for all records, as long as the page is open.
+/// The last selection, shared by all records, as long as the page is open.
 #[derive(Clone, Copy)]
 pub struct Choice {
-    /// The records whose form is open.
+    /// Ids of the records whose form is open.
     open: Signal<Vec<u32>>,
     smooth: Signal<bool>,
     window: Signal<String>,
@@ -18,7 +18,7 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// What a person meets at first.
+    /// Initial selection.
     pub fn new() -> Self {
         Self {
             open: create_signal(Vec::new()),
@@ -37,7 +37,7 @@ impl Choice {
     }
 }
 
-/// The form, closed at first; nothing where no column can be differentiated.
+/// The form, initially closed; empty if no column can be differentiated.
 pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
     let words = app.words();
     let id = record.id;
@@ -99,7 +99,7 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
         .into()
 }
 
-/// Rows and degree of the smoothing polynomials.
+/// Fields for the number of rows and the degree of the smoothing polynomials.
 fn polynomial(app: App, id: u32, choice: Choice) -> View {
     let words = app.words();
     let field = move |part: &str, name: &'static str, text: Signal<String>| {

@@ -1,4 +1,4 @@
-//! What was found in a document, with its places in the text.
+//! Diagnostics of a document, with their places in the text.
 
 use crate::app::App;
 use crate::{titles, visited};
@@ -8,19 +8,19 @@ use std::rc::Rc;
 use units::{Language, Words};
 use view::views::*;
 
-/// What can be done with a finding where its text is open. Files are meant by their numbers.
+/// Actions on a diagnostic whose text is open. Files are identified by their index.
 #[derive(Clone)]
 pub struct Leads {
-    /// Goes to a place of a file, in bytes.
+    /// Goes to a place in a file: (file index, byte offset).
     pub go: Rc<dyn Fn(usize, usize)>,
-    /// Changes a file as a remedy says, where that is possible.
+    /// Applies a remedy to a file, if possible.
     pub fix: Option<CarryOut>,
 }
 
-/// Changes the file of a number as a remedy says.
+/// Applies a remedy to the file with this index.
 pub type CarryOut = Rc<dyn Fn(usize, &Fix)>;
 
-/// Remarks on a document that runs; nothing if there are none.
+/// Warnings about a document that runs; empty if there are none.
 pub fn remarks(app: App) -> View {
     let words = app.words();
     let (sources, findings) = app.with(|lab| (lab.sources.clone(), lab.findings.clone())).unwrap_or_default();
@@ -31,7 +31,7 @@ pub fn remarks(app: App) -> View {
     section().child(h3().child(words.warnings)).child(list).into()
 }
 
-/// The findings; where the text can be corrected, each place leads to it there, and remedies can be carried out.
+/// List of diagnostics. With `leads`, each place is a link to the text, and remedies have buttons.
 pub fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], leads: Option<Leads>) -> HtmlOl {
     let names = visited::names(sources);
     let item = |(file, diagnostic): &(usize, Diagnostic)| {
@@ -42,7 +42,7 @@ pub fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], lead
     ol().class("findings").each(findings, item)
 }
 
-/// A finding in a few words, where the place is in sight: what is wrong, why, and what can be done.
+/// Short form of a diagnostic beside its place: message, reason, remedies.
 pub fn brief(app: App, text: &str, diagnostic: &Diagnostic, carry_out: CarryOut) -> HtmlDiv {
     let language = app.language.get_untracked();
     let class = if diagnostic.severity == Severity::Error { "brief error" } else { "brief warning" };
@@ -60,7 +60,7 @@ fn hint_of(app: App, hint: &Words) -> HtmlP {
     p().class("remedy").child(strong().child(app.words().help).child(": ")).child(hint)
 }
 
-/// A button that changes the file of a number as a remedy says.
+/// Button that applies a remedy to the file with this index.
 fn fix_button(app: App, text: &str, fix: &Fix, (carry_out, file): (CarryOut, usize)) -> HtmlButton {
     let own = fix.clone();
     let title = with_code(&capitalised(fix.title(text).text(app.language.get_untracked())));
@@ -95,15 +95,15 @@ fn finding(
         .maybe((!fixes.is_empty()).then(|| div().class("actions").child(fixes)))
 }
 
-/// With a capital at its beginning.
+/// Sentence with a capital first letter.
 fn capitalised(sentence: &str) -> String {
     let mut letters = sentence.chars();
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
-/// A sentence of a diagnostic: what stands in it between backticks is code.
+/// Sentence of a diagnostic; text between backticks is code.
 fn with_code(sentence: &str) -> View {
-    // Without its partner the last backtick is one.
+    // An unpaired last backtick is an ordinary character.
     let paired = sentence.matches('`').count() / 2 * 2;
     let mut pieces = sentence.splitn(paired + 1, '`');
     let mut views: Vec<View> = Vec::new();
@@ -116,18 +116,18 @@ fn with_code(sentence: &str) -> View {
     views.into()
 }
 
-/// A line of the source with what is marked in it.
+/// A source line with its marked spans.
 struct Place {
     number: usize,
-    /// Where in the text it begins, in bytes.
+    /// Start of the line in the text, in bytes.
     start: usize,
-    /// The line, cut into what is marked and what is not.
+    /// The line in pieces: (text, true if marked).
     pieces: Vec<(String, bool)>,
-    /// What is marked, and what there is to say about it.
+    /// Marked texts with their remarks.
     remarks: Vec<(String, String)>,
 }
 
-/// The lines that the labels mark, in the order of the labels; several labels of one line share it.
+/// Lines marked by the labels, in the order of the labels; labels in the same line share it.
 fn places(text: &str, labels: &[Label], language: Language) -> Vec<Place> {
     let mut lines: Vec<(usize, usize, Vec<&Label>)> = Vec::new();
     for label in labels {
@@ -142,7 +142,7 @@ fn places(text: &str, labels: &[Label], language: Language) -> Vec<Place> {
     lines.into_iter().map(|(first, last, labels)| Place::of(text, (first, last), &labels, language)).collect()
 }
 
-/// The nearest place at or before `at` where a character begins.
+/// Greatest character boundary at or before byte `at`.
 fn boundary(text: &str, at: usize) -> usize {
     let mut at = at.min(text.len());
     while !text.is_char_boundary(at) {
@@ -152,7 +152,7 @@ fn boundary(text: &str, at: usize) -> usize {
 }
 
 impl Place {
-    /// Of a span over several lines, what is in the first one is marked.
+    /// Marks the labels in one line. Of a span over several lines, the part in the first line is marked.
     fn of(text: &str, (first, last): (usize, usize), labels: &[&Label], language: Language) -> Self {
         let span = |label: &Label| {
             let start = boundary(text, label.span.start);
@@ -177,7 +177,7 @@ impl Place {
         Self { number: text[..first].matches('\n').count() + 1, start, pieces, remarks }
     }
 
-    /// `leads` go to the text of the file of this number.
+    /// View of the line; `leads` go to the text of the file with this index.
     fn view(self, app: App, file: &str, leads: Option<(Leads, usize)>) -> View {
         let head = format!("{file}, {} {}", app.words().line, self.number);
         let start = self.start;

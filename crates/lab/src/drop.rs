@@ -1,4 +1,4 @@
-//! Files that are dropped anywhere on the page, and the sign that they can be while they are dragged over it.
+//! Dropping files anywhere on the page, with a visible hint while they are dragged over it.
 
 use crate::app::App;
 use crate::files;
@@ -6,14 +6,14 @@ use view::browser;
 use view::views::*;
 use web_sys::{DragEvent, Event};
 
-/// Whether what is dragged are files. Text that is dragged into a field is left to the browser.
+/// True if files are being dragged. Dragged text is left to the browser.
 fn holds_files(event: &DragEvent) -> bool {
     event.data_transfer().is_some_and(|data| data.types().includes(&"Files".into(), 0))
 }
 
-/// Listens as long as the page lives.
+/// Installs the listeners, which live as long as the page.
 pub fn listen(app: App) {
-    // `dragenter` and `dragover` have to be refused, or the browser opens the file itself.
+    // The default action must be prevented; otherwise the browser opens the file itself.
     for kind in ["dragenter", "dragover"] {
         browser::listen(kind, move |event: &DragEvent| {
             if holds_files(event) {
@@ -24,7 +24,7 @@ pub fn listen(app: App) {
             }
         });
     }
-    // Going from one element to the next leaves the first; out of the window there is no next one.
+    // A move to another element also fires `dragleave`; only on leaving the window is there no related target.
     browser::listen("dragleave", move |event: &DragEvent| {
         if event.related_target().is_none() {
             app.dragging_files.set(false);
@@ -40,7 +40,7 @@ pub fn listen(app: App) {
             files::open(app, &files);
         }
     });
-    // A drag that ends elsewhere, or with Escape, may cause no event; a pointer that moves again has let go.
+    // A drag that ends elsewhere or with Escape may fire no event. A pointer move shows that it has ended.
     browser::listen("pointermove", move |_: &Event| {
         if app.dragging_files.get_untracked() {
             app.dragging_files.set(false);
@@ -48,7 +48,7 @@ pub fn listen(app: App) {
     });
 }
 
-/// The sign. It takes no pointer: the drop goes to what lies below it.
+/// The hint. It ignores the pointer, so that the drop reaches the content below.
 pub fn view(app: App) -> View {
     changing(move || {
         if !app.dragging_files.get() {

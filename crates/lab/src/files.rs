@@ -1,4 +1,4 @@
-//! Files that a person picks or drops.
+//! Opening files picked or dropped by the user.
 
 use crate::app::App;
 use crate::{film, intake, opening, project};
@@ -8,7 +8,7 @@ use js_sys::Uint8Array;
 use view::browser;
 use web_sys::{File, FileList};
 
-/// The text of a file, without the byte-order mark that some editors write; or why there is none.
+/// Text of a file without byte-order mark, or the reason why it cannot be read.
 async fn text_of(app: App, file: &File) -> Result<String, String> {
     let (name, words) = (file.name(), app.words());
     let bytes = browser::wait(file.array_buffer()).await.map_err(|_| format!("{} {name}", words.file_not_read))?;
@@ -17,12 +17,12 @@ async fn text_of(app: App, file: &File) -> Result<String, String> {
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
-/// Whether a text is a simulation, right or wrong: only that takes the place of the open one.
+/// True if a text contains a model, with or without errors: only then does it replace the open document.
 fn has_model(text: &str) -> bool {
     document::read(text).blocks_of(BlockKind::Model).next().is_some()
 }
 
-/// Opens files that the user picked: a document with its translations, one exported page, a project, or records.
+/// Opens files picked by the user: a document with its translations, one exported page, a project, or records.
 pub fn open(app: App, files: &FileList) {
     let files: Vec<File> = (0..files.length()).filter_map(|index| files.get(index)).collect();
     wasm_bindgen_futures::spawn_local(async move {
@@ -47,7 +47,7 @@ pub fn open(app: App, files: &FileList) {
             let name = file.name();
             let text = match text_of(app, &file).await {
                 Ok(text) => text,
-                // Of a document and its translations, none is opened alone.
+                // A document and its translations are opened together or not at all.
                 Err(refusal) => return app.complain(refusal),
             };
             if let Some(embedded) = page::read(&text) {
@@ -58,7 +58,7 @@ pub fn open(app: App, files: &FileList) {
                 sources.push(Source { name, text });
             }
         }
-        // `utube.md` before `utube.es.md`: the document before its translations.
+        // `utube.md` before `utube.es.md`: the document precedes its translations.
         sources.sort_by_key(|source| source.name.matches('.').count());
         if sources.is_empty() {
             return app.complain(app.words().unreadable.to_owned());

@@ -1,4 +1,4 @@
-//! The top of the page: the mark, the document's title, and what concerns the page as a whole.
+//! Header of the page: logo, title of the document, and controls for the whole page.
 
 use crate::app::App;
 use crate::{files, library_list, publish};
@@ -6,7 +6,7 @@ use view::icons;
 use view::views::*;
 use web_sys::HtmlInputElement;
 
-/// The head of the page.
+/// The header.
 pub fn view(app: App) -> HtmlHeader {
     let words = app.words();
     let browse = labelled(icons::books(), words.library)

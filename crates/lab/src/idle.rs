@@ -1,10 +1,10 @@
-//! The stage while there is nothing to run: the page has no document, or the model of its document has errors.
+//! Content of the stage if nothing can run: no document is open, or its model has errors.
 
 use crate::app::App;
 use crate::{library_list, opening};
 use view::views::*;
 
-/// In place of scene, plots and transport. The skip link leads here.
+/// Replaces scene, plots and transport. It is also the target of the skip link.
 pub fn stage(app: App) -> HtmlSection {
     let words = app.words();
     let is_empty = app.with(|lab| lab.sources.is_empty()) == Some(true);
@@ -22,7 +22,7 @@ pub fn stage(app: App) -> HtmlSection {
         .child(ways_on(app))
 }
 
-/// Where else one can go: to the document that was open before, to the list of documents.
+/// Buttons to the previous document and to the list of documents.
 fn ways_on(app: App) -> HtmlDiv {
     let words = app.words();
     let before = app.with(|lab| lab.sources_before.clone()).unwrap_or_default();

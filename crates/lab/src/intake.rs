@@ -1,5 +1,5 @@
-//! Files on their way to become records: one after the other, in slices between which the page reacts, with a bar and a way
-//! out.
+//! Reading files as records: one after the other, in slices between which the page reacts, with a progress bar and a
+//! cancel button.
 
 use crate::app::App;
 use crate::{film, tabs};
@@ -8,15 +8,15 @@ use view::views::*;
 use view::{browser, messages};
 use web_sys::File;
 
-/// A slice of work takes so many milliseconds.
+/// Duration of a slice, in milliseconds.
 const SLICE: f64 = 20.0;
-/// So many bytes are read at once; a slice is several of these.
+/// Number of bytes read at once; a slice consists of several such reads.
 const BUDGET: usize = 64 << 10;
 
-/// The bar, while a file is being read.
+/// Progress bar while a file is being read.
 pub fn view(app: App) -> View {
     let name = memo(move || app.record_progress.with(|now| now.as_ref().map(|now| now.name.clone())));
-    // The name is taken out first: nothing may be made while a signal is being read.
+    // The name is copied first: no view may be built while a signal is borrowed.
     changing(move || name.get_clone().map_or_else(View::new, |name| bar(app, &name)))
 }
 
@@ -42,7 +42,7 @@ fn bar(app: App, name: &str) -> View {
         .into()
 }
 
-/// Reads files as records, after those that are waiting already.
+/// Appends files to the queue of files to be read as records.
 pub fn read(app: App, files: Vec<File>) {
     let begins = app.with(|lab| {
         lab.files.extend(files);
@@ -62,7 +62,7 @@ pub fn read(app: App, files: Vec<File>) {
     }
 }
 
-/// Reads one file. Why that was not possible, in words.
+/// Reads one file. Returns the reason if it could not be read.
 async fn read_file(app: App, file: &File) -> Option<String> {
     let name = file.name();
     refuse(app, None);
@@ -71,7 +71,7 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     app.say(format!("{} {name}", app.words().reading_record));
     let gathered = gathered(file).await;
     let given_up = || app.record_progress.with_untracked(Option::is_none);
-    // While the browser was reading the file.
+    // Cancelled while the browser was reading the file.
     if given_up() {
         return None;
     }
@@ -82,7 +82,7 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     let mut refusal = match begun {
         Some(Ok(true)) => None,
         Some(Err(why)) => app.attempt_on_desk(|_| Err(why)),
-        // What is too large is refused unread.
+        // Too large files are refused without reading them.
         _ if file.size() > LONGEST_RECORD as f64 => {
             app.attempt_on_desk(|_| Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 }))
         }
@@ -113,7 +113,7 @@ async fn read_file(app: App, file: &File) -> Option<String> {
             app.record_progress.set(progress);
         }
     }
-    // The views of the new record are made in a slice of their own.
+    // The views of the new record are built in a separate slice.
     browser::breathe().await;
     app.act(|_| ());
     if refusal.is_none() {
@@ -122,7 +122,8 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     refusal
 }
 
-/// What a project of Tracker needs of an archive, which may hold a large film and is not read whole; `None` for other files.
+/// Parts of an archive needed for a Tracker project. The archive may contain a large film and is not read completely.
+/// `None` for other files.
 async fn gathered(file: &File) -> Option<Gathering> {
     let name = file.name().to_lowercase();
     if ![".trz", ".zip"].iter().any(|ending| name.ends_with(ending)) {
@@ -137,7 +138,8 @@ async fn gathered(file: &File) -> Option<Gathering> {
     Some(gathering)
 }
 
-/// Shows why a record was not taken: in the line of messages, and where records come in.
+/// Shows the reason why a record was refused, in the line of messages and beside the input of records; `None` clears
+/// it.
 pub fn refuse(app: App, refusal: Option<String>) {
     if let Some(why) = &refusal {
         app.complain(why.clone());

@@ -1,4 +1,4 @@
-//! The documents that the page carries besides the one it opens with: the other simulations, and the theories of a
+//! Library: documents contained in the page besides the one it opens with, namely other simulations and theories of a
 //! damped liquid column.
 
 use document::page::{self, Source};
@@ -6,23 +6,23 @@ use document::{Card, Document};
 use play::Subject;
 use std::cell::{OnceCell, RefCell};
 
-/// Where the theories stand.
+/// Folder of the theories.
 pub const THEORIES: &str = "theories/";
 
-/// A document and its translations.
+/// A document with its translations.
 #[derive(Clone)]
 pub struct Entry {
-    /// Its files, the document first.
+    /// Files, the document first.
     pub files: Vec<Source>,
 }
 
 impl Entry {
-    /// The name of its file.
+    /// File name of the document.
     pub fn file(&self) -> &str {
         self.files.first().map_or("", |file| &file.name)
     }
 
-    /// What a list shows of it in a language: of its own file in that language, and of the document what that file lacks.
+    /// Card for lists, in a language: from the translation, completed by the document.
     pub fn card(&self, language: &str) -> Card {
         let mut cards = self.files.iter().map(|file| document::card(&file.text));
         let base = cards.next().unwrap_or_default();
@@ -36,12 +36,12 @@ impl Entry {
         Card { title, summary, topics, ..own }
     }
 
-    /// Its title in a language.
+    /// Title in a language.
     pub fn title(&self, language: &str) -> String {
         self.card(language).title
     }
 
-    /// The document, if it has no errors.
+    /// Opens the document; `None` if it has errors.
     pub fn open(&self) -> Option<Document> {
         let texts: Vec<&str> = self.files.iter().map(|file| file.text.as_str()).collect();
         let (source, translations) = texts.split_first()?;
@@ -49,13 +49,13 @@ impl Entry {
     }
 }
 
-/// What the page carries. It is asked for at each change of a text.
+/// Documents contained in the page. Kept in memory because every change of a text reads them.
 struct Carried {
     home: RefCell<Vec<Source>>,
     entries: Vec<Entry>,
 }
 
-/// What the page carries, read when it is first asked for.
+/// Documents contained in the page, read on first use.
 fn carried() -> &'static Carried {
     thread_local! {
         static CARRIED: OnceCell<&'static Carried> = const { OnceCell::new() };
@@ -72,7 +72,7 @@ fn carried() -> &'static Carried {
     CARRIED.with(|cell| *cell.get_or_init(read))
 }
 
-/// All entries, in the order in which the page carries them.
+/// All entries, in the order of the page.
 pub fn entries() -> Vec<Entry> {
     carried().entries.clone()
 }
@@ -96,27 +96,27 @@ fn read_entries() -> Vec<Entry> {
     entries
 }
 
-/// The theories among them.
+/// The theories.
 pub fn theories() -> Vec<Entry> {
     entries().into_iter().filter(|entry| entry.file().starts_with(THEORIES)).collect()
 }
 
-/// What the page opens with: the document it was exported with, else the first of the library.
+/// Files that the page opens with: the document it was exported with, otherwise the first of the library.
 pub fn home() -> Vec<Source> {
     carried().home.borrow().clone()
 }
 
-/// The page opens with these files from now on: those that it is served from have changed.
+/// Replaces the files that the page opens with, because the served files have changed.
 pub fn change_home(files: Vec<Source>) {
     carried().home.replace(files);
 }
 
-/// The files of the entry of this name.
+/// Files of the entry with this name.
 pub fn find(name: &str) -> Option<Vec<Source>> {
     carried().entries.iter().find(|entry| entry.file() == name).map(|entry| entry.files.clone())
 }
 
-/// What a link calls a document: the page's own, one of the library, or one that only its author has.
+/// Subject of a link to a document: the page's own, one of the library, or one that only the user has.
 pub fn subject(files: &[Source]) -> Subject {
     if *carried().home.borrow() == files {
         return Subject::Home;

@@ -1,4 +1,4 @@
-//! The library: the documents that the page carries as cards, each with a picture that moves, and a search over them.
+//! Dialog of the library: cards of the documents with moving pictures, and a search.
 
 use crate::app::App;
 use crate::library::{Entry, THEORIES, entries, find};
@@ -12,10 +12,10 @@ use view::views::*;
 use view::{browser, views};
 use web_sys::{Element, HtmlDialogElement, HtmlElement, KeyboardEvent, MouseEvent};
 
-/// The field that is searched with.
+/// Id of the search field.
 const SEARCH: &str = "library-search";
 
-/// Opens the entry of this file. Whether there is one.
+/// Opens the entry with this file name. Returns false if there is none.
 pub fn open(app: App, file: &str) -> bool {
     let Some(files) = find(file) else { return false };
     opening::open_sources(app, files);
@@ -28,13 +28,13 @@ pub fn choose(app: App) {
     if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
         let _ = dialog.show_modal();
     }
-    // On a touch screen the focus would call up the keyboard, which hides the cards.
+    // On a touch screen, the focus would open the keyboard, which hides the cards.
     if browser::matches("(hover: hover)") {
         browser::focus(SEARCH);
     }
 }
 
-/// The library as a dialog. Its cards are there only while it is open: pictures need memory.
+/// The library as a dialog. Its cards exist only while it is open, because pictures need memory.
 pub fn dialog(app: App) -> HtmlDialog {
     let words = app.words();
     views::dialog("library-list", "library-title", words.library, words.close)
@@ -42,12 +42,12 @@ pub fn dialog(app: App) -> HtmlDialog {
         .child(changing(move || if app.library_asked_for.get() { contents(app) } else { View::new() }))
 }
 
-/// An entry, and what its card shows.
+/// An entry with its card.
 struct Item {
     number: usize,
     entry: Entry,
     card: Card,
-    /// What was written in this browser, where it is no document of the page.
+    /// Document written in this browser; `None` for one contained in the page.
     own: Option<kept::Document>,
 }
 
@@ -86,7 +86,7 @@ fn contents(app: App) -> View {
     View::from((tools, groups))
 }
 
-/// The field that is searched with.
+/// The search field.
 fn field(app: App, search: &Search) -> HtmlDiv {
     let words = app.words();
     let typed = search.typed;
@@ -100,7 +100,7 @@ fn field(app: App, search: &Search) -> HtmlDiv {
     div().class("library-field").child(label().r#for(SEARCH).child(words.library_search)).child(input)
 }
 
-/// The topics: one of them, or none, limits what is shown.
+/// Topic buttons. At most one topic limits the documents shown.
 fn chips(app: App, search: &Search) -> HtmlDiv {
     let chosen = search.topic;
     let chip = |name: &String| {
@@ -154,7 +154,7 @@ fn card(app: App, item: Item, found: ReadSignal<Found>, pictures: &Pictures) -> 
         .child(content)
 }
 
-/// A picture, what leads to the document, what it is about, and what stands below that.
+/// Content of a card: picture, link (`lead`), summary, and further content below.
 fn face(pictures: &Pictures, number: usize, (entry, card): (&Entry, &Card), lead: View, below: View) -> View {
     let mut place = div().class("library-picture").attr("aria-hidden", "true");
     pictures.add(number, entry.files.clone(), &place.node::<Element>());
@@ -168,11 +168,11 @@ fn face(pictures: &Pictures, number: usize, (entry, card): (&Entry, &Card), lead
     ))
 }
 
-/// The link to a document of the page.
+/// Link to a document of the page.
 fn link(app: App, number: usize, title: String, file: String) -> HtmlA {
     let address = browser::address(&Link { subject: Subject::Library(file.clone()), state: String::new() }.write());
     let follow = move |event: MouseEvent| {
-        // Another tab or window is the browser's.
+        // With a modifier key, the browser opens another tab or window.
         if !(event.ctrl_key() || event.meta_key() || event.shift_key() || event.alt_key()) {
             event.prevent_default();
             leave_for(app, || {
@@ -188,7 +188,7 @@ fn link(app: App, number: usize, title: String, file: String) -> HtmlA {
         .child(title)
 }
 
-/// Closes the library, and opens a document.
+/// Closes the library and opens a document.
 fn leave_for(app: App, open: impl FnOnce()) {
     if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
         dialog.close();
@@ -206,7 +206,7 @@ fn link_id(number: usize) -> String {
     format!("entry-{number}")
 }
 
-/// From the search to the first card.
+/// Moves the focus from the search to the first card.
 fn from_search(event: &KeyboardEvent, found: ReadSignal<Found>) {
     let key = event.key();
     if key == "ArrowDown" || (key == "Enter" && browser::focused() == SEARCH) {
@@ -218,7 +218,7 @@ fn from_search(event: &KeyboardEvent, found: ReadSignal<Found>) {
     }
 }
 
-/// Arrow keys go from card to card as they lie on the screen.
+/// Arrow keys move the focus between cards by their positions on the screen.
 fn among_cards(event: &KeyboardEvent, found: ReadSignal<Found>) {
     let Some(present) = browser::focused().strip_prefix("entry-").and_then(|number| number.parse::<usize>().ok())
     else {
@@ -249,7 +249,7 @@ fn among_cards(event: &KeyboardEvent, found: ReadSignal<Found>) {
     }
 }
 
-/// The card in the next row, or with -1 in the one before, that is nearest to the present one.
+/// Nearest card in the next row (`down` = 1) or in the previous one (-1).
 fn beside(present: usize, shown: &[usize], down: f64) -> Option<usize> {
     let place = |number: usize| {
         let link: HtmlElement = browser::by_id(&link_id(number))?;

@@ -1,4 +1,4 @@
-//! Cards of the documents that were written in this browser: each can be removed, and put back as long as the library is open.
+//! Cards of documents written in this browser. Each can be removed, and restored while the library is open.
 
 use crate::app::App;
 use crate::write::kept::{self, Document, Removed};
@@ -7,8 +7,8 @@ use std::rc::Rc;
 use view::views::*;
 use view::{browser, icons};
 
-/// What the card of a document says. `id` is that of the button that opens it, or puts it back; `face` gives the card around that button
-/// and what stands below the summary.
+/// Card of a document. `id` is that of the button that opens or restores it. `face` builds the card from this button
+/// and the content below the summary.
 pub fn card(
     app: App,
     document: Document,
@@ -54,7 +54,7 @@ pub fn card(
     })
 }
 
-/// In the place of the card of a document that was removed.
+/// Replaces the card of a removed document.
 fn undo(app: App, document: &Document, id: &str, put_back: impl Fn() + 'static) -> View {
     let words = app.words();
     let (note, back) = (format!("{id}-removed"), id.to_owned());

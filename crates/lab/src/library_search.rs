@@ -1,32 +1,32 @@
-//! Searching the library: by words that are typed, and by a topic.
+//! Search in the library by typed words and by topic.
 
 use document::Card;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use view::views::*;
 
-/// For each card whether it is found.
+/// For each card, true if it matches.
 pub type Found = Vec<bool>;
 
-/// What is searched for, and in what.
+/// Search terms and searchable cards.
 pub struct Search {
-    /// What has been typed.
+    /// Typed text.
     pub typed: Signal<String>,
-    /// The topic chosen.
+    /// Selected topic.
     pub topic: Signal<Option<String>>,
-    /// All topics, the most frequent one first.
+    /// All topics, the most frequent first.
     pub topics: Vec<String>,
     cards: Rc<Vec<Searched>>,
 }
 
-/// A card, as it is compared.
+/// Searchable form of a card.
 struct Searched {
     text: String,
     topics: Vec<String>,
 }
 
 impl Search {
-    /// A search over cards; nothing is searched for yet.
+    /// Creates a search over cards, initially without terms.
     pub fn over<'a>(cards: impl Iterator<Item = &'a Card>) -> Self {
         let mut counts: BTreeMap<String, (usize, String)> = BTreeMap::new();
         let mut searched = Vec::new();
@@ -48,7 +48,7 @@ impl Search {
         }
     }
 
-    /// What is found. Every word typed must occur, as a part of a word too.
+    /// Matching cards. Every typed word must occur, possibly inside a word.
     pub fn found(&self) -> ReadSignal<Found> {
         let (typed, topic, cards) = (self.typed, self.topic, self.cards.clone());
         memo(move || {
@@ -63,13 +63,13 @@ impl Search {
     }
 }
 
-/// A text for comparing: small letters without accents.
+/// Text for comparison: lower case without accents.
 fn folded(text: &str) -> String {
     let decomposed = String::from(js_sys::JsString::from(text.to_lowercase()).normalize("NFD"));
     decomposed.chars().filter(|letter| !('\u{300}'..='\u{36f}').contains(letter)).collect()
 }
 
-/// The text of HTML.
+/// Text of an HTML fragment without its tags.
 fn without_tags(html: &str) -> String {
     let parts = html.split('<').map(|part| part.split_once('>').map_or(part, |(_, text)| text));
     parts.collect::<Vec<_>>().join(" ")

@@ -1,4 +1,4 @@
-//! Links: what the address asks for, and the link that reopens what is seen.
+//! Links: evaluates the address, and creates links to the present state.
 
 use crate::app::App;
 use crate::{library, packing, visited};
@@ -6,19 +6,19 @@ use document::page::{self, Source};
 use play::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Refusal, Subject, packed_length};
 use view::browser::{self, address, fragment, is_heading};
 
-/// What a link leads to.
+/// Document and state that a link refers to.
 pub struct Arrival {
-    /// The files of the document.
+    /// Files of the document.
     pub sources: Vec<Source>,
-    /// The state of it; empty where there is none.
+    /// State of the document; empty if there is none.
     pub state: String,
-    /// What could not be done.
+    /// Reason if the link could not be followed completely.
     pub refusal: Option<Refusal>,
-    /// The file that the link needs, and the state of that document.
+    /// Name of the file that the link needs, and the state of that document.
     pub awaited: Option<(String, String)>,
 }
 
-/// What the page opens with: the document of this step of the history, else what its address says.
+/// Document at the start of the page: that of the present history entry, otherwise that of the address.
 pub async fn first() -> Arrival {
     match visited::present() {
         Some(visited::Visited { sources, .. }) => {
@@ -28,7 +28,7 @@ pub async fn first() -> Arrival {
     }
 }
 
-/// What a fragment leads to. Where that cannot be opened, the page's own document is.
+/// Document of a fragment, or the page's own document if it cannot be opened.
 pub async fn read(fragment: &str) -> Arrival {
     let mut arrival = Arrival { sources: library::home(), state: String::new(), refusal: None, awaited: None };
     if is_heading(fragment) {
@@ -61,15 +61,15 @@ pub async fn read(fragment: &str) -> Arrival {
     arrival
 }
 
-/// How addresses begin that lead to this computer alone.
+/// Prefixes of addresses that are reachable from this computer only.
 const LOCAL: [&str; 4] = ["file:", "http://127.0.0.1", "http://localhost", "http://[::1]"];
 
-/// Whether an address leads to this computer alone.
+/// True if an address is reachable from this computer only.
 pub fn is_local(address: &str) -> bool {
     LOCAL.iter().any(|start| address.starts_with(start))
 }
 
-/// A link to what is seen, and what has to be said of its document.
+/// Link to the present state, and a remark on its document, if any.
 pub async fn present(app: App) -> (String, Option<String>) {
     let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
     let (subject, remark) = pack(app, &sources).await;
@@ -77,8 +77,8 @@ pub async fn present(app: App) -> (String, Option<String>) {
     (address(&Link { subject, state }.write()), remark)
 }
 
-/// Puts a link to what is seen into the address bar and the clipboard. `say` gets whether that was allowed, what the link does not hold,
-/// and who cannot open it.
+/// Puts a link to the present state into the address bar and the clipboard. `say` is called with a message: success or
+/// failure, what the link does not contain, and who cannot open it.
 pub fn share(app: App, say: impl FnOnce(String) + 'static) {
     wasm_bindgen_futures::spawn_local(async move {
         let words = app.words();
@@ -100,8 +100,8 @@ pub fn share(app: App, say: impl FnOnce(String) + 'static) {
     });
 }
 
-/// The document part of a link, and what has to be said of it. The document with its translations if they are short enough,
-/// else without, else only its name.
+/// Document part of a link, and a remark on it, if any. Contains the document with its translations if short enough,
+/// otherwise without them, otherwise only its name.
 async fn pack(app: App, sources: &[Source]) -> (Subject, Option<String>) {
     let words = app.words();
     let known = library::subject(sources);

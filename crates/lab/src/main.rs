@@ -1,5 +1,6 @@
-//! The browser shell of the laboratory: it calls the methods of the desk and of its simulation and draws what their getters give.
-//! All state is theirs; what is kept here is the browser's business (nodes, canvases, the clock, the theme).
+//! Browser shell of the laboratory: it calls the methods of the desk and of its simulation and draws the values of
+//! their getters. The desk and the simulation own the state; this crate keeps browser objects only (nodes, canvases,
+//! the clock, the theme).
 
 mod app;
 mod carried;

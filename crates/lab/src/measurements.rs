@@ -1,4 +1,4 @@
-//! The tab of measured data: records come in and are looked at, cycle by cycle too.
+//! Tab of measured data: import and display of records, analysis cycle by cycle.
 
 use crate::app::App;
 use crate::intake::{self, refuse};
@@ -8,7 +8,7 @@ use view::views::*;
 use view::{browser, icons};
 use web_sys::{HtmlInputElement, HtmlTextAreaElement};
 
-/// The tab.
+/// Content of the tab.
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     div()
@@ -18,7 +18,7 @@ pub fn view(app: App) -> HtmlDiv {
         .child(ways_in(app))
         .child(film::virtual_camera(app))
         .child(intake::view(app))
-        // No live region: the line of messages has said it.
+        // Not a live region: the line of messages has already announced it.
         .child(
             p().class("refusal")
                 .id("record-refusal")
@@ -29,7 +29,7 @@ pub fn view(app: App) -> HtmlDiv {
         .child(virtual_form::view(app))
 }
 
-/// The ways in: a file, a pasted table.
+/// Inputs for records: a file, a pasted table.
 fn ways_in(app: App) -> View {
     let words = app.words();
     let mut input = input().r#type("file");
@@ -85,7 +85,7 @@ pub fn sample(app: App, number: usize) {
     }
 }
 
-/// Adds a record and shows it, or says why it could not be read. Whether it was added.
+/// Adds a record and opens the tab, or shows why it could not be read. Returns true if it was added.
 fn add(app: App, name: &str, bytes: &[u8]) -> bool {
     let refusal = app.attempt_on_desk(|desk| desk.add_record(name, bytes).map(|_| ()));
     let added = refusal.is_none();

@@ -1,22 +1,22 @@
-//! Follows the browser's history, and links to other states of this page.
+//! Reacts to the browser history and to links to other states of this page.
 
 use crate::app::App;
 use crate::{links, opening, saved, visited};
 use view::browser;
 use web_sys::Event;
 
-/// Follows the history, and links to other states of this page.
+/// Installs the listeners for the history and for changes of the fragment.
 pub fn listen(app: App) {
     browser::listen("popstate", move |_: &Event| {
         if let Some(before) = visited::present().filter(|before| before.sources != visited::sources(app)) {
-            // The step has changed already: what is typed in this moment is not noted in it.
+            // The history entry has already changed: text typed just now is not stored in it.
             saved::now(app);
             opening::open(app, before.sources, "");
         }
     });
     browser::listen("hashchange", move |_: &Event| {
         if visited::present().is_some() {
-            // Back or forward: the document is open already.
+            // Back or forward: the document is already open.
             return;
         }
         let fragment = browser::fragment();

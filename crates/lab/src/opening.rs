@@ -1,4 +1,4 @@
-//! Opening documents. The state of the last visit comes back with them.
+//! Opening documents, with the state of the last visit.
 
 use crate::app::{App, Lab};
 use crate::links::Arrival;
@@ -11,7 +11,7 @@ use document::page::Source;
 use view::{browser, messages};
 use web_sys::Event;
 
-/// Opens what a link or the history leads to.
+/// Opens the document of a link or history entry.
 pub fn arrive(app: App, arrival: Arrival) {
     let Arrival { sources, state, refusal, awaited } = arrival;
     let is_open = app.with(|lab| lab.desk.is_some() && lab.sources == sources) == Some(true);
@@ -34,13 +34,13 @@ pub fn arrive(app: App, arrival: Arrival) {
     }
 }
 
-/// Opens a document from its files. `state` is a shared state; without one the state of the last visit is taken.
+/// Opens a document from its files with a shared state; if `state` is empty, with the state of the last visit.
 pub fn open(app: App, sources: Vec<Source>, state: &str) {
     let present = visited::present().filter(|visited| visited.sources == sources);
     open_visited(app, present.unwrap_or(Visited { sources, draft: None }), state);
 }
 
-/// Opens a document as a step remembers it, with its draft.
+/// Opens a document of a history entry, with its draft.
 fn open_visited(app: App, visited: Visited, state: &str) {
     let (sources, written_as) = (visited.sources.clone(), write::kept::find(&visited));
     let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
@@ -56,7 +56,7 @@ fn open_visited(app: App, visited: Visited, state: &str) {
         None => (None, Vec::new()),
     };
     let closed = app.with(|lab| {
-        // From a document in which nothing runs a button leads back to the last one that did.
+        // If the new document does not run, a button leads back to the last one that did.
         if desk.is_some() {
             lab.sources_before.clear();
         } else if lab.desk.is_some() {
@@ -81,8 +81,8 @@ fn open_visited(app: App, visited: Visited, state: &str) {
     placed(app, closed.unwrap_or_default());
 }
 
-/// Puts a desk in the place of the one before, which hands over its records; where the document has nothing to run, they wait for
-/// the next that has. How many records of earlier visits there was no room for.
+/// Replaces the desk; the new one takes over the records. If the document does not run, the records wait for the next
+/// one that does. Returns the number of stored records that could not be restored for lack of room.
 fn place(lab: &mut Lab, mut desk: Option<Desk>) -> usize {
     let before = lab.desk.take().or_else(|| lab.parked.take());
     let mut closed = 0;
@@ -105,7 +105,7 @@ fn place(lab: &mut Lab, mut desk: Option<Desk>) -> usize {
     closed
 }
 
-/// What follows when a desk is in its place.
+/// Follow-up actions after placing a desk.
 fn placed(app: App, closed: usize) {
     if closed > 0 {
         app.complain(app.words().records_closed.to_owned());
@@ -115,8 +115,8 @@ fn placed(app: App, closed: usize) {
     }
 }
 
-/// Changes the texts of a document in which nothing runs, and the files that they belong to. Once there is something to run, the stage
-/// and the other tabs show it.
+/// Changes the texts of a document that does not run, and its files. Once it runs, the stage and the other tabs show
+/// it.
 pub fn mend(app: App, change: impl FnOnce(&mut Writing, &mut Vec<Source>) -> Option<Document>) {
     let language = app.language.get_untracked();
     let closed = app.with(|lab| {
@@ -138,18 +138,18 @@ pub fn mend(app: App, change: impl FnOnce(&mut Writing, &mut Vec<Source>) -> Opt
     }
 }
 
-/// Brings back a state: whether families have other sizes now, and what could not be done, in words.
+/// Restores a state. Returns true if sizes of families have changed, and the text of the refusal, if any.
 fn restored(desk: &mut Desk, state: &str) -> (bool, Option<String>) {
     let (resized, result) = desk.restore(state);
     (resized, result.err().map(|refusal| desk.play().refusal_text(&refusal)))
 }
 
-/// Opens a document of the library, or that of a fit.
+/// Opens a document of the library or of a fit.
 pub fn open_sources(app: App, sources: Vec<Source>) {
     go_to(app, sources, "");
 }
 
-/// Opens a document as the next step of the visit. `state` may be empty.
+/// Opens a document as a new history entry. `state` may be empty.
 pub fn go_to(app: App, sources: Vec<Source>, state: &str) {
     go_to_visited(app, Visited { sources, draft: None }, state);
 }
@@ -158,17 +158,17 @@ fn go_to_visited(app: App, visited: Visited, state: &str) {
     leave(app);
     open_visited(app, visited, state);
     visited::step(app);
-    // What is wrong with it stands at the top, too.
+    // Its diagnostics are also at the top.
     browser::scroll_to(0.0);
 }
 
-/// Opens what was written earlier.
+/// Opens a document written earlier in this browser.
 pub fn open_kept(app: App, kept: Visited) {
     go_to_visited(app, kept, "");
     visited::note(app, None);
 }
 
-/// Opens another theory for the records that are being fitted: the page stays where it is scrolled to.
+/// Opens another theory for the records being fitted; the scroll position is kept.
 pub fn change_theory(app: App, sources: Vec<Source>) {
     let place = browser::scrolled();
     leave(app);
@@ -177,19 +177,18 @@ pub fn change_theory(app: App, sources: Vec<Source>) {
     browser::scroll_to(place);
 }
 
-/// Saves what there is of the open document before another one takes its place.
+/// Saves the open document before it is replaced.
 pub fn leave(app: App) {
     write::flush(app);
     saved::now(app);
 }
 
-/// Saves everything for the next visit, whenever the page is about to go out of sight: the only moment that every browser
-/// announces.
+/// Saves everything for the next visit whenever the page becomes hidden: the only moment that every browser reports.
 pub fn save_when_left(app: App) {
     browser::listen("pagehide", move |_: &Event| leave(app));
     browser::listen("visibilitychange", move |_: &Event| {
         leave(app);
-        // Back in sight, the frames go on.
+        // Visible again: the frames continue.
         app.page.wake();
     });
 }

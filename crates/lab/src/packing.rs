@@ -1,26 +1,27 @@
-//! Texts deflated and inflated by the browser, for documents inside links and parts of pages.
+//! Compression and decompression by the browser, for documents inside links and parts of pages.
 
 use js_sys::{Array, Function, Reflect, Uint8Array};
 use view::browser;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{ReadableStream, ReadableStreamDefaultReader, WritableStream, WritableStreamDefaultWriter};
 
-/// Deflates a text; `None` where the browser cannot.
+/// Deflates a text; `None` if the browser does not support it.
 pub async fn deflate(text: &str) -> Option<Vec<u8>> {
     through("CompressionStream", "deflate-raw", text.as_bytes(), usize::MAX).await
 }
 
-/// Bytes in the format of gzip; `None` where the browser cannot.
+/// Compresses bytes in gzip format; `None` if the browser does not support it.
 pub async fn gzip(bytes: &[u8]) -> Option<Vec<u8>> {
     through("CompressionStream", "gzip", bytes, usize::MAX).await
 }
 
-/// Inflates a text of at most `most` bytes. What comes from a link may be a bomb: no more than that is unpacked.
+/// Inflates a text of at most `most` bytes; `None` if it is longer. The limit protects against decompression bombs in
+/// links.
 pub async fn inflate(bytes: &[u8], most: usize) -> Option<String> {
     String::from_utf8(through("DecompressionStream", "deflate-raw", bytes, most).await?).ok()
 }
 
-/// Inflates a file of at most `most` bytes in parts, which stay where the browser has them.
+/// Inflates a file of at most `most` bytes into parts that stay in browser memory.
 pub async fn inflate_parts(bytes: &Uint8Array, most: usize) -> Option<Array> {
     let parts = Array::new();
     let keep = |part: &Uint8Array| {
@@ -30,14 +31,14 @@ pub async fn inflate_parts(bytes: &Uint8Array, most: usize) -> Option<Array> {
     Some(parts)
 }
 
-/// What a transforming stream of the browser makes of some bytes; `None` if it fails or gives more than `most`.
+/// Output of a transform stream of the browser; `None` if it fails or is longer than `most` bytes.
 async fn through(kind: &str, format: &str, bytes: &[u8], most: usize) -> Option<Vec<u8>> {
     let mut result = Vec::new();
     stream(kind, format, &Uint8Array::from(bytes), most, |part| result.extend(part.to_vec())).await?;
     Some(result)
 }
 
-/// The same in parts, each of which is given to `take`.
+/// Runs a transform stream of the browser and passes each part of the output to `take`.
 async fn stream(
     kind: &str,
     format: &str,
@@ -45,7 +46,7 @@ async fn stream(
     most: usize,
     mut take: impl FnMut(&Uint8Array),
 ) -> Option<()> {
-    // Made by name: in `web_sys` they exist only behind an unstable flag.
+    // Constructed by name: in `web_sys` these classes require an unstable flag.
     let maker: Function = Reflect::get(&js_sys::global(), &kind.into()).ok()?.dyn_into().ok()?;
     let stream = Reflect::construct(&maker, &Array::of1(&format.into())).ok()?;
     let end = |name: &str| Reflect::get(&stream, &name.into()).ok();
@@ -53,7 +54,7 @@ async fn stream(
     let readable: ReadableStream = end("readable")?.dyn_into().ok()?;
     let writer = WritableStreamDefaultWriter::new(&writable).ok()?;
     let reader = ReadableStreamDefaultReader::new(&readable).ok()?;
-    // Faults in what is written are met where it is read.
+    // Errors of the input appear when the output is read.
     for promise in [writer.write_with_chunk(bytes), writer.close()] {
         wasm_bindgen_futures::spawn_local(async move { drop(browser::wait(promise).await) });
     }

@@ -1,8 +1,9 @@
-//! The pictures on the cards of the library. Each is the scene of its document some moments after the start, and moves while
-//! somebody attends to its card.
+//! Pictures on the cards of the library. Each shows the scene of its document some time after the start, and moves
+//! while the card is hovered or focused.
 //!
-//! Opening a document takes from a few milliseconds to some hundreds, and more on a cheap phone. So only documents in sight are
-//! opened, one after the other with pauses, not while somebody types or scrolls, and only so many pictures exist at once.
+//! Opening a document takes a few to some hundreds of milliseconds, longer on a cheap phone. Therefore only documents
+//! in sight are opened, one after the other with pauses, not while the user types or scrolls, and the number of
+//! pictures is limited.
 
 use document::page::Source;
 use play::{Play, Status};
@@ -18,20 +19,20 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::Element;
 
-/// As many pictures exist at once, and as many of them out of sight: those that have been so for the longest time go first.
+/// Maximum number of pictures, and of pictures out of sight: those out of sight for the longest time are dropped first.
 const MOST: usize = 32;
 const OUT_OF_SIGHT: usize = 6;
-/// A frame works on pictures for so many milliseconds, and then finishes what it has begun.
+/// Time budget for pictures per frame, in milliseconds; a started step is completed.
 const WORK: f64 = 5.0;
-/// A picture shows the moment so many ticks after the start, of so many seconds of watching each.
+/// A picture shows the moment after this number of ticks, each of this many seconds of wall time.
 const TICKS: u32 = 50;
 const TICK: f64 = 0.05;
-/// A moving picture begins again when it has moved for so many seconds, or its rows need so many bytes.
+/// A moving picture restarts after this time, in seconds, or when its rows need this many bytes.
 const LONGEST: f64 = 60.0;
 const ROWS: usize = 2 << 20;
-/// Nothing is opened for so many milliseconds after somebody has typed or scrolled.
+/// Pause after the user has typed or scrolled, in milliseconds, in which no document is opened.
 const PAUSE: f64 = 120.0;
-/// After a document was opened there is a pause of the same length, but no longer than so many milliseconds.
+/// After opening a document, the pause is as long as the opening took, up to this limit in milliseconds.
 const LONGEST_PAUSE: f64 = 100.0;
 
 /// All pictures of the open library.
@@ -39,18 +40,18 @@ const LONGEST_PAUSE: f64 = 100.0;
 pub struct Pictures(Rc<RefCell<Gallery>>);
 
 struct Gallery {
-    /// In the order of the library.
+    /// Cards in the order of the library.
     cards: Vec<Option<Card>>,
     language: &'static str,
-    /// The card whose picture moves, and when it was drawn last, in milliseconds.
+    /// Index of the card whose picture moves, and the time of its last frame, in milliseconds.
     moving: Option<(usize, Option<f64>)>,
-    /// Whether pictures may move.
+    /// True if pictures may move.
     moves: bool,
-    /// Whether that card moves which is nearest to the middle of the window: there is no pointer that could choose one.
+    /// True if there is no hovering pointer: the card nearest to the centre of the window moves.
     by_place: bool,
     /// No document is opened before this time, in milliseconds.
     not_before: f64,
-    /// Counts what has gone out of sight.
+    /// Counter of cards that have gone out of sight.
     gone: u64,
     callback: Option<Closure<dyn FnMut(f64)>>,
     frame: Option<i32>,
@@ -61,14 +62,14 @@ struct Card {
     place: Element,
     content: Content,
     in_sight: bool,
-    /// When it went out of sight.
+    /// Value of the counter when it went out of sight last.
     gone: u64,
-    /// Reports `in_sight`.
+    /// Updates `in_sight`.
     _sight: Sight,
 }
 
 enum Content {
-    /// Not opened yet, or given up.
+    /// Not opened yet, or dropped.
     Nothing,
     Picture(Box<Opened>),
     /// The document has errors or no scene.
@@ -78,17 +79,17 @@ enum Content {
 struct Opened {
     play: Play,
     picture: Picture,
-    /// Where it is shown, once it shows a moment of the run.
+    /// Element that contains the picture once it shows a moment of the run.
     place: Element,
     node: Element,
-    /// The ticks that are left until it is shown.
+    /// Number of ticks left until it is shown.
     ahead: u32,
-    /// How long it has moved, in seconds.
+    /// Duration of the motion, in seconds.
     moved: f64,
 }
 
 impl Pictures {
-    /// No pictures yet, for documents in this language. They go with the view that is being built.
+    /// Creates an empty gallery for documents in this language. It is dropped with the view that is being built.
     pub fn new(language: &'static str) -> Self {
         let gallery = Rc::new(RefCell::new(Gallery {
             cards: Vec::new(),
@@ -110,7 +111,7 @@ impl Pictures {
         pictures
     }
 
-    /// Adds the card with this number: the picture of a document, to be shown in `place`.
+    /// Adds the card with this index; the picture of its document is shown in `place`.
     pub fn add(&self, number: usize, files: Vec<Source>, place: &Element) {
         let own = Rc::downgrade(&self.0);
         let sight = Sight::of(place, move |in_sight| with(&own, |gallery| gallery.seen(number, in_sight)));
@@ -126,7 +127,7 @@ impl Pictures {
         }
     }
 
-    /// Somebody attends to a card: its picture moves, and no other one.
+    /// Makes the picture of this card move, and no other one.
     pub fn attend(&self, number: usize) {
         with(&Rc::downgrade(&self.0), |gallery| {
             if !gallery.by_place {
@@ -135,7 +136,7 @@ impl Pictures {
         });
     }
 
-    /// The pointer or the focus has left the card.
+    /// Stops the picture when the pointer or the focus has left the card.
     pub fn leave(&self, number: usize) {
         with(&Rc::downgrade(&self.0), |gallery| {
             if !gallery.by_place && gallery.moving.is_some_and(|(moving, _)| moving == number) {
@@ -144,7 +145,7 @@ impl Pictures {
         });
     }
 
-    /// Somebody types or scrolls: nothing is opened for a moment.
+    /// Called when the user types or scrolls: postpones the opening of documents.
     pub fn wait(&self) {
         with(&Rc::downgrade(&self.0), |gallery| {
             gallery.not_before = gallery.not_before.max(now() + PAUSE);
@@ -162,7 +163,7 @@ impl Pictures {
     }
 }
 
-/// Works on the gallery, if it is still there.
+/// Calls `work` with the gallery, if it still exists.
 fn with(gallery: &Weak<RefCell<Gallery>>, work: impl FnOnce(&mut Gallery)) {
     if let Some(gallery) = gallery.upgrade()
         && let Ok(mut gallery) = gallery.try_borrow_mut()
@@ -171,13 +172,13 @@ fn with(gallery: &Weak<RefCell<Gallery>>, work: impl FnOnce(&mut Gallery)) {
     }
 }
 
-/// Milliseconds, as those of frames.
+/// Present time in milliseconds, on the clock of the frames.
 fn now() -> f64 {
     window().performance().map_or(0.0, |clock| clock.now())
 }
 
 impl Gallery {
-    /// Asks for a frame, once.
+    /// Requests a frame, once.
     fn ask(&mut self) {
         if self.frame.is_none()
             && let Some(callback) = &self.callback
@@ -206,7 +207,7 @@ impl Gallery {
         }
     }
 
-    /// Lets this picture move and no other one.
+    /// Makes this picture move, and no other one.
     fn choose(&mut self, number: Option<usize>) {
         let before = self.moving.map(|(moving, _)| moving);
         let number = number.filter(|_| self.moves);
@@ -219,7 +220,7 @@ impl Gallery {
         }
     }
 
-    /// One frame.
+    /// Handles one frame.
     fn draw(&mut self, now: f64) {
         self.frame = None;
         if self.by_place {
@@ -234,7 +235,7 @@ impl Gallery {
         }
     }
 
-    /// The card in sight that is nearest to the middle of the window.
+    /// Index of the visible card nearest to the centre of the window.
     fn nearest(&self) -> Option<usize> {
         let size = |length: Result<wasm_bindgen::JsValue, _>| length.ok().and_then(|length| length.as_f64());
         let (width, height) = (size(window().inner_width())?, size(window().inner_height())?);
@@ -247,17 +248,17 @@ impl Gallery {
         seen.min_by(|one, other| one.0.total_cmp(&other.0)).map(|(_, number)| number)
     }
 
-    /// Moves the picture that is to move, once it is there.
+    /// Advances the moving picture, if it is ready.
     fn proceed(&mut self, now: f64) {
         let Some((number, before)) = self.moving else { return };
         let Some(opened) = self.opened(number).filter(|opened| opened.ahead == 0) else { return };
-        // A frame that comes late does not make it jump.
+        // A late frame must not cause a jump.
         let seconds = before.map_or(0.0, |before| ((now - before) / 1000.0).clamp(0.0, 0.1));
         let goes_on = opened.proceed(seconds);
         self.moving = goes_on.then_some((number, Some(now)));
     }
 
-    /// Works on pictures that are in sight and not there yet. Whether there is more to do.
+    /// Works on visible pictures that are not ready. Returns true if work remains.
     fn prepare(&mut self) -> bool {
         let start = now();
         while let Some(number) = self.next() {
@@ -270,7 +271,7 @@ impl Gallery {
                 None if present < not_before => return true,
                 None => {
                     self.open(number);
-                    // Keys and pointers have their turn.
+                    // Gives keys and pointers a chance.
                     let end = now();
                     self.not_before = end + (end - present).min(LONGEST_PAUSE);
                 }
@@ -279,7 +280,7 @@ impl Gallery {
         false
     }
 
-    /// What is to be worked on: a picture that has been begun, else one that is missing, if there is room for it.
+    /// Next picture to work on: a started one, otherwise a missing one if there is room for it.
     fn next(&mut self) -> Option<usize> {
         let find = |fits: fn(&Content) -> bool| {
             let fits = |card: &Option<Card>| card.as_ref().is_some_and(|card| card.in_sight && fits(&card.content));
@@ -290,7 +291,7 @@ impl Gallery {
         begun.or_else(missing).filter(|_| begun.is_some() || self.make_room())
     }
 
-    /// Gives up pictures that have been out of sight for a long time. Whether one more may exist then.
+    /// Drops pictures that have been out of sight for the longest time. Returns true if there is room for another one.
     fn make_room(&mut self) -> bool {
         let pictures = self.cards.iter_mut().flatten().filter(|card| matches!(card.content, Content::Picture(_)));
         let (in_sight, mut hidden): (Vec<&mut Card>, Vec<&mut Card>) = pictures.partition(|card| card.in_sight);
@@ -315,7 +316,7 @@ impl Gallery {
 }
 
 impl Opened {
-    /// The document in one language; of everything in it only what its scene needs.
+    /// Opens the document in one language, reduced to what its scene needs.
     fn of(files: &[Source], language: &str, place: &Element) -> Option<Self> {
         let (base, translations) = files.split_first()?;
         let own = translations.iter().find(|file| document::card(&file.text).language == language);
@@ -335,7 +336,7 @@ impl Opened {
         Some(Self { play, picture, place: place.clone(), node, ahead: TICKS, moved: 0.0 })
     }
 
-    /// One tick towards the moment that is shown first.
+    /// Performs one tick towards the moment shown first.
     fn hasten(&mut self) {
         self.play.play();
         let goes_on = self.play.tick(TICK) && self.play.is_playing();
@@ -346,7 +347,7 @@ impl Opened {
         }
     }
 
-    /// Moves on. Whether it can.
+    /// Advances by `seconds` of wall time. Returns true if it can continue.
     fn proceed(&mut self, seconds: f64) -> bool {
         let rows = self.play.course().history().map_or(0, |history| history.bytes());
         self.moved += seconds;
@@ -362,7 +363,7 @@ impl Opened {
     }
 }
 
-/// On a card they would be too small to be read.
+/// Texts would be too small to read on a card.
 fn remove_texts(element: &mut program::Element) {
     element.children.retain_mut(|child| match child {
         Child::Element(child) if child.name == "text" => false,

@@ -1,4 +1,4 @@
-//! Opens a project: its document, and what was measured with it.
+//! Opens a project: its document and the measurements.
 
 use crate::app::App;
 use crate::{fit, opening};
@@ -6,12 +6,12 @@ use document::project::{LONGEST_PROJECT, PROJECT_ENDING, Project, ProjectError};
 use view::browser;
 use web_sys::File;
 
-/// Whether a file is taken for a project.
+/// True if a file is a project, by the ending of its name.
 pub fn is_project(file: &File) -> bool {
     file.name().to_lowercase().ends_with(PROJECT_ENDING)
 }
 
-/// Opens a project as the next step of the visit. Records that are here already stay.
+/// Opens a project as a new history entry. Existing records stay.
 pub async fn open(app: App, file: &File) {
     let name = file.name();
     let project = match read(file).await {
@@ -35,9 +35,9 @@ pub async fn open(app: App, file: &File) {
     browser::focus_later(if runs { "play" } else { "apparatus" }.to_owned());
 }
 
-/// The project, or why there is none; nothing where the browser did not give the file.
+/// The project, or the reason why it cannot be read; `Err(None)` if the browser did not provide the file.
 async fn read(file: &File) -> Result<Project, Option<ProjectError>> {
-    // What is too large is refused unread.
+    // Too large files are refused without reading them.
     if file.size() > LONGEST_PROJECT as f64 {
         return Err(Some(ProjectError::TooLarge));
     }

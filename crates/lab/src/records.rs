@@ -1,4 +1,4 @@
-//! The records: what is drawn of them, what their columns are taken for, what they hide.
+//! List of records: what is plotted, the meaning of their columns, data quality.
 
 use crate::app::App;
 use crate::{derivatives, intake};
@@ -6,20 +6,20 @@ use desk::{ColumnView, ExportKind, RecordView};
 use view::browser;
 use view::views::*;
 
-/// How many values of a column are shown.
+/// Number of column values shown in the preview.
 const ROWS: usize = 3;
 
-/// The records, as they are now.
+/// The present records.
 type Records = ReadSignal<Vec<RecordView>>;
 
-/// The list of records; nothing while there are none.
+/// List of records; empty while there are none.
 pub fn view(app: App) -> View {
     let choice = derivatives::Choice::new();
     let records = memo(move || {
         app.records.track();
         app.read_desk(|desk| desk.records())
     });
-    // Without the units, which a person may be typing.
+    // Without the units, which the user may be typing.
     let items = memo(move || {
         let mut items = records.get_clone();
         items.iter_mut().flat_map(|item| &mut item.columns).for_each(|column| column.unit.clear());
@@ -74,7 +74,7 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
         .child(exports(app, &record))
 }
 
-/// The choice of the independent variable; where several readings hold, a question.
+/// Choice of the independent variable; a question if several interpretations are possible.
 fn variable(app: App, record: &RecordView) -> HtmlLabel {
     let words = app.words();
     let (record, choices) = (record.id, record.variables.clone());
@@ -99,7 +99,7 @@ fn variable(app: App, record: &RecordView) -> HtmlLabel {
     label().class("field").child(span().child(words.variable)).child(select)
 }
 
-/// The files as which a record can be saved.
+/// Export buttons of a record.
 fn exports(app: App, record: &RecordView) -> HtmlDiv {
     let id = record.id;
     let save = |name: &'static str, kind: ExportKind| {
@@ -119,7 +119,7 @@ fn exports(app: App, record: &RecordView) -> HtmlDiv {
     div().class("intake").child(save("CSV", ExportKind::Csv)).child(save("XLSX", ExportKind::Workbook))
 }
 
-/// A line for each column: what it measures, its unit, whether it is fitted, and its first values.
+/// A row per column: its quantity, its unit, whether it is fitted, and its first values.
 fn preview(app: App, records: Records, record: &RecordView) -> HtmlDiv {
     let words = app.words();
     let id = record.id;
@@ -127,7 +127,7 @@ fn preview(app: App, records: Records, record: &RecordView) -> HtmlDiv {
     let line = |column: &ColumnView| {
         let made = (!column.made.is_empty()).then(|| span().class("note made").child(column.made.clone()));
         let (index, rows) = (column.index, 0..ROWS.min(record.rows));
-        // A film's record changes with the work on the film.
+        // The record of a film changes while the user works on the film.
         let first = memo(move || {
             app.records.track();
             let cells = app.read_desk(|desk| desk.record_cells(id, index, rows.clone())).into_iter();
@@ -144,7 +144,7 @@ fn preview(app: App, records: Records, record: &RecordView) -> HtmlDiv {
     table_in("table", format!("{}: {}", words.preview, record.name), Some(tr().each(heads, column_head)), body)
 }
 
-/// What a control of a column is called.
+/// Accessible name of a control of a column.
 fn name(app: App, what: fn(&crate::words::Words) -> &'static str, column: &ColumnView) -> String {
     format!("{}, {}", what(app.words()), column.head)
 }

@@ -1,5 +1,5 @@
-//! What is there again at the next visit: the state of each document as a link would have it, and records, fits and answers
-//! as items ([`desk::Item`]). Other pages of this site share the storage: see [`desk::Shelf`].
+//! Storage for the next visit: the state of each document in the format of a link, and records, fits and answers as
+//! items ([`desk::Item`]). Other pages of this site share the storage: see [`desk::Shelf`].
 
 use crate::app::{App, Lab};
 use crate::library;
@@ -16,16 +16,16 @@ const RECORDS: &str = "record:";
 const FITS: &str = "fit:";
 const FILMS: &str = "film:";
 
-/// What the state of a document is stored under begins with.
+/// Key prefix of document states.
 const STATE: &str = "state:";
-/// What the names of documents that are written here begin with.
+/// Key prefix of documents written here.
 const OWN: &str = "own:";
 
-/// Changes are saved so many milliseconds later, all of them at once.
+/// Delay of saving after a change, in milliseconds; all changes until then are saved together.
 const DELAY: i32 = 300;
 
-/// A document's name in the storage: by its file and title, one that is written here by the name under which it is kept. Own
-/// documents keep apart from those of the page, which a link from a stranger could otherwise give another state.
+/// Storage key of a document: from its file and title or, if written here, from the name under which it is stored. Own
+/// documents are separate from those of the page, whose state a link from a stranger could otherwise replace.
 fn document_key(sources: &[Source], written_as: Option<&Kept>, desk: &Desk) -> String {
     let (name, title) = (sources.first().map_or("", |file| &file.name), &desk.document().program.title);
     match written_as {
@@ -39,30 +39,31 @@ fn own_key(name: &str) -> String {
     format!("{OWN}{name}")
 }
 
-/// The name of the open document in the storage.
+/// Storage key of the open document.
 pub fn key(lab: &Lab) -> Option<String> {
     lab.desk.as_ref().map(|desk| document_key(&lab.sources, lab.written_as.as_ref(), desk))
 }
 
-/// The state in which a document was left.
+/// State in which the open document was left.
 pub fn state(app: App) -> String {
     let key = app.with(|lab| key(lab)).flatten();
     key.and_then(|key| browser::remembered(&format!("{STATE}{key}"))).unwrap_or_default()
 }
 
-/// The open document has another name in the storage from now on. What is stored under the former one stays there.
+/// Called when the open document gets another storage key. Data under the former key stay.
 pub fn begin_other(lab: &mut Lab) {
     lab.saved.answers = Shelf::default();
 }
 
-/// The open document had the name `before` in the storage and may have another now: a text may become that of the library.
+/// Called when the storage key of the open document may have changed from `before`: a text can become equal to that of
+/// the library.
 pub fn rename(lab: &mut Lab, before: Option<String>) {
     if before.is_some() && key(lab) != before {
         begin_other(lab);
     }
 }
 
-/// What is stored of a document that is written here, by its name: its state and its answers.
+/// Stored data of a document written here, by its name: state and answers, as (key, text).
 pub fn of_own(name: &str) -> Vec<(String, String)> {
     let key = own_key(name);
     let state = format!("{STATE}{key}");
@@ -70,30 +71,30 @@ pub fn of_own(name: &str) -> Vec<(String, String)> {
     kept.into_iter().chain(browser::all_remembered(&answers_of(&key))).collect()
 }
 
-/// Brings back records and fits. How many records there was no room for.
+/// Restores records, films and fits. Returns the number of records for which there was no room.
 pub fn restore_measured(saved: &mut Saved, desk: &mut Desk) -> usize {
     let records = saved
         .records
         .read(stored(RECORDS, "records"), |_, item| desk.restore_record(item).map(|name| format!("{RECORDS}{name}")));
-    // After the records, which belong to some of them.
+    // After the records, to which some of them belong.
     let films = browser::all_remembered(FILMS);
     saved.films.read(films, |_, item| desk.restore_film(item).map(|name| format!("{FILMS}{name}")));
     let fits =
         saved.fits.read(stored(FITS, "fits"), |_, item| desk.restore_fit(item).map(|name| format!("{FITS}{name}")));
     if records.refused.is_empty() && records.unreadable.is_empty() {
-        // A fit that cannot be made again has lost its record, in another page.
+        // The record of a fit that cannot be restored was removed in another page.
         fits.refused.iter().for_each(|key| browser::forget(key));
     }
     records.refused.len()
 }
 
-/// The items of a kind, and what the first versions kept of all of them under one key.
+/// Stored items of a kind, including the single entry of the first versions.
 fn stored(prefix: &str, key: &str) -> Vec<(String, String)> {
     let together = browser::remembered(key).map(|text| (key.to_owned(), text));
     together.into_iter().chain(browser::all_remembered(prefix)).collect()
 }
 
-/// Brings back the answers to the questions of a document that has been opened.
+/// Restores the answers to the questions of an opened document.
 pub fn restore_answers(saved: &mut Saved, sources: &[Source], written_as: Option<&Kept>, desk: &mut Desk) {
     let prefix = answers_of(&document_key(sources, written_as, desk));
     saved.answers = Shelf::default();
@@ -107,7 +108,7 @@ fn answers_of(document: &str) -> String {
     format!("answer:{document}:")
 }
 
-/// Saves soon: what changes again until then is saved once.
+/// Saves after a delay; further changes until then are included.
 pub fn later(app: App) {
     if app.with(|lab| std::mem::replace(&mut lab.saved.is_due, true)) == Some(false) {
         let save = Closure::once_into_js(move || now(app));
@@ -115,14 +116,14 @@ pub fn later(app: App) {
     }
 }
 
-/// Saves everything. What the browser refuses to store is said once.
+/// Saves everything. A refusal by the browser is reported once.
 pub fn now(app: App) {
     if app.with(save) == Some(true) {
         app.complain(app.words().not_saved.to_owned());
     }
 }
 
-/// Whether it has to be said that something was refused.
+/// Saves everything. Returns true if a refusal must be reported.
 fn save(lab: &mut Lab) -> bool {
     let Lab { desk: Some(desk), saved, sources, written_as, .. } = lab else { return false };
     saved.is_due = false;

@@ -1,4 +1,4 @@
-//! A page that `meniscus serve` has made follows the files of its document while they are written in another program.
+//! Pages made by `meniscus serve` follow the files of their document while these are edited in another program.
 
 use crate::app::App;
 use crate::{library, opening, visited, write};
@@ -10,18 +10,19 @@ use view::{browser, messages};
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlLinkElement, Response};
 
-/// The files are asked for so often, in milliseconds.
+/// Polling interval, in milliseconds.
 const PAUSE: i32 = 600;
-/// While no answer comes, more and more seldom, up to this.
+/// Maximum polling interval, in milliseconds: it grows while the server does not answer.
 const LONGEST_PAUSE: i32 = 20_000;
-/// So many refusals in a row mean that the files cannot be read: an editor may have them away for a moment while it saves.
+/// Number of consecutive refusals after which the files count as unreadable: an editor may remove them for a moment
+/// while saving.
 const REFUSALS: usize = 3;
 
-/// What the server answers.
+/// Answer of the server.
 enum Answer {
-    /// The list of the files as they are now.
+    /// The list of the present files.
     Files(String),
-    /// They cannot be read.
+    /// The files cannot be read.
     Refused,
 }
 
@@ -61,7 +62,7 @@ pub fn follow(app: App) {
     });
 }
 
-/// What the server answers; nothing if it does not.
+/// Answer of the server; `None` if it does not answer.
 async fn asked(address: &str) -> Option<Answer> {
     let response: Response = browser::wait(window().fetch_with_str(address)).await.ok()?.dyn_into().ok()?;
     if !response.ok() {
@@ -70,7 +71,7 @@ async fn asked(address: &str) -> Option<Answer> {
     browser::wait(response.text().ok()?).await.ok()?.as_string().map(Answer::Files)
 }
 
-/// Shows a message in the place of the one before, which no longer holds.
+/// Replaces the previous message, which is outdated.
 fn replace(app: App, shown: &mut Option<Message>, message: Option<Message>) {
     if let Some(before) = shown.take() {
         messages::remove(app.page, &before);
@@ -86,7 +87,8 @@ fn unreadable(app: App) -> Message {
     Message::error(format!("{name} {}", app.words().file_unreadable))
 }
 
-/// Shows the files where the document is open; time, view and parameters stay. What has to stand in sight as long as the files are so.
+/// Shows the changed files if their document is open; time, view and parameters stay. Returns a message to be shown as
+/// long as the files stay in this state.
 fn take(app: App, files: Vec<Source>) -> Option<Message> {
     let open = visited::sources(app);
     let before = library::home();
@@ -95,7 +97,7 @@ fn take(app: App, files: Vec<Source>) -> Option<Message> {
     if open.first().map(|file| &file.name) != files.first().map(|file| &file.name) {
         return None;
     }
-    // A translation that was begun in this page is none of the files.
+    // A translation begun in this page does not belong to the files.
     let followed =
         open.iter().map(|file| &file.name).filter(|name| of(&before, name).is_some() || of(&files, name).is_some());
     if !followed.eq(files.iter().map(|file| &file.name)) || !app.read(|_| true) {

@@ -1,40 +1,40 @@
-//! What this page knows of the browser's storage.
+//! State of the browser's storage as known to this page.
 
 use desk::Shelf;
 
-/// What this page knows of the storage.
+/// Contents of the storage as known to this page.
 #[derive(Default)]
 pub struct Saved {
     /// The records.
     pub records: Shelf,
-    /// What was said of films.
+    /// Work on films.
     pub films: Shelf,
     /// The fits.
     pub fits: Shelf,
-    /// The answers to the questions of the document that is open.
+    /// Answers to the questions of the open document.
     pub answers: Shelf,
-    /// Whether something is about to be saved.
+    /// True if a delayed save is pending.
     pub is_due: bool,
-    /// Whether it has been said that the browser refuses to store anything.
+    /// True if a refusal by the browser has been reported.
     pub refused: bool,
-    /// Whether it has been said that there is no room for one more document.
+    /// True if the limit of stored documents has been reported.
     pub is_full: bool,
 }
 
-/// A document in the storage, as this page has left it there.
+/// A stored document as this page saved it last.
 #[derive(Clone)]
 pub struct Kept {
-    /// Its name.
+    /// Name in the storage.
     pub name: String,
-    /// Its text, as `visited::describe` gives it.
+    /// Text in the format of `visited::describe`.
     pub text: String,
 }
 
-/// When a version of the text was made and when the text was changed last, in milliseconds.
+/// Times of the last version and of the last change of the text, in milliseconds.
 #[derive(Clone, Copy, Default)]
 pub struct VersionTimes {
-    /// The version.
+    /// Time of the last version, in milliseconds.
     pub version: f64,
-    /// The change.
+    /// Time of the last change, in milliseconds.
     pub change: f64,
 }

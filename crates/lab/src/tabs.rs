@@ -1,21 +1,21 @@
-//! The tabs of the laboratory: their names, and which one is shown after the page has been loaded again.
+//! Tabs of the laboratory: their ids, and the tab shown after a reload.
 
 use crate::app::App;
 use view::browser;
 use view::tabs::{ACTIVITIES, PLAY, THEORY};
 use view::views::*;
 
-/// The tab of records and cycles.
+/// Tab of records and cycles.
 pub const MEASURE: &str = "measure";
-/// The tab of fits.
+/// Tab of fits.
 pub const FIT: &str = "fit";
-/// The tab of the editor.
+/// Tab of the editor.
 pub const WRITE: &str = "write";
 
-/// The key of the tab that was shown last.
+/// Storage key of the tab shown last.
 const SHOWN: &str = "tab";
 
-/// Shows the tab that was shown before the page was loaded again, and remembers from now on which one is shown.
+/// Restores the tab shown before a reload, and stores the present one from now on.
 pub fn keep(app: App) {
     let shown = browser::remembered_in_tab(SHOWN);
     let all = [PLAY, ACTIVITIES, THEORY, MEASURE, FIT, WRITE];

@@ -1,9 +1,9 @@
-//! Titles of diagnostics: a few words for the kind of fault that a code stands for. The sentence below the title says what
-//! is wrong in this place.
+//! Titles of diagnostics: a short description of the kind of error for each code. The sentence below the title
+//! describes the particular case.
 
 use units::Language;
 
-/// The title of a diagnostic's code.
+/// Title for the code of a diagnostic.
 pub fn title(code: &str, language: Language) -> &'static str {
     let (english, spanish) = of(code);
     language.pick(english, spanish)
@@ -157,7 +157,7 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "too-many-events"
         | "too-many-switches" => ("Too large", "Demasiado grande"),
 
-        // The document around the model.
+        // Document around the model.
         "no-model" => ("There is no model", "No hay modelo"),
         "front-matter" | "setting" | "unknown-key" | "empty-key" | "language" | "step-not-positive"
         | "unknown-method" | "bad-tolerance" => ("Settings at the top", "Ajustes del encabezado"),
@@ -178,7 +178,7 @@ fn of(code: &str) -> (&'static str, &'static str) {
 mod tests {
     use std::path::Path;
 
-    /// The codes that are written in the sources below a folder.
+    /// Collects the codes used in the sources below a folder.
     fn codes(folder: &Path, found: &mut Vec<String>) {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();

@@ -1,10 +1,10 @@
-//! The form of the virtual measurement.
+//! Form of the virtual measurement.
 
 use crate::app::App;
 use desk::{MEASUREMENT_FIELDS, MeasurementForm};
 use view::views::*;
 
-/// The form, closed at first.
+/// The form, initially closed.
 pub fn view(app: App) -> HtmlDetails {
     let words = app.words();
     let form = create_signal(app.read_desk(|desk| desk.measurement_form()));

@@ -1,5 +1,5 @@
-//! The documents of the browser's history. Each step remembers its document, an own one with its text, so that a reload and
-//! the buttons Back and Forward show it again.
+//! Documents in the browser history. Each history entry stores its document (an own document with its text), so that a
+//! reload and the buttons Back and Forward restore it.
 
 use crate::app::App;
 use crate::library;
@@ -11,20 +11,20 @@ use view::views::window;
 use wasm_bindgen::JsValue;
 use web_sys::History;
 
-/// What the state of a step begins with.
+/// Prefix of the state of a history entry.
 const OURS: &str = "meniscus ";
 
-/// A document as a step remembers it.
+/// Document of a history entry.
 #[derive(Clone, PartialEq)]
 pub struct Visited {
-    /// The files that run.
+    /// Files that run.
     pub sources: Vec<Source>,
-    /// The texts in the editor, where they are not those that run.
+    /// Texts in the editor, if they differ from those that run.
     pub draft: Option<Vec<String>>,
 }
 
 impl Visited {
-    /// Its files as they stood in the editor.
+    /// Files with the texts in the editor.
     pub fn files(&self) -> Vec<Source> {
         let mut files = self.sources.clone();
         for (file, text) in files.iter_mut().zip(self.draft.iter().flatten()) {
@@ -34,13 +34,13 @@ impl Visited {
     }
 }
 
-/// The document of the present step; `None` where the page has not been here yet.
+/// Document of the present history entry; `None` if the page has not stored one.
 pub fn present() -> Option<Visited> {
     let state = history()?.state().ok()?.as_string()?;
     read(state.strip_prefix(OURS)?)
 }
 
-/// Reads what [`describe`] has written.
+/// Parses the output of [`describe`].
 pub fn read(description: &str) -> Option<Visited> {
     let document = |sources| Some(Visited { sources, draft: None });
     match description.split_once(' ')? {
@@ -57,8 +57,8 @@ pub fn read(description: &str) -> Option<Visited> {
     }
 }
 
-/// What a step remembers of the open document: the name of one of the library, an own one with its text. Where the text in the
-/// editor does not run, its files follow those that do.
+/// State of a history entry for the open document: the name of a library document, or an own document with its text. If
+/// the text in the editor does not run, its files follow those that do.
 pub fn describe(app: App) -> String {
     let sources = sources(app);
     let runs = app.read_writing(|writing| writing.runs());
@@ -73,21 +73,21 @@ pub fn describe(app: App) -> String {
     }
 }
 
-/// Makes the open document a new step. A document of the library has its name in the address.
+/// Adds a history entry for the open document. The address contains the name of a library document.
 pub fn step(app: App) {
     let subject = match library::subject(&sources(app)) {
-        // Its text is in the step and would make the address unreadable.
+        // The text is stored in the entry and would make the address unreadable.
         Subject::Packed(_) | Subject::File(_) => Subject::Home,
         subject => subject,
     };
     let fragment = Link { subject, state: String::new() }.write();
     if let Some(history) = history() {
-        // Refused inside some frames: there Back leaves the laboratory.
+        // Refused inside some frames; the Back button then leaves the laboratory.
         let _ = history.push_state_with_url(&state(&describe(app)), "", Some(&browser::address(&fragment)));
     }
 }
 
-/// Notes the open document in the present step; with another address if there is one.
+/// Stores the open document in the present history entry, optionally with another address.
 pub fn note(app: App, address: Option<&str>) {
     if let Some(history) = history() {
         let state = state(&describe(app));
@@ -98,7 +98,7 @@ pub fn note(app: App, address: Option<&str>) {
     }
 }
 
-/// Notes the open document, which [`describe`] has described, in the present step.
+/// Stores the output of [`describe`] in the present history entry.
 pub fn note_described(description: &str) {
     if let Some(history) = history() {
         let _ = history.replace_state(&state(description), "");
@@ -109,20 +109,20 @@ fn history() -> Option<History> {
     window().history().ok()
 }
 
-/// The files of the open document.
+/// Files of the open document.
 pub fn sources(app: App) -> Vec<Source> {
     app.with(|lab| lab.sources.clone()).unwrap_or_default()
 }
 
-/// The files as they stand in the editor; none where writing has not begun.
+/// Files with the texts in the editor; empty if editing has not begun.
 pub fn written(app: App) -> Vec<Source> {
     let texts = app.read_writing(|writing| writing.texts().to_vec());
     let names = sources(app).into_iter().map(|source| source.name);
     names.zip(texts).map(|(name, text)| Source { name, text }).collect()
 }
 
-/// What the files of a document are called. While it has no translation, which refers to it by its name, it is called after its title
-/// unless its author has named it.
+/// File names of a document. A single file is named after its title unless the author has named it; with translations,
+/// which refer to it by name, the names stay.
 pub fn names(files: &[Source]) -> Vec<String> {
     match files {
         [only] if matches!(library::subject(files), Subject::File(_)) => vec![file_name(&only.name, &only.text)],
@@ -130,7 +130,7 @@ pub fn names(files: &[Source]) -> Vec<String> {
     }
 }
 
-/// The files of the open document as they are saved: as they stand in the editor, without the folders of the library.
+/// Files of the open document for saving: with the texts in the editor, without the folders of the library.
 pub fn files(app: App) -> Vec<Source> {
     let written = written(app);
     let files = if written.is_empty() { sources(app) } else { written };
@@ -142,7 +142,7 @@ pub fn files(app: App) -> Vec<Source> {
     names.zip(files).map(named).collect()
 }
 
-/// What files of the open document are called, without an ending.
+/// Base name of saved files of the open document, without extension.
 pub fn stem(app: App) -> String {
     let name = files(app).into_iter().next().map(|file| file.name).unwrap_or_default();
     let name = name.trim_end_matches(".md");

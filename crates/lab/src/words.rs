@@ -1,11 +1,11 @@
-//! The words of measuring, fitting and opening documents in every language; those around a simulation are in `view`, what
-//! measuring says is in `desk`.
+//! Texts of measuring, fitting and opening documents in every language. Texts around a simulation are in `view`,
+//! messages of measuring in `desk`.
 
 use view::{table_of_words, words as around};
 
 table_of_words! {
     @beside around;
-    // The page.
+    // Page.
     link_without_translations: "The translations are too long for a link", "Las traducciones son demasiado largas para un enlace";
     link_needs_file: "The document is too long for a link; whoever opens it also needs the file", "El documento es demasiado largo para un enlace; quien lo abra necesita también el archivo";
     link_local: "It opens only on this computer, in this page. For others, save the page below and send it, or put it on a web server.", "Solo se abre en este ordenador, en esta página. Para otras personas, guarda la página más abajo y envíala, o súbela a un servidor web.";
@@ -83,7 +83,7 @@ table_of_words! {
     cycles_note: "Each row is a turning point with the half-cycles around it, after ± one standard error. Rows next to each other share data; each third row is independent.", "Cada fila es un punto de retorno con los semiciclos a su alrededor; tras ± figura un error estándar. Las filas vecinas comparten datos; una de cada tres es independiente.";
     cycles_run: "The line of the simulation is drawn once the simulation stands still.", "La línea de la simulación se dibuja cuando la simulación está detenida.";
 
-    // The library.
+    // Library.
     library: "Documents", "Documentos";
     library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
     library_search: "Search", "Buscar";

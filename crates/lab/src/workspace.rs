@@ -1,4 +1,4 @@
-//! The page as a whole: head, stage, panel, and what is said to those who do not see it.
+//! The whole page: header, stage, panel, and the live region for screen readers.
 
 use crate::app::App;
 use crate::links::Arrival;
@@ -12,7 +12,7 @@ pub fn start() {
     let Some(place) = browser::by_id::<web_sys::HtmlElement>("lab") else { return };
     let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
     wasm_bindgen_futures::spawn_local(async move {
-        // A link may hold its document, which the browser inflates.
+        // A link may contain its document, which the browser must inflate.
         let arrival = links::first().await;
         place.set_inner_html("");
         // The laboratory lives as long as the page.
@@ -41,7 +41,7 @@ fn page(app: App) -> View {
     View::from((shell::view(app.page, move || build(app)), drop::view(app)))
 }
 
-/// Everything, for the document and the language as they are.
+/// The whole content, for the present document and language.
 fn build(app: App) -> View {
     let runs = memo(move || {
         app.changes.program.track();

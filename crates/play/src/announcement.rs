@@ -1,88 +1,89 @@
-//! What happened, for screen readers: a short queue.
+//! Short queue of announcements for screen readers and for the line of messages.
 
 use std::collections::VecDeque;
 
-/// Something happened that a screen reader should tell.
+/// An event that a screen reader announces.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Announcement {
-    /// The run goes on.
+    /// The run is playing.
     Playing,
-    /// The run stands still at this time (SI).
+    /// The run is paused at this time (SI).
     Paused(f64),
-    /// The run has come to the end that the document gives it, at this time (SI).
+    /// The run has reached the end set by the document, at this time (SI).
     Ended(f64),
-    /// A step was made or shown; the time now.
+    /// A step was computed or shown; see the time shown (SI).
     Stepped(f64),
-    /// An earlier time is shown.
+    /// An earlier time (SI) is shown.
     Scrubbed(f64),
-    /// Back at time 0, with the parameters and the start as they are.
+    /// The run is back at time 0. Parameters and start are unchanged.
     BackAtStart,
-    /// The run restarted because an initial value depends on this parameter.
+    /// The run restarted because an initial value depends on the parameter with this index.
     Restarted(usize),
-    /// A parameter has this SI value now.
+    /// The parameter with this index has this SI value now.
     ParameterSet(usize, f64),
-    /// The reader has drawn this curve, and the run starts again.
+    /// The reader has drawn the curve with this index; the run restarts.
     Drawn(usize),
-    /// This curve is the document's own again, and the run starts again.
+    /// The curve with this index is the document's own again; the run restarts.
     DrawingCleared(usize),
-    /// A button of the document was pressed at this time (SI).
+    /// The button with this index was pressed at this time (SI).
     Pressed(usize, f64),
-    /// All parameters and the start are the document's.
+    /// All parameters and the start are those of the document.
     DefaultsRestored,
-    /// A preset was applied.
+    /// The preset with this index was applied.
     Preset(usize),
-    /// A state was given this SI value, and the run begins from there.
+    /// The state with this index was set to this SI value; the run starts from there.
     StateSet(usize, f64),
     /// The start of a state was dragged to this SI value by changing parameters.
     StartSet {
-        /// Which of [`program::Model::states`].
+        /// Index into [`program::Model::states`].
         state: usize,
-        /// Its value at the start, SI.
+        /// Initial value of the state, SI.
         value: f64,
-        /// The parameters before, SI.
+        /// Parameter values before the drag, SI.
         before: Vec<f64>,
     },
-    /// The run is watched so many times as fast as the document says.
+    /// Playback speed, as a multiple of the document's speed.
     Speed(f64),
     /// The run was kept under this name.
     Kept(String),
     /// The kept run of this name was removed.
     Removed(String),
-    /// What was removed or overwritten last is back.
+    /// The last removal or replacement was undone.
     Undone,
-    /// The history is full.
+    /// The recording is full.
     Full,
-    /// The run cannot go on: see [`crate::Play::problem`].
+    /// The run failed: see [`crate::Play::problem`].
     Failed,
-    /// The method was chosen.
+    /// This integration method was chosen.
     Method(engine::Method),
-    /// The step was set (SI).
+    /// The step was set to this value (SI).
     Step(f64),
-    /// The parameters that question supposes were set.
+    /// The parameters assumed by the question with this index were set.
     QuestionSetup(usize),
-    /// A state was restored from a link or the last visit.
+    /// A state was restored from a link or from the last visit.
     Restored,
-    /// Families have another size; what did not fit was dropped: what was set, kept or answered, in the chosen language.
+    /// The sizes of families have changed. Lists what was dropped (settings, kept runs, answers), in the chosen
+    /// language.
     Resized(Vec<String>),
-    /// Another program has taken the place of the former one ([`crate::Play::replace_program`]); what did not fit was
-    /// dropped: what was set, kept or answered, in the chosen language.
+    /// Another program replaced the former one ([`crate::Play::replace_program`]). Lists what was dropped (settings,
+    /// kept runs, answers), in the chosen language.
     Replaced(Vec<String>),
 }
 
-/// How much attention an announcement asks for.
+/// Level of attention of an announcement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Prominence {
-    /// The control that was used shows it already (the clock, a slider): it is only spoken.
+    /// Spoken only: the control that was used already shows it (the clock, a slider).
     Spoken,
-    /// It is shown for a while.
+    /// Shown for a while.
     Shown,
-    /// It is shown until it is dismissed.
+    /// Shown until dismissed.
     Error,
 }
 
 impl Announcement {
-    /// Whether it is shown besides being spoken. What changes while a control is being moved is not shown: the line of
-    /// messages would flicker.
+    /// Returns the level of attention. Changes while a control is being moved are only spoken: the line of messages
+    /// would flicker otherwise.
     pub fn prominence(&self) -> Prominence {
         match self {
             Self::Playing
@@ -98,7 +99,7 @@ impl Announcement {
             | Self::Speed(_)
             | Self::Method(_)
             | Self::Step(_)
-            // The transport shows why the run does not go on.
+            // The transport shows the reason.
             | Self::Ended(_)
             | Self::Full
             | Self::Failed => Prominence::Spoken,
@@ -117,7 +118,7 @@ impl Announcement {
         }
     }
 
-    /// Whether [`crate::Play::undo`] takes it back.
+    /// True if [`crate::Play::undo`] can undo it.
     pub fn can_be_undone(&self) -> bool {
         matches!(
             self,
@@ -130,15 +131,16 @@ impl Announcement {
     }
 }
 
-/// Announcements that have not been taken.
+/// Queue of pending announcements.
 #[derive(Debug, Default)]
 pub(crate) struct Announcements(VecDeque<Announcement>);
 
-/// More of them at once would not be listened to.
+/// Maximum length of the queue.
 const MOST: usize = 16;
 
 impl Announcements {
-    /// Adds one. Of several of one kind in a row (a slider being moved) only the last is worth telling.
+    /// Adds an announcement. Consecutive announcements of one kind (a slider being moved) are merged into the last one.
+    /// In a full queue it replaces the newest one.
     pub fn push(&mut self, announcement: Announcement) {
         let same = |last: &Announcement| std::mem::discriminant(last) == std::mem::discriminant(&announcement);
         if self.0.back().is_some_and(same) || self.0.len() == MOST {
@@ -147,12 +149,12 @@ impl Announcements {
         self.0.push_back(announcement);
     }
 
-    /// Takes the oldest one.
+    /// Removes and returns the oldest announcement.
     pub fn take(&mut self) -> Option<Announcement> {
         self.0.pop_front()
     }
 
-    /// Forgets those that have not been taken.
+    /// Discards all pending announcements.
     pub fn clear(&mut self) {
         self.0.clear();
     }

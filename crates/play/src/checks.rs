@@ -1,44 +1,45 @@
-//! Checks: what the author claims about runs of the simulation, and whether it holds. They run with the values of the
-//! document, on demand and a slice in each frame; the run of the visitor has no part in it.
+//! Checks: claims of the author about runs of the simulation, and their results. They run on demand with the document's
+//! own values, one time slice per frame, and do not affect the visitor's run.
 
 use crate::Play;
 use crate::deviation::compared;
 use engine::checks::{Checking, claim_outcome, supposed};
 
-/// About how many floating-point operations are made for claims in a frame.
+/// Approximate work on claims per frame, in floating-point operations.
 const WORK: u64 = 3_000_000;
 
-/// A claim of the author.
+/// One claim of the author and its result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimView {
-    /// Its name.
+    /// Name of the claim in the chosen language.
     pub name: String,
-    /// What is claimed, as the document writes it: `E within 1e-6 of E(0) always`.
+    /// The claim as written in the document: `E within 1e-6 of E(0) always`.
     pub written: String,
-    /// Whether it holds; none while that is not known.
+    /// True if the claim holds; `None` while not yet judged.
     pub holds: Option<bool>,
-    /// Whether [`Play::deviation`] can draw how far the present run is off.
+    /// True if [`Play::deviation`] can plot the deviation of the present run from the claim.
     pub is_drawn: bool,
-    /// The worst value and when it was, once that is known.
+    /// Worst value and its time; empty while not yet judged.
     pub outcome: String,
 }
 
 /// Claims about one run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimsView {
-    /// The names and values of the parameters that are set for it, `b` and `0 kg/s`; none for the document's own values.
+    /// Names and values of the parameters set for this run, such as `b` and `0 kg/s`; empty for the document's own
+    /// values.
     pub setup: Vec<(String, String)>,
-    /// In the order of the document.
+    /// Claims in the order of the document.
     pub claims: Vec<ClaimView>,
 }
 
 impl Play {
-    /// Whether the author claims anything.
+    /// True if the document contains checks.
     pub fn has_checks(&self) -> bool {
         !self.program.checks.is_empty()
     }
 
-    /// The claims and what is known of them.
+    /// All claims with the results known so far.
     pub fn checks(&self) -> Vec<ClaimsView> {
         let outcomes = self.checking.as_ref().map_or(&[][..], Checking::outcomes);
         let view = |(place, check): (usize, &program::Check)| {
@@ -60,18 +61,18 @@ impl Play {
         self.program.checks.iter().enumerate().map(view).collect()
     }
 
-    /// Begins to find out which claims hold; [`Play::advance_checks`] goes on with it.
+    /// Starts judging the claims; [`Play::advance_checks`] continues it.
     pub fn begin_checks(&mut self) {
         self.checking = Some(Checking::new());
         self.revision.checks += 1;
     }
 
-    /// Whether some claims have still to be judged since [`Play::begin_checks`].
+    /// True while claims remain to be judged after [`Play::begin_checks`].
     pub fn is_checking(&self) -> bool {
         self.checking.as_ref().is_some_and(|checking| checking.outcomes().len() < self.program.checks.len())
     }
 
-    /// Goes on judging claims for a part of a frame. Whether there is more to come.
+    /// Judges claims for part of one frame. Returns true if claims remain.
     pub fn advance_checks(&mut self) -> bool {
         if !self.is_checking() {
             return false;

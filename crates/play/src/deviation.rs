@@ -1,27 +1,28 @@
-//! How far the present run is off what the author claims about all of it: what is conserved, or a closed form.
+//! Deviation of the present run from a claim about the whole run: a conserved quantity or a closed form.
 
 use crate::{Play, words};
 use engine::Readings;
 use figure::{Axis, Palette, Plot, Series, Settings};
 use program::{Claim, Compiled, Moment, Test, Tolerance};
 
-/// About how many rows are drawn; more could not be told apart.
+/// Approximate number of rows in the plot; more cannot be distinguished.
 const ROWS: usize = 1500;
 
-/// How far a run is off what is claimed about all of it.
+/// Deviation of a run from a claim about the whole run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     /// Values of the independent variable, in its unit.
     pub times: Vec<f64>,
-    /// The value minus the expected one: in the value's unit, or as a fraction of the greatest magnitude that the expected one has in the run.
+    /// Value minus expected value: in the value's unit, or as a fraction of the greatest magnitude of the expected
+    /// value in the run.
     pub off: Vec<f64>,
-    /// Whether it is that fraction.
+    /// True if `off` is that fraction.
     pub is_relative: bool,
 }
 
 impl Play {
-    /// How far the present run is off the claim of the number `claim` in the list `check` of [`Play::checks`]. None for a claim that is
-    /// not about the whole run, and before the first step.
+    /// Deviation of the present run from claim number `claim` of entry `check` of [`Play::checks`]. `None` for a claim
+    /// that is not about the whole run, and before the first step.
     pub fn deviation(&self, (check, claim): (usize, usize)) -> Option<Deviation> {
         let (value, expected, tolerance) = compared(self.claim((check, claim))?)?;
         let history = self.course.history().filter(|history| history.len() > 1)?;
@@ -40,7 +41,7 @@ impl Play {
         Some(Deviation { times, off: off.iter().map(scale).collect(), is_relative })
     }
 
-    /// The same as an SVG file.
+    /// The deviation plot as an SVG file.
     pub fn deviation_svg(&self, place: (usize, usize), settings: &Settings, palette: &Palette) -> Option<String> {
         let claim = self.claim(place)?;
         let Deviation { times, off, is_relative } = self.deviation(place)?;
@@ -63,7 +64,7 @@ impl Play {
     }
 }
 
-/// What a claim about the whole run compares; none of other claims.
+/// Value, expected value and tolerance of a claim about the whole run; `None` for other claims.
 pub(crate) fn compared(claim: &Claim) -> Option<(&Compiled, &Compiled, Tolerance)> {
     match (&claim.test, &claim.moment) {
         (Test::Near { value, expected, tolerance }, Moment::Always) => Some((value, expected, *tolerance)),

@@ -1,18 +1,18 @@
-//! What a visitor does with a simulation, as plain state and transitions. No DOM, no clock: the shell calls [`Play::tick`]
-//! with the seconds that have passed and draws what the getters return.
+//! State and transitions of a simulation operated by a visitor. No DOM, no clock: the shell calls [`Play::tick`] with the
+//! elapsed seconds and draws what the getters return.
 //!
-//! | folder | what it holds |
+//! | folder | contents |
 //! |---|---|
 //! | `time` | the run, its time line and clock |
-//! | `controls` | parameters, presets, buttons, states, dragging, method and step, and how typed values are read |
-//! | `plots` | figures of the run, of kept runs, of points and plots that others add |
-//! | `values` | readouts, the scene's values, the table of rows |
-//! | `questions` | answers and what they are worth |
-//! | `checks.rs` | claims of the author, and whether they hold |
-//! | `replacement` | another program in the place of the present one |
+//! | `controls` | parameters, presets, buttons, states, dragging, method and step, parsing of typed values |
+//! | `plots` | figures of the run and of kept runs, points and plots added by other crates |
+//! | `values` | readouts, values of the scene, table of rows |
+//! | `questions` | answers and their grades |
+//! | `checks.rs` | claims of the author and their results |
+//! | `replacement` | replacing the program while it runs |
 //! | `share` | the state as a link |
 //!
-//! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
+//! A [`Refusal`] is returned for input that cannot be accepted; the state is then unchanged. Getters that return texts use
 //! the chosen language. No method panics; an index that does not exist is ignored or refused.
 
 mod announcement;

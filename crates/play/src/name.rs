@@ -1,11 +1,11 @@
-//! Short names for what has long ones.
+//! Short identifiers of long texts.
 
-/// A name for some texts by their content: 16 hexadecimal digits of the FNV-1a hash
-/// (<http://www.isthe.com/chongo/tech/comp/fnv/>). The same texts have the same name in every version.
+/// Identifier of a list of texts: 16 hexadecimal digits of their FNV-1a hash
+/// (<http://www.isthe.com/chongo/tech/comp/fnv/>). It is the same in every version of the program.
 pub fn name_of(parts: &[&str]) -> String {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     for part in parts {
-        // A byte that no text has parts them.
+        // 0xff never occurs in UTF-8, so it separates the texts unambiguously.
         for byte in part.bytes().chain([0xff]) {
             hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         }

@@ -1,4 +1,4 @@
-//! The state itself: a program, a run of it, and what the visitor has chosen.
+//! The central state: a program, a run of it, and the choices of the visitor.
 
 use crate::announcement::{Announcement, Announcements};
 use crate::controls::hold::Holding;
@@ -16,31 +16,31 @@ use engine::{Readings, Setup};
 use program::{Model, NodeId, Program, Speed};
 use units::Language;
 
-/// Counts changes, so that the shell draws only what has changed.
+/// Change counters, so that the shell redraws only what has changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Revision {
-    /// The time or the state shown: scene, readouts, plots, table.
+    /// Time or state shown: scene, readouts, plots, table.
     pub frame: u64,
     /// Parameters, method, step.
     pub parameters: u64,
     /// Status, speed, problem.
     pub transport: u64,
-    /// Rows were recorded or given up: table, length of the time line.
+    /// Rows recorded or discarded: table, length of the time line.
     pub rows: u64,
     /// Kept runs and ghost.
     pub runs: u64,
-    /// Plots shown and zoomed.
+    /// Visibility and zoom of plots.
     pub plots: u64,
-    /// What has been answered to questions.
+    /// Answers to questions.
     pub answers: u64,
-    /// What is known of the author's claims.
+    /// Results of the author's claims.
     pub checks: u64,
-    /// The language.
+    /// Language.
     pub language: u64,
 }
 
 impl Revision {
-    /// Everything has changed.
+    /// Copy with every counter raised by one.
     pub(crate) fn raised(self) -> Self {
         Self {
             frame: self.frame + 1,
@@ -56,28 +56,28 @@ impl Revision {
     }
 }
 
-/// One simulation in the hands of a visitor.
+/// One simulation operated by a visitor.
 #[derive(Debug)]
 pub struct Play {
     pub(crate) program: Program,
-    /// The language of the document's texts, any tag.
+    /// Language tag of the document's texts; any tag.
     pub(crate) tag: String,
-    /// The language of all other words.
+    /// Language of all other texts.
     pub(crate) language: Language,
     pub(crate) style: Style,
     pub(crate) revision: Revision,
     pub(crate) announcements: Announcements,
-    /// What the document asks for.
+    /// Settings of the document.
     pub(crate) defaults: Setup,
     pub(crate) course: Course,
-    /// How many rows there were at the last frame.
+    /// Number of rows at the last frame.
     rows_seen: usize,
-    /// Since which time rows have been given up that may have been read; see [`Play::take_rewritten`].
+    /// Earliest time (SI) from which rows were discarded; see [`Play::take_rewritten`].
     rewritten: Option<f64>,
     pub(crate) playing: bool,
-    /// Whether the run stopped because its memory is used up.
+    /// True if the run stopped because its memory limit was reached.
     pub(crate) full: bool,
-    /// How fast the document is to be watched, and how many times as fast it is.
+    /// Playback speed of the document; `speed` is the chosen multiple of it.
     pub(crate) pace: Speed,
     pub(crate) speed: f64,
     pub(crate) slippage: f64,
@@ -87,50 +87,50 @@ pub struct Play {
     pub(crate) present: Vec<f64>,
     pub(crate) ghost: Option<Ghost>,
     pub(crate) kept: Vec<Kept>,
-    /// How many ids kept runs have been given: none is given twice.
+    /// Number of ids issued to kept runs, so that none is used twice.
     pub(crate) kept_issued: u32,
     pub(crate) plots: Vec<PlotState>,
-    /// What is drawn over the scene.
+    /// Outline drawn over the scene.
     pub(crate) outline: Option<Outline>,
     pub(crate) evaluators: Evaluators,
     pub(crate) lines: Lines,
-    /// One for each question, once anything has been answered.
+    /// One per question; empty until something has been answered.
     pub(crate) answers: Vec<Answer>,
-    /// For each question whether it has been answered, or its answer shown.
+    /// For each question, true if it has been answered or its answer shown.
     pub(crate) solved: Vec<bool>,
-    /// Whether the values that questions hide are shown all the same.
+    /// True if values hidden by questions are shown anyway.
     pub(crate) shows_hidden: bool,
-    /// The author's claims, once somebody wants to know whether they hold.
+    /// Progress and results of the author's claims; `None` until requested.
     pub(crate) checking: Option<Checking>,
     pub(crate) undo: Undo,
-    /// For each node of the model whether it is a count.
+    /// For each node of the model, true if its value is a count.
     pub(crate) whole: Vec<bool>,
-    /// The greatest size that each state and then each quantity has shown in this run.
+    /// Greatest magnitude in this run, one value per state (SI), then one per quantity.
     pub(crate) scales: Vec<f64>,
 }
 
-/// What evaluates the expressions of the document, by subject.
+/// Evaluators for the expressions of the document, by subject.
 #[derive(Debug)]
 pub(crate) struct Evaluators {
     pub quantities: Readings,
-    /// The values of the scene in the chosen language, and when they were last computed.
+    /// Values of the scene in the chosen language. `scene_frame` identifies the frame of their last evaluation.
     pub scene: Readings,
-    /// Where points of it have been.
+    /// Trails: past positions of points of the scene.
     pub trails: Trails,
     pub scene_values: Vec<f64>,
-    /// The greatest size that each of them has had in this run.
+    /// Greatest magnitude of each scene value in this run.
     pub scene_scales: Vec<f64>,
     pub scene_frame: Option<(u64, u64)>,
     pub initial: Readings,
     /// All assignments of all presets.
     pub presets: Readings,
-    /// All assignments that questions suppose.
+    /// All assignments assumed by questions.
     pub setups: Readings,
     pub answers: Readings,
 }
 
 impl Play {
-    /// Opens a simulation: the first row is drawn and the run stands still at 0.
+    /// Opens a simulation: the first row is shown and the run is paused at time 0.
     pub fn open(program: Program) -> Self {
         let model = &program.model;
         let columns = Columns::new(model, &program.plots);
@@ -178,28 +178,28 @@ impl Play {
         play
     }
 
-    /// What is played.
+    /// The program being played.
     pub fn program(&self) -> &Program {
         &self.program
     }
 
-    /// Its model.
+    /// Model of the program.
     pub fn model(&self) -> &Model {
         &self.program.model
     }
 
-    /// The language of the program's texts, as it was chosen.
+    /// Language tag of the program's texts, as chosen.
     pub fn tag(&self) -> &str {
         &self.tag
     }
 
-    /// The language of all other words.
+    /// Language of all other texts.
     pub fn language(&self) -> Language {
         self.language
     }
 
-    /// Chooses the language; any tag. The document's texts stay in its own language where they have no translation, the
-    /// other words in English.
+    /// Sets the language; any tag. Texts of the document without a translation stay in its own language; other texts
+    /// fall back to English.
     pub fn set_language(&mut self, language: &str) {
         language.clone_into(&mut self.tag);
         self.language = Language::of(language);
@@ -212,22 +212,22 @@ impl Play {
         self.revision.language += 1;
     }
 
-    /// How the chosen language writes numbers.
+    /// Number format of the chosen language.
     pub fn style(&self) -> Style {
         self.style
     }
 
-    /// A text of the document in the chosen language.
+    /// Translation of a document text into the chosen language.
     pub fn text<'a>(&'a self, original: &'a str) -> &'a str {
         self.program.text(&self.tag, original)
     }
 
-    /// What has changed how often.
+    /// Change counters.
     pub fn revision(&self) -> Revision {
         self.revision
     }
 
-    /// The parameters in force at the time shown, SI, in the order of the model.
+    /// Parameters in force at the time shown, SI, in the order of the model.
     pub fn parameter_values(&self) -> &[f64] {
         self.course.parameters()
     }
@@ -237,17 +237,19 @@ impl Play {
         &self.course
     }
 
-    /// The state at a recorded time (SI), between the rows too, and the parameters then; `None` beyond the run.
+    /// Writes the state (SI) at a recorded time (SI) into `out`, interpolated between rows. Returns the parameters (SI)
+    /// in force then; `None` if the run could not start.
     pub fn state_at(&mut self, time: f64, out: &mut [f64]) -> Option<Vec<f64>> {
         self.course.state_at(time, out)
     }
 
-    /// The greatest magnitude that a state has had in this run, SI.
+    /// Greatest magnitude of a state in this run, SI; 0 for an unknown index.
     pub fn greatest(&self, state: usize) -> f64 {
         self.scales.get(state).copied().unwrap_or_default()
     }
 
-    /// The time (SI) after which rows were given up since this was asked last: what was read of them holds no longer.
+    /// Returns the earliest time (SI) from which rows were discarded since the last call: data read after it is
+    /// invalid. `None` if no rows were discarded.
     pub fn take_rewritten(&mut self) -> Option<f64> {
         self.rewritten.take()
     }
@@ -256,7 +258,7 @@ impl Play {
         self.rewritten = Some(self.rewritten.map_or(time, |before| before.min(time)));
     }
 
-    /// The next thing to tell, oldest first.
+    /// Removes and returns the oldest announcement.
     pub fn take_announcement(&mut self) -> Option<Announcement> {
         self.announcements.take()
     }
@@ -265,7 +267,7 @@ impl Play {
         self.announcements.push(announcement);
     }
 
-    /// To be called whenever the time, the state or the parameters shown have changed.
+    /// Must be called whenever the time, state or parameters shown have changed.
     pub(crate) fn frame_changed(&mut self) {
         self.revision.frame += 1;
         let rows = self.course.rows();
@@ -281,7 +283,7 @@ impl Play {
         }
     }
 
-    /// Brings the columns up to the front of the run.
+    /// Updates the columns and the contents of the plots to the front of the run.
     pub(crate) fn follow(&mut self) {
         self.traces.follow(&self.course, &mut self.columns, &self.present);
         for (index, plot) in self.plots.iter_mut().enumerate() {
@@ -298,8 +300,7 @@ impl Play {
         }
     }
 
-    /// Starts another run; the present one stays behind as a ghost if there is something to see of it.
-    /// The same simulation as it would begin again with the present parameters, at time 0; without kept runs.
+    /// Copy of this simulation, restarted at time 0 with the present parameters; without kept runs and ghost.
     #[must_use]
     pub fn from_start(&self) -> Self {
         let mut play = Self::open(self.program.clone());
@@ -310,8 +311,9 @@ impl Play {
         play
     }
 
+    /// Starts another run. The present one becomes the ghost if it is long enough to be seen.
     pub(crate) fn restart(&mut self, mut setup: Setup) {
-        // What was pressed in the former run was pressed for what happened there.
+        // Presses belong to the former run.
         setup.presses.clear();
         self.keep_ghost(0);
         self.adopt_drawings(&setup.drawings);
@@ -320,7 +322,7 @@ impl Play {
         self.replace_course(course);
     }
 
-    /// Puts another run in the place of the present one.
+    /// Replaces the present run.
     pub(crate) fn replace_course(&mut self, course: Course) {
         self.course = course;
         self.traces = Traces::default();
@@ -329,7 +331,8 @@ impl Play {
         }
         self.note_rewritten(f64::NEG_INFINITY);
         self.scales.iter_mut().for_each(|scale| *scale = 0.0);
-        // Digits do not depend on whether the start was shown, or a link led to a later moment at once.
+        // Starts from the initial state, so that the number of digits is the same whether the start was shown or a link
+        // opened a later moment directly.
         for (scale, value) in self.scales.iter_mut().zip(self.course.initial()) {
             *scale = if value.is_finite() { value.abs() } else { 0.0 };
         }
@@ -346,7 +349,7 @@ impl Play {
         self.frame_changed();
     }
 
-    /// The initial state that the model gives for some parameters.
+    /// Initial state (SI) for given parameters (SI).
     pub(crate) fn initial_for(&mut self, parameters: &[f64]) -> Vec<f64> {
         let nothing = vec![0.0; self.program.model.states.len()];
         self.evaluators.initial.at(parameters, &nothing, 0.0, &nothing).to_vec()

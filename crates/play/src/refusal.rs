@@ -1,96 +1,96 @@
-//! Why input was not taken.
+//! Reasons for which input is refused.
 
-/// Why input was not taken; nothing has changed then, except as [`Refusal::PartlyRestored`] says.
+/// Reason for which input is refused. The state is unchanged, except for [`Refusal::PartlyRestored`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
-    /// There is no number in it.
+    /// The input is not a number.
     NotANumber {
-        /// What was typed.
+        /// Input.
         typed: String,
     },
-    /// The unit is unknown.
+    /// Unknown unit.
     UnknownUnit {
-        /// The unit typed.
+        /// Unit in the input.
         typed: String,
     },
-    /// The unit measures something else.
+    /// The unit has another dimension.
     WrongUnit {
-        /// The unit typed.
+        /// Unit in the input.
         typed: String,
-        /// A unit that would do; empty for a pure number.
+        /// A suitable unit; empty for a pure number.
         expected: String,
     },
-    /// A frequency where an angular frequency is needed, or the other way round.
+    /// A frequency where an angular frequency is expected, or vice versa.
     OtherFrequency {
-        /// What was typed, with its unit.
+        /// Input with its unit.
         typed: String,
-        /// The same as it would have to be, with its unit.
+        /// Equivalent value in the expected kind of unit, with its unit.
         meant: String,
-        /// Whether an angular frequency is needed.
+        /// True if an angular frequency is expected.
         angular: bool,
     },
-    /// An answer names a quantity of the document instead of giving a number.
+    /// An answer contains the name of a quantity of the document.
     NameInAnswer {
-        /// The name.
+        /// Name.
         name: String,
     },
-    /// The value is below the least allowed one.
+    /// The value is below the range.
     TooSmall {
-        /// The label of what was to be set.
+        /// Label of the parameter.
         name: String,
-        /// The least value, with its unit.
+        /// Least value, with its unit.
         least: String,
     },
-    /// The value is above the greatest allowed one.
+    /// The value is above the range.
     TooLarge {
-        /// The label of what was to be set.
+        /// Label of the parameter.
         name: String,
-        /// The greatest value, with its unit.
+        /// Greatest value, with its unit.
         greatest: String,
     },
-    /// The value is not finite: an expression of a preset has no value here.
+    /// The value is not finite or not allowed, for instance because an expression of a preset has no value.
     NoValue {
-        /// The label of what was to be set.
+        /// Label of the parameter or state.
         name: String,
     },
-    /// It must be greater than zero.
+    /// The value must be greater than zero.
     NotPositive,
-    /// The state can be set only while the run stands still.
+    /// The state can be set only while the run is paused.
     NotPaused,
-    /// The run has ended, or cannot go on: nothing can be pressed there.
+    /// The run has ended or failed: buttons cannot be pressed.
     RunEnded,
-    /// No more presses fit into a run.
+    /// Maximum number of presses in one run reached.
     TooManyPresses {
-        /// How many there may be.
+        /// Maximum number.
         most: usize,
     },
-    /// The method is for equations of second order only.
+    /// The method applies to equations of second order only.
     Method {
-        /// Which.
+        /// The method.
         method: engine::Method,
     },
-    /// No more runs can be kept.
+    /// Maximum number of kept runs reached.
     TooManyRuns {
-        /// How many there may be.
+        /// Maximum number.
         most: usize,
     },
-    /// Nothing of that number or name exists.
+    /// No object with that number or name exists.
     Unknown {
-        /// What was asked for.
+        /// Name or number that was requested.
         name: String,
     },
-    /// A saved state was not written by this program, or by a later version of it.
+    /// A saved state was not written by this program or was written by a later version.
     UnreadableState,
-    /// The document inside a link is too long.
+    /// The document in a link is too long.
     DocumentTooLong,
-    /// A link is about a document that is neither in it nor in the page.
+    /// A link refers to a document that is neither in the link nor in the page.
     DocumentNeeded {
-        /// The name of its file.
+        /// File name of the document.
         name: String,
     },
-    /// Parts of a saved state do not fit this document and were left out.
+    /// Parts of a saved state do not fit this document and were omitted.
     PartlyRestored {
-        /// Which, as written in it.
+        /// Omitted parts, as written in the saved state.
         left_out: Vec<String>,
     },
 }

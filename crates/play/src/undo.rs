@@ -1,18 +1,17 @@
-//! Undo: puts back what was removed or overwritten last.
+//! Undo: restores what was removed or overwritten last.
 
 use crate::removed::{Removed, Undo};
 use crate::{Announcement, Play};
 
 impl Play {
-    /// Names what [`Play::undo`] would put back; `None` if there is nothing to undo.
+    /// Number of the removal that [`Play::undo`] would restore; `None` if there is none.
     pub fn undo_number(&self) -> Option<u32> {
         self.undo.number()
     }
 
-    /// Puts back what the removal of this number took away. Only the last removal can be undone; returns whether it was
-    /// the one asked for.
+    /// Undoes the removal with this number. Only the last removal can be undone; returns true if this was the last one.
     ///
-    /// Parameters get their former values. Where one of them determines the initial state, the run starts again.
+    /// Parameters get their former values. If one of them determines the initial state, the run restarts.
     pub fn undo(&mut self, number: u32) -> bool {
         let Some(removed) = self.undo.take(number) else { return false };
         match removed {
@@ -32,33 +31,33 @@ impl Play {
         true
     }
 
-    /// The number of a removal that somebody else can undo; the last one here no longer can be. Numbers ascend over all of
-    /// them, so that only the last removal of all is undone.
+    /// Issues a number for a removal that another component can undo; the last removal here can no longer be undone.
+    /// All removals share one ascending sequence, so that only the very last one is undone.
     pub fn number_removal(&mut self) -> u32 {
         self.undo = Undo::after(self.undo.count() + 1);
         self.undo.count()
     }
 
-    /// How many removals there have been.
+    /// Number of removals so far.
     pub fn removals(&self) -> u32 {
         self.undo.count()
     }
 
-    /// Goes on numbering where another simulation has left off; what that one removed stays removed.
+    /// Continues the numbering of another simulation; its removals cannot be undone here.
     pub fn number_removals_from(&mut self, count: u32) {
         self.undo = Undo::after(count);
     }
 
-    /// Remembers a removal, in place of the one before.
+    /// Stores a removal, replacing the previous one.
     pub(crate) fn can_undo(&mut self, removed: Removed) {
         self.undo.remember(removed);
     }
 
-    /// Changes several parameters at once such that the former values can be put back.
+    /// Changes several parameters (SI) at once; can be undone.
     pub(crate) fn overwrite_parameters(&mut self, parameters: Vec<f64>) {
         let before = self.course.parameters().to_vec();
         if before == parameters {
-            // Nothing is overwritten, and an older removal is not what a person would undo here.
+            // Nothing is overwritten, and the user would not expect an older removal to be undone here.
             self.undo.forget();
             return;
         }

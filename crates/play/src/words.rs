@@ -1,30 +1,30 @@
-//! The words of playing in every language. What the document says is translated by the document.
+//! Texts of this crate in every language. Texts of the document are translated by the document.
 
 use crate::{Announcement, Grade, Play, Refusal};
 use engine::Method;
 use units::Language;
 
-/// What a run with the document's own values is called.
+/// Name of a run with the document's own values.
 pub fn defaults(language: Language) -> &'static str {
     language.pick("initial settings", "ajustes iniciales")
 }
 
-/// A truth value.
+/// Text of a truth value.
 pub fn truth(language: Language, value: bool) -> &'static str {
     if value { language.pick("yes", "sí") } else { language.pick("no", "no") }
 }
 
-/// What the readout of a dry friction is called.
+/// Label of the readout of a dry friction.
 pub fn dry_friction(language: Language) -> &'static str {
     language.pick("Dry friction", "Rozamiento seco")
 }
 
-/// Whether a body with dry friction is held by it.
+/// State of a dry friction: sticking or slipping.
 pub fn sticks(language: Language, sticks: bool) -> &'static str {
     if sticks { language.pick("sticks", "adherido") } else { language.pick("slips", "desliza") }
 }
 
-/// The name of a method.
+/// Name of an integration method.
 pub fn method_name(language: Language, method: Method) -> &'static str {
     match method {
         Method::Euler => "Euler",
@@ -36,17 +36,17 @@ pub fn method_name(language: Language, method: Method) -> &'static str {
     }
 }
 
-/// What a plot shows.
+/// Description of a plot.
 pub fn against(language: Language, curves: &str, x: &str) -> String {
     language.pick(format!("{curves} against {x}."), format!("{curves} frente a {x}."))
 }
 
-/// What is drawn upwards in a histogram.
+/// Label of the vertical axis of a histogram.
 pub fn count(language: Language) -> &'static str {
     language.pick("Count", "Frecuencia")
 }
 
-/// What a histogram shows.
+/// Description of a histogram.
 pub fn counted(language: Language, values: &str, over_run: bool) -> String {
     match over_run {
         true => language
@@ -58,12 +58,12 @@ pub fn counted(language: Language, values: &str, over_run: bool) -> String {
     }
 }
 
-/// How far the runs of a plot over the values of a parameter have come.
+/// Progress of the runs of a sweep plot.
 pub fn runs_complete(language: Language, done: usize, all: usize) -> String {
     language.pick(format!("{done} of {all} runs"), format!("{done} de {all} series"))
 }
 
-/// What is drawn of a claim about the whole run.
+/// Axis label of the deviation from a claim.
 pub fn deviation(language: Language, relative: bool) -> &'static str {
     match relative {
         true => language.pick("relative deviation", "desviación relativa"),
@@ -71,32 +71,32 @@ pub fn deviation(language: Language, relative: bool) -> &'static str {
     }
 }
 
-/// What the run before the present one is called.
+/// Name of the ghost run.
 pub fn previous_run(language: Language) -> &'static str {
     language.pick("previous run", "serie anterior")
 }
 
-/// What a kept run is called in a list of other things.
+/// Name of a kept run in a list of other items.
 pub fn kept_run(language: Language, name: &str) -> String {
     language.pick(format!("the kept run “{name}”"), format!("la serie guardada «{name}»"))
 }
 
-/// What the time of a run is called in a list of other things.
+/// Name of the time of a run in a list of other items.
 pub fn time(language: Language, time: &str) -> String {
     language.pick(format!("the time {time}"), format!("el tiempo {time}"))
 }
 
-/// What an answer is called in a list of other things.
+/// Name of an answer in a list of other items.
 pub fn answer(language: Language, typed: &str) -> String {
     language.pick(format!("the answer “{typed}”"), format!("la respuesta «{typed}»"))
 }
 
-/// Stands in the place of a value that a question hides.
+/// Placeholder for a value hidden by a question.
 pub fn hidden(language: Language) -> &'static str {
     language.pick("hidden", "oculto")
 }
 
-/// Whether the true value lies within the error that was stated with an answer.
+/// Comment on the error stated with an answer. `within`: true if the true value lies within that error.
 pub fn stated_error(language: Language, correct: bool, within: bool) -> &'static str {
     match (correct, within) {
         (true, true) => {
@@ -116,7 +116,7 @@ pub fn stated_error(language: Language, correct: bool, within: bool) -> &'static
     }
 }
 
-/// What an answer is worth.
+/// Text of a grade.
 pub fn grade(language: Language, grade: Grade) -> &'static str {
     match grade {
         Grade::Correct => language.pick("Correct.", "Correcto."),
@@ -139,7 +139,7 @@ pub fn grade(language: Language, grade: Grade) -> &'static str {
     }
 }
 
-/// Why input was not taken.
+/// Text of a refusal.
 pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
     match refusal {
         Refusal::NotANumber { typed } if typed.is_empty() => {
@@ -235,12 +235,12 @@ pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
 }
 
 impl Play {
-    /// A refusal in the chosen language.
+    /// Text of a refusal in the chosen language.
     pub fn refusal_text(&self, refusal: &Refusal) -> String {
         refusal_text(self.language, refusal)
     }
 
-    /// An announcement in the chosen language.
+    /// Text of an announcement in the chosen language.
     pub fn announcement_text(&self, announcement: &Announcement) -> String {
         let say = |english: &str, spanish: &str| self.language.pick(english, spanish).to_owned();
         let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);

@@ -1,16 +1,16 @@
-//! Answers to the questions of the page, kept for the next visit.
+//! Storage of the answers to the page's questions, for the next visit.
 
 use play::{Answer, name_of};
 use view::{App, browser};
 
-/// The keys of the answers to this simulation begin so.
+/// Prefix of the storage keys of the answers to this simulation.
 fn prefix(app: App) -> String {
     let program = app.read(|play| Some((play.program().title.clone(), play.program().language.clone())));
     let (title, language) = program.unwrap_or_default();
     format!("played:{}:", name_of(&[&title, &language]))
 }
 
-/// Brings back what was answered at the last visit.
+/// Restores the answers of the last visit.
 pub fn restore(app: App) {
     let prefix = prefix(app);
     for (key, text) in browser::all_remembered(&prefix) {
@@ -21,7 +21,7 @@ pub fn restore(app: App) {
     }
 }
 
-/// Saves what has been answered so far. Whether the browser allowed it.
+/// Stores all answers. Returns true if the browser allowed it.
 pub fn save(app: App) -> bool {
     let prefix = prefix(app);
     let answers = app.read(|play| play.saved_answers());

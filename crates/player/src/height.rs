@@ -1,4 +1,4 @@
-//! The height of the page, told to the page around it: `{ meniscus: { height } }`, in pixels.
+//! Reports the height of the page to the surrounding page: `{ meniscus: { height } }`, in CSS pixels.
 
 use js_sys::{Object, Reflect};
 use std::cell::Cell;
@@ -7,7 +7,7 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::ResizeObserver;
 
-/// Makes the page as high as its content, and tells its height whenever it changes, as long as the page is open.
+/// Makes the page as high as its content and reports its height on every change.
 pub fn tell() {
     let (Some(root), Some(body)) = (document().document_element(), document().body()) else { return };
     let _ = root.set_attribute("data-height", "content");
@@ -25,7 +25,7 @@ pub fn tell() {
     changed.forget();
 }
 
-/// To whatever page is around this one: a height is no secret.
+/// Sends the height to any surrounding page: it is not confidential.
 fn post(height: f64) {
     let (message, inner) = (Object::new(), Object::new());
     let _ = Reflect::set(&inner, &"height".into(), &height.into());

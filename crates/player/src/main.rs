@@ -1,4 +1,4 @@
-//! The page of one simulation: it plays the program that stands in it, and holds no parser of the language.
+//! Page of a single simulation: it runs the program stored in the page and contains no parser of the language.
 
 mod answers;
 mod height;

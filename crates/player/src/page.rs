@@ -1,4 +1,4 @@
-//! The page: head, stage, and a panel to play, to answer and to read.
+//! Layout of the page: header, stage, and a panel with the tabs for playing, questions and theory.
 
 use crate::simulation::{self, Simulation};
 use crate::{answers, height, site, source};
@@ -31,7 +31,7 @@ pub fn start() {
         .unwrap_or_default();
     place.set_inner_html("");
     let page = move || {
-        // The page is open as long as the simulation is.
+        // The simulation lives as long as the page.
         let simulation: &'static Simulation = Box::leak(Box::new(Simulation::new(embedding)));
         let app = App::new(simulation, Language::of(&tag));
         shell::prepare(app);
@@ -42,7 +42,7 @@ pub fn start() {
         answers::restore(app);
         follow_link(app);
         browser::listen("hashchange", move |_: &web_sys::Event| follow_link(app));
-        // It is empty, since it was just made. What is answered from here on is saved.
+        // Set here for the first time, so this cannot fail. Answers are saved from now on.
         let _ = simulation.app.set(app);
         shell::view(app, move || if runs { content(app) } else { damaged(app) })
     };
@@ -77,17 +77,17 @@ fn head(app: App) -> HtmlHeader {
     header::view(app, View::from((site::links(app), source::button_of(app), share)))
 }
 
-/// What screen readers look for at the top of a page.
+/// Heading for screen readers if the header is hidden.
 fn hidden_head(app: App) -> View {
     tags::header().class("visually-hidden").child(h1().child(view::title(app))).into()
 }
 
-/// What is said where the simulation in the page cannot be read.
+/// Message if the simulation in the page cannot be read.
 fn damaged(app: App) -> View {
     main().child(p().class("waiting").role("alert").child(app.words().damaged)).into()
 }
 
-/// Shows the state that the address asks for.
+/// Restores the state in the fragment of the address.
 fn follow_link(app: App) {
     let fragment = fragment();
     if !is_heading(&fragment)
@@ -97,7 +97,7 @@ fn follow_link(app: App) {
     }
 }
 
-/// Copies a link to what is seen, and says what it does not hold.
+/// Copies a link to the present state and reports what the link does not contain.
 fn share(app: App) {
     let words = app.words();
     let (state, missing) = app.read(|play| (play.share(), play.missing_in_link()));

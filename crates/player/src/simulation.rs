@@ -7,20 +7,20 @@ use std::cell::{Cell, OnceCell, RefCell};
 use view::{App, Host};
 use wasm_bindgen::{JsCast, JsValue};
 
-/// The simulation, once it has been read.
+/// The simulation; `None` until it has been read.
 #[derive(Default)]
 pub struct Simulation {
     pub play: RefCell<Option<Play>>,
-    /// The views of it.
+    /// Handle of its views.
     pub app: OnceCell<App>,
-    /// What the address of the page asks for.
+    /// Options in the address of the page.
     embedding: Embedding,
-    /// Which answers have been saved.
+    /// Revision of the answers saved last.
     saved: Cell<u64>,
 }
 
 impl Simulation {
-    /// None yet, on a page whose address asks for this.
+    /// Creates the host without a simulation, for a page with these options.
     pub fn new(embedding: Embedding) -> Self {
         Self { embedding, ..Self::default() }
     }
@@ -50,7 +50,7 @@ impl Host for Simulation {
     }
 }
 
-/// The simulation whose bundle the page's script has inflated; `None` where there is none, or it is damaged.
+/// Simulation from the bundle that the page's script has inflated; `None` if there is none or it is damaged.
 pub fn of_page() -> Option<Play> {
     let bytes = js_sys::Reflect::get(&js_sys::global(), &JsValue::from_str("bundle")).ok()?;
     let bytes: js_sys::Uint8Array = bytes.dyn_into().ok()?;

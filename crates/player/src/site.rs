@@ -1,5 +1,5 @@
-//! What a page of a site leads to: the list of all simulations, and the laboratory, which has the same document. Their
-//! addresses stand in the page's head; a page of its own has none.
+//! Links of a page that belongs to a site: to the list of all simulations, and to the laboratory with the same
+//! document. Their addresses are in the head of the page; a standalone page has none.
 
 use play::Link;
 use view::views::*;
@@ -7,7 +7,7 @@ use view::{App, browser, icons};
 use wasm_bindgen::JsValue;
 use web_sys::{HtmlAnchorElement, HtmlLinkElement};
 
-/// The links; empty where the page belongs to no site.
+/// The links; empty if the page belongs to no site.
 pub fn links(app: App) -> View {
     let words = app.words();
     let list = address("simulations").map(|address| {
@@ -16,7 +16,7 @@ pub fn links(app: App) -> View {
     View::from((list.map_or_else(View::new, View::from), laboratory(app)))
 }
 
-/// The link to the laboratory. It holds what is seen at the moment it is followed.
+/// Link to the laboratory. It contains the state at the moment it is followed.
 fn laboratory(app: App) -> View {
     let Some(address) = address("laboratory") else { return View::new() };
     let words = app.words();
@@ -33,7 +33,7 @@ fn laboratory(app: App) -> View {
             node.set_href(&format!("{laboratory}#{}", Link { state, ..document }.write()));
         }
     };
-    // A key gives a click alone; a pointer that opens another window or a menu gives none.
+    // A key triggers only a click. A pointer that opens a menu or another window triggers none, only `pointerdown`.
     let pressed = renew.clone();
     link.when(events::pointerdown, move |_| pressed()).when(events::click, move |_| renew()).into()
 }
@@ -46,8 +46,8 @@ fn address(id: &str) -> Option<String> {
     browser::by_id::<HtmlLinkElement>(id).map(|link| link.href())
 }
 
-/// The language that the address asks for is a choice like that of the switch. It is taken out of the address where the browser
-/// remembers it, so that a later choice survives a reload. Other fields stay.
+/// Treats the language in the address like a choice with the language switch. If the browser stores it, it is removed
+/// from the address, so that a later choice survives a reload. Other fields stay.
 pub fn remember_language(tag: &str) {
     let location = window().location();
     let query = location.search().unwrap_or_default();

@@ -1,11 +1,11 @@
-//! The document that the simulation was made from: it stands in the page, to be opened in the laboratory.
+//! The document of the simulation, stored in the page so that it can be opened in the laboratory.
 
 use js_sys::{Array, JSON, Reflect};
 use view::views::*;
 use view::{App, browser, icons};
 use wasm_bindgen::{JsCast, JsValue};
 
-/// The files by name and text.
+/// Files of the document: (name, text).
 fn files() -> Vec<(String, String)> {
     let text = browser::by_id::<web_sys::Element>("documents").and_then(|element| element.text_content());
     let list = text.and_then(|text| JSON::parse(&text).ok()).and_then(|list| list.dyn_into::<Array>().ok());
@@ -14,7 +14,7 @@ fn files() -> Vec<(String, String)> {
     files.filter_map(|file| Some((field(&file, "name")?, field(&file, "text")?))).collect()
 }
 
-/// The button that saves the document; nothing where the page holds none.
+/// Button that saves the document; empty if the page contains none.
 pub fn button_of(app: App) -> View {
     if files().is_empty() {
         return View::new();

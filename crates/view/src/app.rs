@@ -1,4 +1,4 @@
-//! The handle that every view holds: it leads to the simulation, and tells the views which part of it has changed.
+//! Handle shared by all views: access to the simulation, and signals for its changes.
 
 use crate::browser;
 use crate::frame::Nodes;
@@ -14,21 +14,21 @@ use std::ops::Deref;
 use sycamore_reactive::{NodeHandle, batch, use_current_scope};
 use units::Language;
 
-/// More errors are not shown at once; the oldest go.
+/// Maximum number of errors shown at once; the oldest are dropped.
 const MOST_ERRORS: usize = 3;
 
-/// What a page is around the views of its simulation.
+/// Page around the views of a simulation.
 pub trait Host {
-    /// Works on the simulation, if one is open. Must not be nested.
+    /// Calls `work` with the simulation, if one is open. Calls must not be nested.
     fn with_play(&self, work: &mut dyn FnMut(&mut Play));
 
-    /// Brings what is shown beside the simulation up to it, before each drawing. Whether there is more to come.
+    /// Updates the content beside the simulation before each drawing. Returns true if work remains.
     fn follow(&self) -> bool {
         false
     }
 
-    /// What has happened since this was asked last. Of a slider that is being moved, `by_slider`, the value is left out: the
-    /// slider says it.
+    /// Returns the events since the last call. With `by_slider`, changes of parameter values are omitted, because the
+    /// slider itself announces its value.
     fn news(&self, by_slider: bool) -> Vec<News> {
         let mut news = Vec::new();
         self.with_play(&mut |play| {
@@ -41,82 +41,82 @@ pub trait Host {
         news
     }
 
-    /// Raises the counters of what has changed besides the simulation.
+    /// Raises the counters of changes outside the simulation.
     fn raise(&self) {}
 
-    /// Another picture on the stage, and the bar with its frames: what can stand in the place of scene and transport.
+    /// Alternative content of the stage and its transport bar, which can replace scene and transport.
     fn picture(&self) -> [View; 2] {
         Default::default()
     }
 
-    /// A time of the run (SI) is pointed at in a plot against time; it is found out only if it is asked for.
+    /// Called when a time in a plot against time is pointed at. `_time` computes this time of the run (SI) on demand.
     fn look_at(&self, _time: &mut dyn FnMut() -> Option<f64>) {}
 
-    /// The part of the time that something is limited to, if the plots are to show it.
+    /// Selected part of the time axis, if the plots are to show it.
     fn part(&self) -> Option<Part> {
         None
     }
 
-    /// Limits it to another part.
+    /// Sets the selected part of the time axis.
     fn set_part(&self, _part: Part) {}
 
-    /// Puts back what the removal of this number took away. Whether it was the last one.
+    /// Undoes the removal with this number. Returns true if it was the last one.
     fn undo(&self, number: u32) -> bool {
         let mut undone = false;
         self.with_play(&mut |play| undone = play.undo(number));
         undone
     }
 
-    /// Goes back to the texts of the document that are kept under this name.
+    /// Restores the document texts stored under this name.
     fn restore(&self, _version: &str) {}
 
-    /// What of the page is left out or locked where it stands inside another page.
+    /// Options of a page embedded in another page: parts left out, locked controls.
     fn embedding(&self) -> Embedding {
         Embedding::default()
     }
 
-    /// Whether the page can build the model with other sizes of families.
+    /// True if the page can rebuild the model with other sizes of families.
     fn can_resize(&self) -> bool {
         false
     }
 
-    /// Gives a size of families another value; why it cannot have it, in words.
+    /// Sets a size of families. Returns the reason if it is refused.
     fn resize(&self, _name: &str, _value: u32) -> Option<String> {
         None
     }
 
-    /// Chooses the language of everything.
+    /// Sets the language of the whole page.
     fn set_language(&self, language: Language) {
         self.with_play(&mut |play| play.set_language(language.tag()));
     }
 
-    /// What files that are saved are called, without an ending.
+    /// Base name of saved files, without extension.
     fn stem(&self) -> String {
         "run".to_owned()
     }
 
-    /// Further buttons beside those that save the recorded run.
+    /// Additional buttons beside those that save the recorded run.
     fn save_buttons(&self) -> View {
         View::new()
     }
 
-    /// Goes to the element of this id, wherever it is.
+    /// Goes to the element with this id, wherever it is in the page.
     fn show(&self, place: &str) {
         browser::reveal_later(place.to_owned());
     }
 }
 
-/// Something that has happened.
+/// An event to be announced.
 #[derive(Clone)]
 pub struct News {
-    /// What is spoken.
+    /// Text for screen readers.
     pub spoken: String,
-    /// What the line of messages shows, if anything.
+    /// Message for the line of messages, if any.
     pub message: Option<Message>,
 }
 
 impl News {
-    /// What is spoken and shown of an announcement of the simulation.
+    /// News for an announcement of the simulation.
     pub fn of_play(play: &Play, announcement: &Announcement) -> Self {
         let spoken = play.announcement_text(announcement);
         let undo = play.undo_number().filter(|_| announcement.can_be_undone());
@@ -124,18 +124,18 @@ impl News {
         Self { message: message.map(|message| message.undone_by(undo)), spoken }
     }
 
-    /// What is spoken, and shown as prominently as this.
+    /// News with this text, shown according to `prominence`.
     pub fn new(spoken: String, prominence: Prominence) -> Self {
         Self { message: Message::new(prominence, &spoken), spoken }
     }
 }
 
-/// Counters that views track. Each is raised when that part of the simulation has changed.
+/// Change counters, tracked by views. Each is raised when its part of the simulation has changed.
 #[derive(Clone, Copy)]
 pub struct Changes {
-    /// Another document, or the document in another language.
+    /// Another document, or another language.
     pub document: Signal<u64>,
-    /// Another program in the place of the present one, while its text is written.
+    /// Program replaced, for instance while its text is edited.
     pub program: Signal<u64>,
     /// Parameters, presets, method and step.
     pub parameters: Signal<u64>,
@@ -143,51 +143,51 @@ pub struct Changes {
     pub transport: Signal<u64>,
     /// Kept runs.
     pub runs: Signal<u64>,
-    /// Which plots are shown, and whether they show everything; what others draw into plots and scene.
+    /// Visibility and zoom of plots; content added to plots and scene.
     pub plots: Signal<u64>,
-    /// What is known of the author's claims.
+    /// Results of the author's claims.
     pub checks: Signal<u64>,
-    /// The time shown: raised in every frame in which it has changed, for what must not lag behind the curves.
+    /// Time shown. Raised in every frame in which it has changed, for values that must stay in step with the curves.
     pub frame: Signal<u64>,
-    /// The time shown and the rows recorded; raised at most ten times a second while the run is playing.
+    /// Time shown and rows recorded. Raised at most ten times a second while the run is playing.
     pub values: Signal<u64>,
 }
 
-/// The handle; copied freely.
+/// Handle of a page; cheap to copy.
 #[derive(Clone, Copy)]
 pub struct App(&'static Page);
 
-/// Everything that the handle leads to.
+/// Data behind the handle.
 pub struct Page {
     host: &'static dyn Host,
     nodes: RefCell<Nodes>,
-    /// Where signals live that live as long as the page.
+    /// Reactive scope of signals that live as long as the page.
     scope: NodeHandle,
-    /// What the views have shown.
+    /// Revision shown by the views.
     seen: Cell<Revision>,
-    /// The frame that the values have shown.
+    /// Frame counter of the values shown.
     seen_frame: Cell<u64>,
-    /// What has changed.
+    /// Change counters.
     pub changes: Changes,
     /// The language of the interface.
     pub language: Signal<Language>,
-    /// What the live region says.
+    /// Content of the live region for screen readers.
     pub spoken: Signal<String>,
-    /// What the line of messages shows.
+    /// Content of the line of messages.
     pub messages: Signal<Vec<Message>>,
-    /// Whether the browser is about to print.
+    /// True while the browser prepares to print.
     pub printing: Signal<bool>,
-    /// Whether single keys act.
+    /// True if single-key shortcuts are enabled.
     pub single_keys: Signal<bool>,
-    /// The open tab of the panel, by its id.
+    /// Id of the open tab of the panel.
     pub tab: Signal<&'static str>,
-    /// Whether the table of the recorded values is shown.
+    /// True if the table of recorded values is shown.
     pub table_open: Signal<bool>,
-    /// Whether the window has room for one plot only.
+    /// True if the window has room for only one plot.
     pub narrow: Signal<bool>,
-    /// The plot shown there.
+    /// The plot shown in a narrow window.
     pub front_plot: Signal<Option<PlotId>>,
-    /// Whether method and step are shown.
+    /// True if method and step are shown.
     pub numerics_open: Signal<bool>,
 }
 
@@ -200,7 +200,7 @@ impl Deref for App {
 }
 
 impl App {
-    /// A page around `host`, for as long as it is open.
+    /// Creates the handle for a page around `host`, which lives as long as the page.
     pub fn new(host: &'static dyn Host, language: Language) -> Self {
         let counter = || create_signal(0);
         let page = Page {
@@ -234,68 +234,69 @@ impl App {
         Self(Box::leak(Box::new(page)))
     }
 
-    /// The words of the interface, without tracking: whatever shows words is built again for another language.
+    /// Texts of the interface. Not tracked: views with texts are rebuilt when the language changes.
     pub fn words(self) -> &'static Words {
         words_in(self.language.get_untracked())
     }
 
-    /// What the page is around these views.
+    /// The page around these views.
     pub fn host(self) -> &'static dyn Host {
         self.0.host
     }
 
-    /// Works on the nodes that are redrawn in each frame. Must not be nested.
+    /// Calls `work` with the nodes that are redrawn in each frame. Calls must not be nested; returns `None` for a
+    /// nested call.
     pub fn nodes<T>(self, work: impl FnOnce(&mut Nodes) -> T) -> Option<T> {
         self.0.nodes.try_borrow_mut().ok().map(|mut nodes| work(&mut nodes))
     }
 
-    /// Asks for a frame, once.
+    /// Requests a frame, once.
     pub fn wake(self) {
         self.nodes(Nodes::ask);
     }
 
-    /// Reads something from the simulation; its default where none is open.
+    /// Reads from the simulation; returns the default if none is open.
     pub fn read<T: Default>(self, read: impl FnOnce(&mut Play) -> T) -> T {
         let (mut read, mut result) = (Some(read), None);
         self.host().with_play(&mut |play| result = read.take().map(|read| read(play)));
         result.unwrap_or_default()
     }
 
-    /// A plot as it is now; tracks which plots are shown.
+    /// Present state of a plot; tracks the visibility of plots.
     pub fn plot(self, id: PlotId) -> Option<PlotView> {
         self.changes.plots.track();
         self.read(|play| play.plots().into_iter().nth(id.place()))
     }
 
-    /// Does something in the simulation, tells the views and draws.
+    /// Performs an action on the simulation, notifies the views and redraws.
     pub fn act<T: Default>(self, act: impl FnOnce(&mut Play) -> T) -> T {
         let result = self.read(act);
         self.acted(false);
         result
     }
 
-    /// As [`App::act`], for a slider, which tells its value itself.
+    /// As [`App::act`], for a slider, which announces its value itself.
     pub fn slide(self, act: impl FnOnce(&mut Play)) {
         self.read(act);
         self.acted(true);
     }
 
-    /// As [`App::act`], for what may be refused: the refusal in words.
+    /// As [`App::act`], for actions that can be refused. Returns the text of the refusal.
     pub fn attempt(self, act: impl FnOnce(&mut Play) -> Result<(), Refusal>) -> Option<String> {
         self.act(|play| act(play).err().map(|refusal| play.refusal_text(&refusal)))
     }
 
-    /// Tells the views that something was done, and draws.
+    /// Notifies the views of an action and redraws.
     pub fn acted(self, by_slider: bool) {
         self.publish(true, by_slider);
         self.wake();
     }
 
-    /// Raises the counters of what has changed and says what has happened. `values` says whether it is time to show
-    /// changing values again.
+    /// Raises the counters of all changes and announces the events. `values`: true if changing values are to be updated
+    /// now.
     pub fn publish(self, values: bool, by_slider: bool) {
         let Some(revision) = self.read(|play| Some(play.revision())) else { return };
-        // The clock is right as soon as something was done, not a frame later.
+        // Updates the clock at once instead of one frame later.
         self.nodes(|nodes| {
             if let Some(transport) = &mut nodes.transport
                 && values
@@ -326,14 +327,14 @@ impl App {
             ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
         ];
         let focused = browser::focused();
-        // What reads several of them is built once.
+        // Batched, so that a view that tracks several counters is rebuilt only once.
         self.scope.run_in(|| {
             batch(|| {
                 changed.into_iter().for_each(raise);
                 self.host().raise();
             });
         });
-        // What had the focus and has been built again has it again.
+        // Restores the focus to an element that was rebuilt.
         if browser::focused() != focused {
             browser::focus(&focused);
         }
@@ -346,7 +347,7 @@ impl App {
         }
     }
 
-    /// Shows a message; the next one takes its place, unless it is an error.
+    /// Shows a message. It replaces the previous one, unless that is an error.
     fn show(self, message: Message) {
         self.messages.update(|messages| {
             messages.retain(|other| other.is_error && *other != message);
@@ -357,24 +358,24 @@ impl App {
         });
     }
 
-    /// Says and shows that something has been done.
+    /// Announces and shows a success.
     pub fn notify(self, words: &str) {
         self.report(Message::notice(words.to_owned()));
     }
 
-    /// Says and shows why something was not done.
+    /// Announces and shows an error.
     pub fn complain(self, words: String) {
         self.report(Message::error(words));
     }
 
-    /// Says and shows a message.
+    /// Announces and shows a message.
     pub fn report(self, message: Message) {
         self.say(message.text.clone());
         self.show(message);
     }
 
-    /// Says something through the live region alone: what a person who sees the page sees anyway. The same words twice must
-    /// differ, or they are said once.
+    /// Announces a text to screen readers only. A repeated text is modified invisibly; otherwise it would not be read
+    /// again.
     pub fn say(self, mut words: String) {
         if self.spoken.with_untracked(|spoken| *spoken == words) {
             words.push('\u{a0}');
@@ -382,21 +383,20 @@ impl App {
         self.spoken.set(words);
     }
 
-    /// Everything is built again: for another document or language.
+    /// Rebuilds all views, for another document or language.
     pub fn rebuild(self) {
         self.changes.document.update(|count| *count += 1);
         self.acted(false);
     }
 
-    /// What shows the program is built again: another one has taken its place. What lasts, such as the editor of its text, stays as
-    /// it is.
+    /// Rebuilds the views of the program after it was replaced. Lasting parts, such as the text editor, stay.
     pub fn rebuild_program(self) {
         self.nodes(Nodes::clear);
         self.changes.program.update(|count| *count += 1);
         self.acted(false);
     }
 
-    /// Chooses the language of everything.
+    /// Sets the language of the whole page.
     pub fn set_language(self, language: Language) {
         self.host().set_language(language);
         self.language.set(language);
@@ -405,7 +405,7 @@ impl App {
     }
 }
 
-/// The title of the simulation; the program's name where none is open.
+/// Title of the simulation; the name of the application if none is open.
 pub fn title(app: App) -> String {
     let language = app.language.get_untracked().tag();
     app.read(|play| Some(play.program().edition(language).title.clone()))

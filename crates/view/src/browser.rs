@@ -1,5 +1,5 @@
-//! The few things the laboratory asks of the browser that may fail: storage, clipboard, files. A refusal is an answer,
-//! never a panic; a page opened from `file://`, in private mode or inside a frame is refused many of them.
+//! Browser functions that may fail: storage, clipboard, files. A refusal is returned and never causes a panic. Pages
+//! opened from `file://`, in private mode or in a frame are refused many of these functions.
 
 use crate::views::{document, window};
 use js_sys::{Array, Function, Promise, Reflect, Uint8Array};
@@ -10,12 +10,12 @@ use web_sys::{
     ScrollToOptions, Url,
 };
 
-/// The element with this id, if it is of type `T`.
+/// Element with this id, if it is of type `T`.
 pub fn by_id<T: JsCast>(id: &str) -> Option<T> {
     document().get_element_by_id(id)?.dyn_into().ok()
 }
 
-/// The id of what has the focus; empty where nothing has.
+/// Id of the focused element; empty if there is none.
 pub fn focused() -> String {
     document().active_element().map(|element| element.id()).unwrap_or_default()
 }
@@ -27,13 +27,13 @@ pub fn focus(id: &str) {
     }
 }
 
-/// The same in the next frame, when the views have been rebuilt.
+/// Moves the focus to an element in the next frame, after the views have been rebuilt.
 pub fn focus_later(id: String) {
     let focus = Closure::once_into_js(move || focus(&id));
     let _ = window().request_animation_frame(focus.unchecked_ref());
 }
 
-/// Moves the focus to an element in the next frame, if what had it is gone by then.
+/// Moves the focus to an element in the next frame if the focused element no longer exists.
 pub fn keep_focus_later(id: String) {
     let keep = Closure::once_into_js(move || {
         let active = document().active_element();
@@ -44,7 +44,7 @@ pub fn keep_focus_later(id: String) {
     let _ = window().request_animation_frame(keep.unchecked_ref());
 }
 
-/// Moves the focus to an element without scrolling to it: where what had the focus is gone.
+/// Moves the focus to an element without scrolling, to replace a focused element that was removed.
 pub fn focus_in_place(id: &str) {
     let options = FocusOptions::new();
     options.set_prevent_scroll(true);
@@ -53,7 +53,7 @@ pub fn focus_in_place(id: &str) {
     }
 }
 
-/// Scrolls to an element and gives it the focus, once it is there.
+/// In the next frame, scrolls to an element and focuses it.
 pub fn reveal_later(id: String) {
     let reveal = Closure::once_into_js(move || {
         if let Some(element) = by_id::<HtmlElement>(&id) {
@@ -64,12 +64,12 @@ pub fn reveal_later(id: String) {
     let _ = window().request_animation_frame(reveal.unchecked_ref());
 }
 
-/// How far the page is scrolled.
+/// Vertical scroll position of the page, in CSS pixels.
 pub fn scrolled() -> f64 {
     window().scroll_y().unwrap_or(0.0)
 }
 
-/// Scrolls the page, at once.
+/// Scrolls the page to a vertical position in CSS pixels, without animation.
 pub fn scroll_to(place: f64) {
     let options = ScrollToOptions::new();
     options.set_top(place);
@@ -77,14 +77,14 @@ pub fn scroll_to(place: f64) {
     window().scroll_to_with_scroll_to_options(&options);
 }
 
-/// Below this part of the window's height too little of an element is seen.
+/// An element that begins below this fraction of the window height is considered out of sight.
 const LOW: f64 = 0.6;
 
-/// Scrolls to the top of an element, at once, where it reaches beyond the top of the window or begins so low that little of it would be
-/// seen.
+/// Scrolls to the top of an element, without animation, if it begins above the window or so low that little of it is
+/// visible.
 pub fn bring_into_sight(id: &str) {
     let Some(element) = by_id::<HtmlElement>(id) else { return };
-    // Where it begins below what sticks to the top of the window: its scroll margin.
+    // The scroll margin is the height of the content that sticks to the top of the window.
     let margin = window().get_computed_style(&element).ok().flatten();
     let margin = margin.and_then(|style| style.get_property_value("scroll-margin-top").ok());
     let margin: f64 = margin.and_then(|margin| margin.trim_end_matches("px").parse().ok()).unwrap_or(0.0);
@@ -96,42 +96,42 @@ pub fn bring_into_sight(id: &str) {
     }
 }
 
-/// Scrolls an element to the top of what is in sight.
+/// Scrolls an element to the top of the visible area.
 pub fn bring_to_top(id: &str) {
     if let Some(element) = by_id::<HtmlElement>(id) {
         element.scroll_into_view();
     }
 }
 
-/// Calls `react` whenever this happens in the window, as long as the page lives.
+/// Calls `react` for every event of this type in the window, as long as the page lives.
 pub fn listen<E: JsCast + 'static>(event: &str, mut react: impl FnMut(&E) + 'static) {
     let closure = Closure::<dyn FnMut(Event)>::new(move |event: Event| react(event.unchecked_ref()));
     let _ = window().add_event_listener_with_callback(event, closure.as_ref().unchecked_ref());
     closure.forget();
 }
 
-/// Whether a media query matches now.
+/// True if a media query matches now.
 pub fn matches(query: &str) -> bool {
     window().match_media(query).ok().flatten().is_some_and(|list| list.matches())
 }
 
-/// Calls `react` with the answer whenever a media query's answer changes.
+/// Calls `react` whenever the result of a media query changes.
 pub fn on_match_change(query: &str, react: impl FnMut() + 'static) {
     if let Ok(Some(list)) = window().match_media(query) {
         let closure = Closure::<dyn FnMut()>::new(react);
         list.set_onchange(Some(closure.as_ref().unchecked_ref()));
-        // The page listens as long as it lives.
+        // The listener lives as long as the page.
         closure.forget();
         std::mem::forget(list);
     }
 }
 
-/// A remembered text.
+/// Stored text; `None` if there is none.
 pub fn remembered(key: &str) -> Option<String> {
     window().local_storage().ok().flatten()?.get_item(&format!("meniscus:{key}")).ok().flatten()
 }
 
-/// The keys of remembered texts that begin like this.
+/// Keys of stored texts with this prefix.
 pub fn remembered_keys(prefix: &str) -> Vec<String> {
     let Ok(Some(storage)) = window().local_storage() else { return Vec::new() };
     let read = |index: u32| {
@@ -141,43 +141,43 @@ pub fn remembered_keys(prefix: &str) -> Vec<String> {
     (0..storage.length().unwrap_or(0)).filter_map(read).collect()
 }
 
-/// All remembered texts whose keys begin like this, with their keys.
+/// Stored texts with this key prefix: (key, text).
 pub fn all_remembered(prefix: &str) -> Vec<(String, String)> {
     let keys = remembered_keys(prefix).into_iter();
     keys.filter_map(|key| remembered(&key).map(|text| (key, text))).collect()
 }
 
-/// Remembers a text for the next visit; forgets it when there is none. Whether the browser has taken it: it refuses where the
-/// storage is full or forbidden.
+/// Stores a text for the next visit; an empty text removes the entry. Returns false if the storage is full or
+/// forbidden.
 pub fn remember(key: &str, text: &str) -> bool {
     let Ok(Some(storage)) = window().local_storage() else { return text.is_empty() };
     let key = format!("meniscus:{key}");
     if text.is_empty() { storage.remove_item(&key) } else { storage.set_item(&key, text) }.is_ok()
 }
 
-/// A text that is remembered as long as this tab of the browser is open, also while the page is loaded again.
+/// Text stored for this browser tab; it survives a reload of the page.
 pub fn remembered_in_tab(key: &str) -> Option<String> {
     window().session_storage().ok().flatten()?.get_item(&format!("meniscus:{key}")).ok().flatten()
 }
 
-/// Remembers a text as long as this tab of the browser is open, if the browser lets the page do so.
+/// Stores a text for this browser tab, if the browser allows it.
 pub fn remember_in_tab(key: &str, text: &str) {
     if let Ok(Some(storage)) = window().session_storage() {
         let _ = storage.set_item(&format!("meniscus:{key}"), text);
     }
 }
 
-/// Forgets a remembered text.
+/// Removes a stored text.
 pub fn forget(key: &str) {
     remember(key, "");
 }
 
-/// Lets the browser save a text as a file.
+/// Saves a text as a file through the browser; `kind` is the media type.
 pub fn save_text(name: &str, kind: &str, text: &str) {
     save_bytes(name, kind, text.as_bytes());
 }
 
-/// Lets the browser save bytes as a file.
+/// Saves bytes as a file through the browser; `kind` is the media type.
 pub fn save_bytes(name: &str, kind: &str, bytes: &[u8]) {
     let options = BlobPropertyBag::new();
     options.set_type(kind);
@@ -186,7 +186,7 @@ pub fn save_bytes(name: &str, kind: &str, bytes: &[u8]) {
         && let Ok(url) = Url::create_object_url_with_blob(&blob)
     {
         save_url(name, &url);
-        // The download has begun by the time the next task runs.
+        // The download needs the address for a while after the click.
         let release = Closure::once_into_js(move || {
             let _ = Url::revoke_object_url(&url);
         });
@@ -194,7 +194,7 @@ pub fn save_bytes(name: &str, kind: &str, bytes: &[u8]) {
     }
 }
 
-/// Lets the browser save what an address of this page holds.
+/// Saves the content of an address of this page as a file.
 pub fn save_url(name: &str, url: &str) {
     if let Some(link) =
         document().create_element("a").ok().and_then(|element| element.dyn_into::<HtmlAnchorElement>().ok())
@@ -205,7 +205,7 @@ pub fn save_url(name: &str, url: &str) {
     }
 }
 
-/// Copies a text to the clipboard and calls `done` with whether that was allowed.
+/// Copies a text to the clipboard and calls `done` with true if that was allowed.
 pub fn copy(text: &str, done: impl FnOnce(bool) + 'static) {
     // Missing in frames and on hosts without https.
     let clipboard = Reflect::get(&window().navigator(), &"clipboard".into()).unwrap_or(JsValue::UNDEFINED);
@@ -220,7 +220,7 @@ pub fn copy(text: &str, done: impl FnOnce(bool) + 'static) {
     });
 }
 
-/// The old way, which works where the clipboard is not offered.
+/// Fallback for browsers without clipboard access. Returns true on success.
 fn copy_by_selection(text: &str) -> bool {
     let document = document();
     let focused = document.active_element().and_then(|element| element.dyn_into::<HtmlElement>().ok());
@@ -248,17 +248,17 @@ fn copy_by_selection(text: &str) -> bool {
     copied
 }
 
-/// The outcome of a promise.
+/// Awaits a promise.
 pub async fn wait(promise: Promise) -> Result<JsValue, JsValue> {
     wasm_bindgen_futures::JsFuture::from(promise).await
 }
 
-/// Lets the browser do what is waiting: draw, react to keys and pointers.
+/// Yields to the browser: drawing, keys and pointers.
 pub async fn breathe() {
     pause(0).await;
 }
 
-/// Waits so many milliseconds.
+/// Waits for this number of milliseconds.
 pub async fn pause(milliseconds: i32) {
     let promise = Promise::new(&mut |resolve, _| {
         let _ = window().set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, milliseconds);
@@ -266,19 +266,19 @@ pub async fn pause(milliseconds: i32) {
     let _ = wait(promise).await;
 }
 
-/// The fragment of the address, without `#`.
+/// Fragment of the address, without `#`.
 pub fn fragment() -> String {
     window().location().hash().unwrap_or_default().trim_start_matches('#').to_owned()
 }
 
-/// The address of this page with another fragment.
+/// Address of this page with another fragment.
 pub fn address(fragment: &str) -> String {
     let address = window().location().href().unwrap_or_default();
     let base = address.split('#').next().unwrap_or_default();
     if fragment.is_empty() { base.to_owned() } else { format!("{base}#{fragment}") }
 }
 
-/// Whether a fragment leads to a heading and not to a state.
+/// True if a fragment is the id of a heading and not a state.
 pub fn is_heading(fragment: &str) -> bool {
     !fragment.contains(['&', '='])
 }

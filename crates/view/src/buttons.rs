@@ -4,7 +4,7 @@ use crate::app::App;
 use crate::views::*;
 use play::ButtonView;
 
-/// A row of them; nothing where the document has none.
+/// A row with the document's buttons; empty if there are none.
 pub fn view(app: App) -> View {
     let words = app.words();
     let buttons = app.read(|play| play.buttons());

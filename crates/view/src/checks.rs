@@ -1,4 +1,4 @@
-//! What the author claims about the simulation, and whether it holds: a quiet list below the theory, run on demand.
+//! Claims of the author about the simulation, and their results: a list below the theory, checked on demand.
 
 use crate::app::App;
 use crate::question::supposed;
@@ -7,13 +7,13 @@ use crate::views::*;
 use figure::Settings;
 use play::{ClaimView, ClaimsView};
 
-/// The list; nothing where the author claims nothing.
+/// List of claims; empty if the document contains none.
 pub fn view(app: App) -> View {
     if !app.read(|play| play.has_checks()) {
         return View::new();
     }
     let words = app.words();
-    // The claim whose plot is shown.
+    // Claim whose deviation plot is shown.
     let drawn = create_signal(None::<(usize, usize)>);
     let listed = move || {
         app.changes.checks.track();
@@ -41,7 +41,7 @@ pub fn view(app: App) -> View {
         .into()
 }
 
-/// How many claims hold.
+/// Summary of the results.
 fn summary_of(app: App) -> String {
     let words = app.words();
     let claims = app.read(|play| play.checks().into_iter().flat_map(|claims| claims.claims).collect::<Vec<_>>());
@@ -72,7 +72,7 @@ fn group(app: App, check: usize, claims: ClaimsView, drawn: Signal<Option<(usize
 
 fn item(app: App, place: (usize, usize), claim: ClaimView, drawn: Signal<Option<(usize, usize)>>) -> HtmlLi {
     let words = app.words();
-    // The mark is read as a word.
+    // Screen readers read a word instead of the mark.
     let (mark, spoken) = match claim.holds {
         None => ("·", words.check_open),
         Some(true) => ("✓", words.check_holds),
@@ -91,7 +91,7 @@ fn item(app: App, place: (usize, usize), claim: ClaimView, drawn: Signal<Option<
         .maybe(claim.is_drawn.then(|| deviation(app, place, drawn)))
 }
 
-/// A button that shows how far the present run is off, and its plot.
+/// Button that shows the deviation of the present run from a claim, and its plot.
 fn deviation(app: App, place: (usize, usize), drawn: Signal<Option<(usize, usize)>>) -> HtmlDiv {
     let words = app.words();
     let id = format!("deviation-{}-{}", place.0, place.1);

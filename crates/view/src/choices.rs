@@ -1,11 +1,11 @@
-//! A tick box for a switch, a drop-down for a choice.
+//! Controls for switches (check box) and choices (drop-down list).
 
 use crate::app::App;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
 use play::{ChoiceView, ParameterView};
 
-/// The control of a switch or a choice.
+/// Control of a switch or a choice.
 pub fn control(app: App, first: ParameterView) -> HtmlDiv {
     let index = first.index;
     let now = memo(move || {
@@ -32,7 +32,7 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
     let alternative = |choice: ChoiceView| {
         option().value(choice.value.to_string()).selected(move || value() == choice.value).child(choice.text)
     };
-    // The reader's own choice outweighs the attribute of an option, but not the property.
+    // After a selection by the reader, only the property changes the value shown; the attribute of an option does not.
     let choose = select()
         .id(id)
         .prop("value", move || value().to_string())

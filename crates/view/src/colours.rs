@@ -1,8 +1,8 @@
-//! The colours in which canvases are painted.
+//! Colours for painting on canvases.
 
 use figure::{Ink, Palette, RUN_COLOURS, SERIES_COLOURS};
 
-/// A palette as the canvas wants it: colours as texts, made once and not in every frame.
+/// A palette in the form required by the canvas: colours as texts, created once instead of in every frame.
 pub struct Colours {
     plain: [String; 6],
     series: [String; SERIES_COLOURS],
@@ -12,7 +12,7 @@ pub struct Colours {
 }
 
 impl Colours {
-    /// The colours of a palette.
+    /// Colours of a palette.
     pub fn new(palette: &Palette) -> Self {
         let text = |ink| palette.colour(ink).to_string();
         Self {

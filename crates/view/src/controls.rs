@@ -1,4 +1,4 @@
-//! The controls: parameters, presets, the state, method and step.
+//! Controls: parameters, presets, state, method and step.
 
 use crate::app::App;
 use crate::browser;
@@ -11,7 +11,7 @@ use crate::{buttons, drawings, parameters};
 use play::{MethodView, ParameterGroup, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
 
-/// The controls.
+/// The card with parameters and presets.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let restore = button()
@@ -30,7 +30,7 @@ pub fn view(app: App) -> HtmlSection {
     controls.child(lockable(app, values))
 }
 
-/// The controls of a group under its heading.
+/// Controls of a parameter group under its heading.
 fn parameter_group(app: App, (number, group): (usize, ParameterGroup)) -> View {
     let control = |first| parameters::control(app, first);
     if group.name.is_empty() {
@@ -39,12 +39,13 @@ fn parameter_group(app: App, (number, group): (usize, ParameterGroup)) -> View {
     headed("parameter-group", format!("parameter-group-{number}"), group.name).each(group.parameters, control).into()
 }
 
-/// A group under its heading, which has this id.
+/// A group with a heading of this id.
 fn headed(class: &'static str, id: String, name: String) -> HtmlDiv {
     div().class(class).role("group").attr("aria-labelledby", id.clone()).child(h4().id(id).child(name))
 }
 
-/// Controls that a page with locked values shows and does not obey. The buttons of the document are none: what they change is the run.
+/// Disables controls in a page with locked values. The document's buttons stay enabled, because they change only the
+/// run.
 pub fn lockable(app: App, controls: View) -> View {
     if app.host().embedding().locked {
         fieldset().class("locked").attr("disabled", "").child(controls).into()
@@ -53,7 +54,8 @@ pub fn lockable(app: App, controls: View) -> View {
     }
 }
 
-/// Gives everything the values of the document. Sizes come first: the defaults of the rest belong to the model that they build.
+/// Resets all values to those of the document. Sizes come first: the defaults of the others belong to the model that
+/// the sizes determine.
 fn restore_all(app: App) {
     let resized = sizes::restore(app);
     app.act(Play::restore_defaults);
@@ -63,10 +65,10 @@ fn restore_all(app: App) {
     }
 }
 
-/// The state at the present, and how it is computed: changed more seldom than parameters.
+/// Present state, method and step: changed less often than parameters.
 pub fn state_and_method(app: App) -> HtmlSection {
     let settings = part("settings", "controls card", app.words().settings).child(states(app));
-    // What counts needs no method.
+    // A model with a counter as independent variable needs no method.
     if app.read(|play| play.model().independent.counts) { settings } else { settings.child(numerics(app)) }
 }
 
@@ -108,7 +110,7 @@ fn presets(app: App) -> View {
         .into()
 }
 
-/// The state, to be edited while the run stands still.
+/// Fields of the state, editable while the run is paused.
 fn states(app: App) -> View {
     let words = app.words();
     let states = app.read(|play| play.state_lines());
@@ -120,7 +122,7 @@ fn states(app: App) -> View {
     let field = |(line, state): (usize, StateView)| {
         let id = format!("state-{line}");
         let view = move || now.with(|states| states.get(line).cloned());
-        // Of a family, that of the member that is chosen.
+        // For a family, the index of the selected member.
         let index = move || view().map_or(state.index, |state| state.index);
         let error = create_signal(None::<String>);
         let field = parameters::Field {
@@ -187,7 +189,7 @@ fn numerics(app: App) -> HtmlDetails {
         app.changes.parameters.track();
         app.read(|play| play.methods().iter().find(|method| method.selected).map_or("", |method| method.name))
     };
-    // The reader's own choice outweighs the attribute of an option, but not the property.
+    // After a selection by the reader, only the property changes the value shown; the attribute of an option does not.
     let choose = select()
         .id("method")
         .prop("value", now)

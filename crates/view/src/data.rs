@@ -1,13 +1,13 @@
-//! The recorded run as a table, a window of rows at a time, and as CSV.
+//! The recorded run as a table, shown as a window of rows, and as CSV.
 
 use crate::app::App;
 use crate::views::*;
 use crate::{browser, tabs};
 
-/// Rows in the window.
+/// Number of rows in the window.
 const ROWS: usize = 20;
 
-/// The table and its tools. While they are folded, or another tab is open, they cost nothing.
+/// The table and its tools. While they are folded or another tab is open, they are not updated.
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     let head = app.read(|play| play.table_header());
@@ -75,7 +75,7 @@ pub fn view(app: App) -> HtmlDiv {
     div().class("data").child(bar).child(table)
 }
 
-/// The text alone: a byte-order mark is for files.
+/// Copies the text without the byte-order mark, which is meant for files.
 fn copy(app: App) {
     crate::reading::copy(app, app.read(|play| play.csv()).trim_start_matches('\u{feff}'));
 }

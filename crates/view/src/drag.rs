@@ -1,4 +1,4 @@
-//! Parts of the scene that follow the hand: focused and moved with the arrow keys, or by pointer ([`crate::grip`]).
+//! Draggable parts of the scene: moved with the arrow keys when focused, or by pointer ([`crate::grip`]).
 
 use crate::app::App;
 use play::Play;
@@ -7,28 +7,28 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Event, KeyboardEvent, SvgElement, SvgGraphicsElement};
 
-/// An arrow key moves a handle by this part of the scene's height, with Shift five times as far.
+/// Step of an arrow key, as a fraction of the scene height; five times as large with Shift.
 const KEY_STEP: f64 = 0.01;
 
 /// A part of the scene that can be dragged.
 pub struct Handle {
     node: SvgElement,
     drag: Drag,
-    /// What the document calls it.
+    /// Name from the document.
     name: Option<String>,
-    /// Its number among several unnamed ones that move the same; 0 where it is the only one.
+    /// Number among several unnamed handles with the same target; 0 if it is the only one.
     pub number: usize,
     listeners: Vec<Closure<dyn FnMut(Event)>>,
     shown: String,
 }
 
 impl Handle {
-    /// Makes a node a handle.
+    /// Creates a handle from a node.
     pub fn new(node: SvgElement, drag: Drag, name: Option<String>) -> Self {
         Self { node, drag, name, number: 0, listeners: Vec::new(), shown: String::new() }
     }
 
-    /// Numbers those that would otherwise have the same name.
+    /// Numbers the handles that would otherwise have equal names.
     pub fn number_unnamed(handles: &mut [Self]) {
         for index in 0..handles.len() {
             let Some(target) = handles.get(index).filter(|one| one.name.is_none()).map(|one| one.drag.target) else {
@@ -43,13 +43,13 @@ impl Handle {
         }
     }
 
-    /// What takes hold of it by pointer.
+    /// Node and target, for dragging by pointer.
     pub fn part(&self) -> (SvgElement, Drag) {
         (self.node.clone(), self.drag.clone())
     }
 
-    /// Says where it is to those who do not see it. Left alone while the run is playing: a screen reader on the handle
-    /// would talk without end.
+    /// Updates the ARIA attributes with the position. Skipped while the run is playing: a screen reader on the handle
+    /// would read continuously.
     pub fn describe(&mut self, play: &mut Play) {
         if play.is_playing() && !self.shown.is_empty() {
             return;
@@ -86,13 +86,13 @@ impl Handle {
     }
 }
 
-/// Seven digits: the ends of a range are found by halving it, and are no rounder than that.
+/// Formats with single precision: the ends of a range are found by bisection and are no more precise.
 fn short(value: f64) -> String {
     (value as f32).to_string()
 }
 
-/// Makes a handle known to readers of the screen, and follow keys. `root` is the scene's `svg`, whose user units the
-/// document counts in.
+/// Makes a handle accessible to screen readers and to the keyboard. `root` is the scene's `svg`, which defines the user
+/// units of the document.
 pub fn attach(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
     for (name, value) in [
         ("role", "slider"),
@@ -107,7 +107,7 @@ pub fn attach(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
     keyboard(app, handle, root);
 }
 
-/// The ring of the focus is for those who came by keyboard; some browsers draw it after a drag by mouse, too.
+/// Shows the focus ring only after keyboard navigation; some browsers draw it after a drag by mouse, too.
 fn ring(handle: &mut Handle) {
     let node = handle.node.clone();
     handle.listen("focus", move |_| {
@@ -142,7 +142,7 @@ fn keyboard(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
         let Some(matrix) = root.get_screen_ctm() else { return };
         let height = root.get_bounding_client_rect().height() / f64::from(matrix.d());
         let step = height * KEY_STEP * if event.shift_key() { 5.0 } else { 1.0 };
-        // Along the axis that the document names, whichever pair of arrows is pressed.
+        // Any pair of arrow keys moves along the axis given by the document.
         let (right, up) = match (drag.right.is_some(), drag.up.is_some()) {
             (true, true) => (right, up),
             (true, false) => (right + up, 0.0),

@@ -1,4 +1,4 @@
-//! Fields in which a curve is drawn: with a finger, a mouse or a pen, or point by point with the keys.
+//! Fields in which the reader draws a curve, by finger, mouse or pen, or point by point with the keys.
 
 use crate::app::App;
 use crate::views::*;
@@ -7,35 +7,35 @@ use std::rc::Rc;
 use sycamore_web::SvgGlobalAttributes;
 use web_sys::{HtmlElement, KeyboardEvent, PointerEvent};
 
-/// What an arrow key changes, as a part of the range.
+/// Change by an arrow key, as a fraction of the range.
 const SMALL: f64 = 1.0 / 40.0;
-/// What a page key changes.
+/// Change by a page key, as a fraction of the range.
 const LARGE: f64 = 1.0 / 10.0;
 
-/// A field for each curve that the reader draws; nothing where there is none.
+/// A field for each curve drawn by the reader; empty if there are none.
 pub fn view(app: App) -> View {
     each(app.read(|play| play.drawn_curves()), |first| field(app, first))
 }
 
-/// What is drawn now, and with which point the keys work.
+/// The curve being drawn, and the point that the keys change.
 #[derive(Clone)]
 struct Sketch {
     app: App,
     index: usize,
     heights: Signal<Vec<f64>>,
     point: Signal<usize>,
-    /// Where the pointer was last while it draws.
+    /// Last position of the pointer during a stroke: (place, height).
     stroke: Signal<Option<(f64, f64)>>,
 }
 
 impl Sketch {
-    /// The number of the point at a place.
+    /// Index of the point nearest to a place (0 to 1).
     fn at(&self, place: f64) -> usize {
         let last = self.heights.with_untracked(Vec::len).saturating_sub(1);
         (place * last as f64).round() as usize
     }
 
-    /// Draws a straight line from where the pointer was.
+    /// Draws a straight line from the last position of the pointer.
     fn draw_to(&self, (place, height): (f64, f64)) {
         let (before, from) = self.stroke.get_untracked().unwrap_or((place, height));
         let (first, last) = (self.at(before), self.at(place));
@@ -52,18 +52,18 @@ impl Sketch {
         self.stroke.set(Some((place, height)));
     }
 
-    /// The run starts again with the new curve.
+    /// Applies the curve; the run restarts.
     fn finish(&self) {
         self.stroke.set(None);
         let heights = self.heights.get_clone_untracked();
         let index = self.index;
         self.app.slide(move |play| {
-            // What a field gives fits its curve.
+            // The heights of the field always fit the curve.
             let _ = play.draw(index, &heights);
         });
     }
 
-    /// Whether a key does something here.
+    /// Handles a key. Returns true if it has a function here.
     fn key(&self, key: &str) -> bool {
         let last = self.heights.with_untracked(Vec::len).saturating_sub(1);
         let point = self.point.get_untracked();
@@ -145,7 +145,7 @@ fn field(app: App, first: DrawingView) -> HtmlDiv {
                         .child(span().child(high))
                         .child(span().child(low)),
                 )
-                // A field set disables no drawing.
+                // A disabled `fieldset` does not disable the drawing field.
                 .child(pad(&sketch, now, &first, id, hint.clone()).attr("inert", move || locked.then_some("")))
                 .child(
                     div()
@@ -158,7 +158,7 @@ fn field(app: App, first: DrawingView) -> HtmlDiv {
         .child(note(words.drawing_hint).id(hint))
 }
 
-/// The field itself.
+/// The drawing field.
 fn pad(
     sketch: &Sketch,
     now: ReadSignal<Option<DrawingView>>,
@@ -260,7 +260,7 @@ fn pad(
         .child(span().class("drawing-mark").style(mark))
 }
 
-/// The path through points whose places and heights are parts of the field.
+/// SVG path through points whose places and heights are fractions of the field.
 fn path_through(points: impl Iterator<Item = (f64, f64)>) -> String {
     let mut path = String::new();
     for (place, height) in points {

@@ -1,6 +1,6 @@
-//! The frame: lets the simulation's time pass and redraws what has changed. Frames are asked for only while something
-//! moves; a page that stands still costs nothing. The browser asks for none while the page is hidden, and the simulation
-//! says what a long pause means; losing the focus does not stop the run.
+//! The animation frame: advances the simulation and redraws what has changed. Frames are requested only while something
+//! moves; a paused page costs nothing. While the page is hidden the browser provides no frames; [`play::LONGEST_GAP`]
+//! defines the treatment of long gaps. Losing the focus does not stop the run.
 
 use crate::app::App;
 use crate::colours::Colours;
@@ -14,35 +14,35 @@ use play::{Play, PlotId};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
-/// Changing values, clock and time line are shown so many times a second: digits that change faster cannot be read, and each of
-/// them costs the browser a layout.
+/// Update rate of changing values, clock and time line. Faster digits cannot be read, and each update costs the browser
+/// a layout.
 const VALUES_PER_SECOND: f64 = 10.0;
 
-/// Everything that is redrawn in a frame, and the clock of the frames.
+/// Nodes that are redrawn in each frame, and the time of the frames.
 #[derive(Default)]
 pub struct Nodes {
-    /// The scene's nodes.
+    /// Nodes of the scene.
     pub scene: Option<SceneNodes>,
-    /// Each plot's canvas, in the order of the document.
+    /// Canvas of each plot, by the place of its [`PlotId`].
     pub plots: Vec<Option<PlotNodes>>,
     /// Clock and time line.
     pub transport: Option<TransportNodes>,
-    /// The size of the figures' texts in CSS pixels.
+    /// Font size of the figures, in CSS pixels.
     pub font_size: f64,
-    /// The colours of the theme in use.
+    /// Colours of the present theme.
     pub colours: Colours,
-    /// What is heard.
+    /// Sound output.
     pub sound: Sound,
     callback: Option<Closure<dyn FnMut(f64)>>,
     asked: bool,
-    /// When the run moved last, in milliseconds; none while it stands still.
+    /// Time of the frame in which the run moved last, in milliseconds; `None` while it is paused.
     moved: Option<f64>,
-    /// When changing values were shown last, in milliseconds.
+    /// Time at which changing values were updated last, in milliseconds.
     shown: f64,
 }
 
 impl Nodes {
-    /// Asks the browser for a frame, once.
+    /// Requests a frame from the browser, once.
     pub fn ask(&mut self) {
         if !self.asked
             && let Some(callback) = &self.callback
@@ -51,7 +51,7 @@ impl Nodes {
         }
     }
 
-    /// Forgets the nodes, which are about to be replaced.
+    /// Discards the nodes before they are replaced.
     pub fn clear(&mut self) {
         self.scene = None;
         self.plots.clear();
@@ -59,7 +59,7 @@ impl Nodes {
     }
 }
 
-/// Makes the callback of the frames.
+/// Creates the callback of the frames.
 pub fn start(app: App) {
     let callback = Closure::new(move |now| draw(app, now));
     app.nodes(|nodes| nodes.callback = Some(callback));
@@ -80,7 +80,7 @@ fn draw(app: App, now: f64) {
     }
 }
 
-/// One frame. Whether the run or a long figure goes on, and whether it is time to show changing values.
+/// Performs one frame. Returns (true if the run or other work continues, true if changing values are to be updated).
 fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> (bool, bool) {
     let seconds = nodes.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
     if play.is_playing() && seconds > 0.0 {
@@ -93,7 +93,7 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> 
     if values {
         nodes.shown = now;
     }
-    // Canvases first: where a part of the page has changed, a canvas that sets its font makes the browser work out all styles.
+    // Canvases first: after a change of the page, setting the font of a canvas makes the browser recompute all styles.
     let mut unfinished = play.advance_checks();
     for (place, plot) in nodes.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {

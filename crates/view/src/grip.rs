@@ -1,8 +1,8 @@
 //! Dragging in the scene with a mouse, a pen or a finger.
 //!
-//! Browsers ignore `touch-action` on the parts of a drawing: a finger on a handle would scroll the page and the drag would
-//! be cancelled after a few pixels. So the scene as a whole listens to `touchstart` and prevents the scrolling where a
-//! handle is under the finger, and nowhere else: a finger beside the handles scrolls the page.
+//! Browsers ignore `touch-action` on parts of a drawing: a finger on a handle would scroll the page, and the drag would
+//! be cancelled after a few pixels. Therefore the whole scene listens to `touchstart` and prevents scrolling if a
+//! handle is under the finger. Elsewhere, a finger scrolls the page.
 
 use crate::app::App;
 use play::Play;
@@ -16,27 +16,27 @@ use web_sys::{
     TouchEvent,
 };
 
-/// A finger takes hold of a handle anywhere in a square of this side around its middle, in CSS pixels (WCAG 2.2, 2.5.5).
+/// Side of the square around the centre of a handle in which a finger grabs it, in CSS pixels (WCAG 2.2, 2.5.5).
 const FINGER: f64 = 44.0;
 
-/// Lets the handles of a scene be dragged. It listens as long as the listeners live.
+/// Makes the handles of a scene draggable as long as it lives.
 pub struct Grips {
     root: SvgGraphicsElement,
     listeners: Vec<Closure<dyn FnMut(Event)>>,
 }
 
-/// What holds a handle.
+/// A handle that is being dragged.
 #[derive(Clone, Copy)]
 struct Held {
     pointer: i32,
-    /// Which of the handles.
+    /// Index of the handle.
     handle: usize,
-    /// Where it took hold, in CSS pixels.
+    /// Position at which it was grabbed, in CSS pixels.
     at: (f64, f64),
 }
 
 impl Grips {
-    /// Listens to all pointers on the scene `root`, whose user units the document counts in.
+    /// Listens to all pointers on the scene `root`, which defines the user units of the document.
     pub fn new(app: App, root: SvgGraphicsElement, handles: Vec<(SvgElement, Drag)>) -> Self {
         let mut grips = Self { root, listeners: Vec::new() };
         let handles = Rc::new(handles);
@@ -68,10 +68,10 @@ impl Grips {
             let at = (f64::from(event.client_x()), f64::from(event.client_y()));
             let Some(handle) = under(&handles, event.target(), at, event.pointer_type() != "mouse") else { return };
             let Some((node, drag)) = handles.get(handle) else { return };
-            // Otherwise the browser selects text.
+            // Prevents the selection of text.
             event.prevent_default();
             let _ = node.set_pointer_capture(event.pointer_id());
-            // Before the focus, which draws its ring only on what is not held.
+            // Set before the focus, so that no focus ring is drawn.
             let _ = node.set_attribute("part", "handle held");
             let options = FocusOptions::new();
             options.set_prevent_scroll(true);
@@ -114,7 +114,7 @@ impl Grips {
     fn listen(&mut self, kind: &str, react: impl FnMut(Event) + 'static) {
         let closure = Closure::new(react);
         let options = AddEventListenerOptions::new();
-        // A passive listener could not prevent the scrolling.
+        // A passive listener could not prevent scrolling.
         options.set_passive(false);
         let listener = closure.as_ref().unchecked_ref();
         let _ = self.root.add_event_listener_with_callback_and_add_event_listener_options(kind, listener, &options);
@@ -122,8 +122,8 @@ impl Grips {
     }
 }
 
-/// Which handle is at a point, in CSS pixels: the one that `target` belongs to; for a finger or a pen also the nearest one
-/// that is too small to be hit.
+/// Index of the handle at a point (CSS pixels): the handle that `target` belongs to; for a finger or a pen (`coarse`),
+/// also the nearest small handle.
 fn under(
     handles: &[(SvgElement, Drag)],
     target: Option<EventTarget>,
@@ -131,7 +131,7 @@ fn under(
     coarse: bool,
 ) -> Option<usize> {
     let target = target.and_then(|target| target.dyn_into::<Node>().ok());
-    // A handle inside another one comes before it.
+    // An inner handle precedes the outer one in the list.
     let hit = handles.iter().position(|(node, _)| node.contains(target.as_ref()));
     if hit.is_some() || !coarse {
         return hit;
@@ -141,7 +141,7 @@ fn under(
         let (width, height) = (bounds.width(), bounds.height());
         let (right, down) = (x - bounds.left() - width / 2.0, y - bounds.top() - height / 2.0);
         let near = right.abs() <= width.max(FINGER) / 2.0 && down.abs() <= height.max(FINGER) / 2.0;
-        // What is not drawn has no size.
+        // An element that is not drawn has no size.
         (near && width + height > 0.0).then_some((index, right * right + down * down))
     };
     let near = handles.iter().enumerate().filter_map(distance);

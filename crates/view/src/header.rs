@@ -1,4 +1,4 @@
-//! The top of the page: the mark, the title, and what concerns the page as a whole.
+//! Header of the page: logo, title, and controls for the whole page.
 
 use crate::app::{App, title};
 use crate::theme::Theme;
@@ -6,7 +6,7 @@ use crate::views::*;
 use crate::{browser, icons, keys, presenter};
 use units::Language;
 
-/// The head of the page, with the page's `own` buttons before the others.
+/// The header, with the page's `own` buttons before the others.
 pub fn view(app: App, own: View) -> HtmlHeader {
     let words = app.words();
     let help = button()
@@ -45,7 +45,7 @@ fn languages(app: App) -> HtmlDiv {
             .attr("aria-pressed", move || (app.language.get() == language).to_string())
             .when(events::click, move |_| {
                 app.set_language(language);
-                // The page has been rebuilt, the button with it.
+                // The page and the button have been rebuilt.
                 browser::focus_later(format!("language-{}", language.tag()));
             })
             .child(language.tag().to_ascii_uppercase())

@@ -1,4 +1,4 @@
-//! The mark and the icons: one stroke, one size, in the colour of the text.
+//! The logo and the icons: one stroke width, one size, in the colour of the text.
 
 use crate::views::*;
 use sycamore_web::SvgGlobalAttributes;
@@ -93,7 +93,7 @@ icons! {
     keep: "M7 20V5h10l-2.5 3.8L17 12.5H7";
 }
 
-/// The mark: a tube, and the meniscus in it.
+/// The logo: a tube with a meniscus.
 pub fn mark() -> SvgSvg {
     svg()
         .class("mark")

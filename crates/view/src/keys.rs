@@ -1,5 +1,5 @@
-//! Single keys. They act only while the focus is on the stage, at its controls or nowhere and nothing is being typed, and they
-//! can be switched off (WCAG 2.2, 2.1.4).
+//! Single-key shortcuts. They act only while the focus is on the stage, on its controls or nowhere, and no text is
+//! being typed. They can be switched off (WCAG 2.2, 2.1.4).
 
 use crate::app::App;
 use crate::views::*;
@@ -10,20 +10,21 @@ use std::rc::Rc;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event, HtmlDialogElement, HtmlElement, KeyboardEvent};
 
-/// Elements that have a use for keys themselves.
+/// Elements that handle keys themselves.
 const TAKES_TEXT: &str = "input:not([type=range]):not([type=checkbox]), textarea, select, [contenteditable]";
 const TAKES_SPACE: &str = "button, a, summary, input:not([type=range]), [role=tab]";
 
-/// What has moved the focus last, and which key is held.
+/// State of the keyboard and pointer input.
 #[derive(Default)]
 struct Hands {
-    /// A pointer has been pressed since the last Tab: what has the focus has it from a click, and Space is the transport's.
+    /// True if a pointer was pressed since the last Tab: the focus then comes from a click, and Space controls the
+    /// transport.
     points: Cell<bool>,
-    /// Space was the transport's: the button that has the focus must not take it when it is released.
+    /// True if Space was used for the transport: its release must not trigger the focused button.
     holds_space: Cell<bool>,
 }
 
-/// Listens as long as the page lives.
+/// Installs the listeners, which live as long as the page.
 pub fn listen(app: App) {
     let hands = Rc::new(Hands::default());
     let (pointing, released) = (hands.clone(), hands.clone());
@@ -40,7 +41,7 @@ fn pressed(app: App, hands: &Hands, event: &KeyboardEvent) {
     if event.key() == "Tab" {
         hands.points.set(false);
     }
-    // Where text is being typed, the browser undoes the typing.
+    // In a text field, the browser undoes the typing.
     let undoes = (event.ctrl_key() || event.meta_key()) && !event.shift_key() && !event.alt_key() && event.key() == "z";
     let typing = event
         .target()
@@ -65,7 +66,7 @@ fn pressed(app: App, hands: &Hands, event: &KeyboardEvent) {
     match event.key().as_str() {
         " " if clicked || !within(TAKES_SPACE) => {
             hands.holds_space.set(true);
-            // A key that is held repeats.
+            // Ignores the repetition of a held key.
             if !event.repeat() {
                 toggle(app, target.filter(|_| clicked));
             }
@@ -87,7 +88,7 @@ fn pressed(app: App, hands: &Hands, event: &KeyboardEvent) {
     event.prevent_default();
 }
 
-/// Plays or pauses: what the clicked element belongs to, if that is a transport, or else the simulation.
+/// Toggles play and pause of the transport that contains the clicked element, otherwise of the simulation.
 fn toggle(app: App, clicked: Option<Element>) {
     let transport = clicked.and_then(|clicked| clicked.closest(".transport").ok().flatten());
     let own = transport.and_then(|transport| transport.query_selector("button.play").ok().flatten());
@@ -116,7 +117,7 @@ pub fn open() {
     }
 }
 
-/// The list of keys, and their switch.
+/// The list of keys, with the switch for single-key shortcuts.
 pub fn dialog(app: App) -> HtmlDialog {
     let words = app.words();
     let groups = [

@@ -1,5 +1,5 @@
-//! What a page shows of a simulation: scene, plots, transport, controls, values, questions and text. The page of one
-//! simulation and that of the laboratory are built from these views; what else a page does is its own ([`Host`]).
+//! Views of a simulation: scene, plots, transport, controls, values, questions and text. The page of a single
+//! simulation and the laboratory are built from these views; everything else is specific to the page ([`Host`]).
 
 mod app;
 pub mod browser;

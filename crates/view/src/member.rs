@@ -1,11 +1,11 @@
-//! Which member of a family is shown: a field with a stepper for each of its indices.
+//! Selection of the member of a family: a number field for each of its indices.
 
 use crate::app::App;
 use crate::views::*;
 use play::{Index, Members};
 use web_sys::HtmlInputElement;
 
-/// The pickers of a family that is called so; `shown` reads which member is shown now.
+/// Number fields for the indices of a family named `called`. `shown` reads the member shown now.
 pub fn pickers(
     app: App,
     called: &str,
@@ -25,7 +25,7 @@ pub fn pickers(
         let typed = {
             let (node, choose) = (node.clone(), choose.clone());
             move |_| {
-                // While somebody types, the digits so far may be no member.
+                // While the user types, the digits so far may not form a valid index.
                 let value = node.value().parse::<i64>().ok();
                 if let Some((value, index)) = value.zip(get())
                     && (index.least..=index.greatest).contains(&value)
@@ -38,7 +38,7 @@ pub fn pickers(
             if let Ok(value) = node.value().parse() {
                 choose(value);
             }
-            // Where there is no such member, another one is shown.
+            // If there is no such member, another one is shown.
             node.set_value(&part(|index| index.value));
         };
         input

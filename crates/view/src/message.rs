@@ -1,39 +1,39 @@
-//! A message: something that has happened, with a way to undo it or to go there.
+//! A message, with an optional action to undo the event or to go to its place.
 
 use play::Prominence;
 
-/// What can be done about a message.
+/// Action offered by a message.
 #[derive(Clone, PartialEq)]
 pub enum Action {
-    /// Puts back what the removal of this number took away.
+    /// Undoes the removal with this number.
     Undo(u32),
-    /// Goes to the element of this id.
+    /// Goes to the element with this id.
     Show(String),
-    /// Goes back to the texts of the document that the page keeps under this name.
+    /// Restores the document texts stored under this name.
     Restore(String),
 }
 
-/// A line.
+/// A message, one line.
 #[derive(Clone, PartialEq)]
 pub struct Message {
     pub(crate) text: String,
-    /// An error stays until it is dismissed; anything else fades, and the next one takes its place.
+    /// An error stays until it is dismissed; any other message fades or is replaced by the next one.
     pub(crate) is_error: bool,
     pub(crate) action: Option<Action>,
 }
 
 impl Message {
-    /// Something that went well.
+    /// Message of a success.
     pub fn notice(text: String) -> Self {
         Self { text, is_error: false, action: None }
     }
 
-    /// Something that did not.
+    /// Message of an error.
     pub fn error(text: String) -> Self {
         Self { text, is_error: true, action: None }
     }
 
-    /// Words as they are shown; nothing of what is only spoken.
+    /// Message for a prominence; `None` if it is only spoken.
     pub fn new(prominence: Prominence, words: &str) -> Option<Self> {
         match prominence {
             Prominence::Spoken => None,
@@ -42,17 +42,17 @@ impl Message {
         }
     }
 
-    /// The message with a button that puts back what was removed, where there is a number of that removal.
+    /// Adds a button that undoes the removal with this number, if any.
     pub fn undone_by(self, number: Option<u32>) -> Self {
         Self { action: number.map(Action::Undo).or(self.action), ..self }
     }
 
-    /// The message with a button that goes back to the texts that are kept under this name.
+    /// Adds a button that restores the texts stored under this name.
     pub fn restoring(self, version: String) -> Self {
         Self { action: Some(Action::Restore(version)), ..self }
     }
 
-    /// The message with a button that goes to the element of this id.
+    /// Adds a button that goes to the element with this id.
     pub fn leading_to(self, place: String) -> Self {
         Self { action: Some(Action::Show(place)), ..self }
     }

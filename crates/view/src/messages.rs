@@ -1,22 +1,22 @@
-//! The line of messages at the top of the page: what has happened, with a way to undo it or to go there. What is shown here
-//! has been spoken once, through the live region; the line itself is none.
+//! The line of messages at the top of the page, with actions to undo an event or to go to its place. The messages are
+//! spoken once through the live region; the line itself is not a live region.
 
 use crate::app::App;
 use crate::message::{Action, Message};
 use crate::views::*;
 use crate::{browser, icons};
 
-/// Takes away what refers to the document that was open before.
+/// Removes the messages about the previous document; errors stay.
 pub fn leave_document(app: App) {
     app.messages.update(|messages| messages.retain(|message| message.is_error));
 }
 
-/// Takes away errors that refer to an earlier file.
+/// Removes the errors about an earlier file.
 pub fn forget_errors(app: App) {
     app.messages.update(|messages| messages.retain(|message| !message.is_error));
 }
 
-/// Undoes what the line offers to undo.
+/// Undoes the first removal offered by the messages. Returns true if there was one.
 pub fn undo(app: App) -> bool {
     let offered = app.messages.with_untracked(|messages| {
         messages.iter().find_map(|message| match message.action {
@@ -31,7 +31,7 @@ pub fn undo(app: App) -> bool {
     })
 }
 
-/// The lines, newest last.
+/// The messages, newest last.
 pub fn view(app: App) -> View {
     changing(move || {
         let messages = app.messages.get_clone();
@@ -48,7 +48,7 @@ fn line(app: App, message: Message) -> HtmlLi {
     let class = match (message.is_error, &message.action) {
         (true, _) => "message error",
         (false, None) => "message passing",
-        // There must be time to read it and to reach the button.
+        // Leaves time to read the message and to reach the button.
         (false, Some(_)) => "message passing slowly",
     };
     let act = message.action.clone().map(|action| {
@@ -64,7 +64,7 @@ fn line(app: App, message: Message) -> HtmlLi {
         .called(words.dismiss)
         .when(events::click, move |_| dismiss(app, &closed))
         .child(icons::cross());
-    // The style sheet's animation is the clock: it stops while the line is hovered or has the focus.
+    // The timer is a CSS animation: it pauses while the line is hovered or focused.
     li().class(class)
         .when(events::animationend, move |_| remove(app, &passed))
         .child(span().class("words").child(message.text))
@@ -87,7 +87,7 @@ fn perform(app: App, action: &Action) {
     }
 }
 
-/// Takes a message away.
+/// Removes a message.
 pub fn remove(app: App, message: &Message) {
     app.messages.update(|messages| messages.retain(|other| other != message));
 }

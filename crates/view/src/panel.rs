@@ -1,4 +1,4 @@
-//! The panel beside the stage: what a person sets, answers and reads, and whatever else the page offers, one tab for each.
+//! The panel beside the stage, with a tab each for playing, questions, theory, and further content of the page.
 
 use crate::app::App;
 use crate::tabs::{ACTIVITIES, PLAY, THEORY};
@@ -10,41 +10,41 @@ use web_sys::KeyboardEvent;
 /// A tab of the panel.
 #[derive(Clone)]
 pub struct Tab {
-    /// Its name in ids: `tab-play` belongs to `panel-play`.
+    /// Name in ids: `tab-play` belongs to `panel-play`.
     pub id: &'static str,
-    /// Its title.
+    /// Title.
     pub title: &'static str,
-    /// What it shows; built when it is first looked at, and again for another program.
+    /// Builds the content: when the tab is first opened, and again for another program.
     pub content: std::rc::Rc<dyn Fn() -> View>,
-    /// Whether there is anything in it for the present program.
+    /// True if the tab has content for the present program.
     offered: fn(App) -> bool,
-    /// Whether its content stays as it is when another program takes the place of the present one.
+    /// True if the content stays when the program is replaced.
     lasting: bool,
 }
 
 impl Tab {
-    /// A tab; not offered while there is nothing to run.
+    /// A tab that is offered only if there is a simulation.
     pub fn new(id: &'static str, title: &'static str, content: impl Fn() -> View + 'static) -> Self {
         Self { id, title, content: std::rc::Rc::new(content), offered: runs, lasting: false }
     }
 
-    /// A tab that is always offered, and whose content follows other programs by itself.
+    /// A tab that is always offered and whose content follows program changes itself.
     pub fn lasting(id: &'static str, title: &'static str, content: impl Fn() -> View + 'static) -> Self {
         Self { lasting: true, offered: |_| true, ..Self::new(id, title, content) }
     }
 
-    /// Parameters, presets and values.
+    /// Tab of parameters, presets and values.
     pub fn play(app: App) -> Self {
         Self::new(PLAY, app.words().tab_play, move || playing::view(app).into())
     }
 
-    /// The questions; not offered where the document asks none.
+    /// Tab of the questions; not offered if the document contains none.
     pub fn activities(app: App) -> Self {
         let content = move || reading::activities(app).into();
         Self { offered: reading::asks, ..Self::new(ACTIVITIES, app.words().tab_activities, content) }
     }
 
-    /// Prose and equations, and what the page has to say besides.
+    /// Tab of prose and equations, with additional content of the page (`besides`).
     pub fn theory(app: App, besides: impl Fn() -> View + 'static) -> Self {
         Self::new(THEORY, app.words().tab_theory, move || reading::theory(app, besides()).into())
     }
@@ -54,7 +54,7 @@ impl Tab {
     }
 }
 
-/// Whether there is a simulation.
+/// True if there is a simulation.
 fn runs(app: App) -> bool {
     app.read(|_| true)
 }
@@ -102,12 +102,12 @@ fn head(app: App, tab: &Tab) -> HtmlButton {
         .child(tab.title)
 }
 
-/// Built when it is first looked at, and when it is first looked at with another program.
+/// Content of a tab. Built when it is first opened, and when it is first opened with another program.
 fn body(app: App, tab: Tab) -> HtmlDiv {
     let Tab { id, content, lasting, .. } = tab;
     let selected = move || app.tab.get() == id;
     let mut seen = None;
-    // The number of the program for which it stands there.
+    // Program counter for which the content was built.
     let seen = memo(move || {
         let program = if lasting { 0 } else { app.changes.program.get() };
         seen = if selected() { Some(program) } else { seen.filter(|seen| *seen == program) };
@@ -123,13 +123,13 @@ fn body(app: App, tab: Tab) -> HtmlDiv {
         .child(changing(built))
 }
 
-/// Shows a tab from its top: another one may have been scrolled.
+/// Opens a tab and scrolls to its top, since the previous one may have been scrolled.
 pub fn show(app: App, tab: &'static str) {
     app.tab.set(tab);
     browser::bring_into_sight("panel");
 }
 
-/// Arrow keys go from tab to tab, around the ends.
+/// Arrow keys switch between tabs, cyclically.
 fn turn(app: App, tabs: &[&'static str], event: &KeyboardEvent) {
     let now = tabs.iter().position(|tab| *tab == app.tab.get_untracked()).unwrap_or(0);
     let next = match event.key().as_str() {

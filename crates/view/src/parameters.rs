@@ -1,4 +1,4 @@
-//! A control for each parameter: name, slider, number field with unit.
+//! Controls of parameters: name, slider, number field with unit.
 
 use crate::app::App;
 use crate::choices;
@@ -8,34 +8,34 @@ use play::ParameterView;
 use std::rc::Rc;
 use web_sys::{HtmlInputElement, KeyboardEvent};
 
-/// What takes something typed and says why it does not.
+/// Accepts typed text. Returns the reason if it is refused.
 pub type Commit = Box<dyn Fn(&str) -> Option<String>>;
 
-/// A field for a number with everything a field needs; the caller shows the error below it, under `{id}-error`.
+/// A number field. The caller shows the error below it, under the id `{id}-error`.
 pub struct Field {
-    /// The id of the input.
+    /// Id of the input.
     pub id: String,
-    /// What it shows unless something else is being typed.
+    /// Text shown while nothing is being typed.
     pub text: ReadSignal<String>,
-    /// Whether it takes input now.
+    /// True if it accepts input now.
     pub editable: ReadSignal<bool>,
-    /// Whether a minus may be needed: the number pads of phones have none.
+    /// True if a minus sign may be needed: the number pads of phones have none.
     pub signed: bool,
-    /// Why the last input was not taken.
+    /// Reason why the last input was refused.
     pub error: Signal<Option<String>>,
-    /// Takes what was typed; the refusal in words.
+    /// Accepts typed text. Returns the reason if it is refused.
     pub commit: Commit,
     /// One step up (1) or down (-1) by arrow key.
     pub nudge: Box<dyn Fn(i32)>,
 }
 
 impl Field {
-    /// The input.
+    /// The input element.
     pub fn view(self) -> HtmlInput {
         let Self { id, text, editable, signed, error, commit, nudge } = self;
         let mut input = short_field(id.clone());
         let node: HtmlInputElement = input.node();
-        // What is being typed is left alone, also while the value changes beneath it.
+        // Text being typed stays, even if the value changes meanwhile.
         let typing = create_signal(false);
         let shown = node.clone();
         effect(move || {
@@ -47,7 +47,7 @@ impl Field {
         let take = Rc::new(move || {
             if typing.get_untracked() {
                 let refusal = commit(&node.value());
-                // What was refused stays to be corrected.
+                // Refused input stays, to be corrected.
                 typing.set(refusal.is_some());
                 error.set(refusal);
             }
@@ -84,7 +84,7 @@ impl Field {
     }
 }
 
-/// The control of a parameter.
+/// Control of a parameter.
 pub fn control(app: App, first: ParameterView) -> HtmlDiv {
     if first.choices.is_empty() { number(app, first) } else { choices::control(app, first) }
 }

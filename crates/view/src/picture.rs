@@ -1,5 +1,5 @@
-//! A picture: SVG nodes made once from the tree of a scene. It follows whatever [`Play`] it is given, and sets only those
-//! attributes and texts whose values have changed.
+//! A picture: SVG nodes built once from the tree of a scene. It shows the state of any [`Play`] passed to it, and
+//! updates only the attributes and texts whose values have changed.
 
 use crate::views::document as page;
 use play::Play;
@@ -9,80 +9,80 @@ use web_sys::{ShadowRootInit, ShadowRootMode, SvgElement, Text};
 
 const SVG: &str = "http://www.w3.org/2000/svg";
 
-/// The nodes of a scene, and what they show.
+/// Nodes of a scene, and the values that they show.
 pub struct Picture {
     root: SvgElement,
     bindings: Bindings,
     parts: Vec<Part>,
-    /// The values drawn last.
+    /// Values drawn last.
     drawn: Vec<f64>,
     values: Vec<f64>,
     text: String,
 }
 
-/// What follows the model.
+/// Attributes and texts that depend on the model.
 #[derive(Default)]
 struct Bindings {
     attributes: Vec<Binding>,
     texts: Vec<Label>,
 }
 
-/// A part that can be dragged.
+/// A draggable part.
 pub struct Part {
     /// Its node.
     pub node: SvgElement,
-    /// What moves it.
+    /// Its drag target.
     pub drag: Drag,
-    /// What the document calls it.
+    /// Name from the document.
     pub name: Option<String>,
 }
 
-/// A node's attribute that follows the model.
+/// An attribute that depends on the model.
 pub(crate) struct Binding {
     node: SvgElement,
     name: String,
     template: Template,
-    /// What it shows.
+    /// Text shown now.
     shown: String,
 }
 
-/// A text that follows the model.
+/// A text that depends on the model.
 struct Label {
     node: Text,
     template: Template,
-    /// What it shows.
+    /// Text shown now.
     shown: String,
 }
 
 impl Picture {
-    /// Builds the scene into `place`, an element without content.
+    /// Builds the scene in `place`, an empty element.
     pub fn build(scene: &Scene, place: &web_sys::Element) -> Option<Self> {
         let (mut bindings, mut parts) = (Bindings::default(), Vec::new());
         let root = build(&scene.root, &mut bindings, &mut parts)?;
         let _ = root.set_attribute("part", "drawing");
-        // A tree of its own: the document's styles stay in it, and the page's class names mean nothing there.
+        // A shadow tree isolates the styles of the document from those of the page.
         let shadow = place.attach_shadow(&ShadowRootInit::new(ShadowRootMode::Open)).ok()?;
         let _ = shadow.append_child(&root);
         Some(Self { root, bindings, parts, drawn: Vec::new(), values: Vec::new(), text: String::new() })
     }
 
-    /// Its `svg`, whose user units the document counts in.
+    /// Its `svg`, which defines the user units of the document.
     pub fn root(&self) -> &SvgElement {
         &self.root
     }
 
-    /// The parts that can be dragged; nothing listens to them yet.
+    /// Takes the draggable parts; they have no listeners yet.
     pub fn take_parts(&mut self) -> Vec<Part> {
         std::mem::take(&mut self.parts)
     }
 
-    /// Shows the present.
+    /// Updates all nodes to the present state.
     pub fn draw(&mut self, play: &mut Play) {
         self.draw_shapes(play);
         self.draw_texts(play);
     }
 
-    /// Shows the present in everything but the texts.
+    /// Updates all nodes except texts.
     pub fn draw_shapes(&mut self, play: &mut Play) {
         self.values.clear();
         self.values.extend_from_slice(play.scene_values());
@@ -101,7 +101,7 @@ impl Picture {
         std::mem::swap(&mut self.values, &mut self.drawn);
     }
 
-    /// Shows the present in the texts. Each that differs costs the browser a layout.
+    /// Updates the texts. Each changed text costs the browser a layout.
     pub fn draw_texts(&mut self, play: &mut Play) {
         for label in &mut self.bindings.texts {
             self.text.clear();
@@ -121,7 +121,7 @@ impl Picture {
 }
 
 impl Binding {
-    /// Writes an attribute for these values; nothing where one of them is no number.
+    /// Writes an attribute for these values; does nothing if one of them is not a number.
     pub fn write(&mut self, values: &[f64], text: &mut String) {
         if write_attribute(&self.template, values, text) {
             self.show(text);
@@ -136,12 +136,12 @@ impl Binding {
     }
 }
 
-/// An element of a picture, without attributes.
+/// Creates an SVG element without attributes.
 pub(crate) fn node(name: &str) -> Option<SvgElement> {
     page().create_element_ns(Some(SVG), name).ok()?.dyn_into().ok()
 }
 
-/// Gives a node an attribute, or binds it to the values that it shows.
+/// Sets an attribute of a node, or binds it to the values that it depends on.
 pub(crate) fn set_attribute(node: &SvgElement, attribute: &program::Attribute, bindings: &mut Vec<Binding>) {
     match fixed(&attribute.value) {
         Some(text) => drop(node.set_attribute(&attribute.name, &text)),
@@ -177,7 +177,7 @@ fn build(element: &Element, bindings: &mut Bindings, parts: &mut Vec<Part>) -> O
         }
     }
     if let Some(drag) = &element.drag {
-        // Its `title` names it, as a tooltip does for those who see it.
+        // The `title` child is the accessible name; it is also the tooltip.
         let named = |child: &Child| match child {
             Child::Element(title) if title.name == "title" => match title.children.as_slice() {
                 [Child::Text(text)] => fixed(text),
@@ -191,7 +191,7 @@ fn build(element: &Element, bindings: &mut Bindings, parts: &mut Vec<Part>) -> O
     Some(node)
 }
 
-/// The text of a template without values.
+/// Text of a template without values; `None` if it contains values.
 fn fixed(template: &Template) -> Option<String> {
     template
         .iter()

@@ -1,21 +1,21 @@
-//! Pieces that recur in the views: buttons, switches, fields, tables, dialogs.
+//! Recurring elements of the views: buttons, switches, fields, tables, dialogs.
 
 use crate::views::*;
 use crate::{browser, icons};
 use std::borrow::Cow;
 use web_sys::HtmlDialogElement;
 
-/// A button that does nothing of its own.
+/// A button without default action.
 pub fn button() -> HtmlButton {
     tags::button().r#type("button")
 }
 
-/// A button with an icon and words.
+/// A button with icon and text.
 pub fn labelled(icon: SvgSvg, words: &'static str) -> HtmlButton {
     button().class("quiet with-icon").child(icon).child(span().child(words))
 }
 
-/// A part of the page. Its heading is only heard: those who see it know it by its look.
+/// A section of the page. Its heading is visible to screen readers only.
 pub fn part(id: &'static str, class: &'static str, title: &'static str) -> HtmlSection {
     let heading = format!("{id}-title");
     section()
@@ -25,7 +25,7 @@ pub fn part(id: &'static str, class: &'static str, title: &'static str) -> HtmlS
         .child(h2().id(heading).class("visually-hidden").child(title))
 }
 
-/// A table in a box of this class in which it can be scrolled, also by keys.
+/// A table in a box with this class, scrollable also by keyboard.
 pub fn table_in(
     class: &'static str,
     name: impl Into<Cow<'static, str>>,
@@ -40,7 +40,7 @@ pub fn table_in(
     div().class(class).tabindex("0").role("region").attr("aria-label", name).child(table)
 }
 
-/// A dialog with its title, and a button of this name that closes it.
+/// A dialog with a title and a close button with this accessible name.
 pub fn dialog(id: &'static str, title_id: &'static str, title: &'static str, close: &'static str) -> HtmlDialog {
     let mut dialog = tags::dialog().id(id).attr("aria-labelledby", title_id);
     let node: HtmlDialogElement = dialog.node();
@@ -52,12 +52,12 @@ pub fn dialog(id: &'static str, title_id: &'static str, title: &'static str, clo
     dialog.child(div().class("dialog-head").child(h2().id(title_id).child(title)).child(close))
 }
 
-/// A field to type something short into.
+/// A text field for short input.
 pub fn short_field(id: String) -> HtmlInput {
     input().r#type("text").class("number").id(id).autocomplete("off").attr("spellcheck", "false")
 }
 
-/// A box to tick. A view that is rebuilt by ticking it gives the focus back to its place.
+/// A check box. If ticking it rebuilds the view, the focus returns to it.
 pub fn tick(id: String, ticked: bool, act: impl Fn(bool) + 'static) -> HtmlInput {
     let place = id.clone();
     let ticking = move |event| {
@@ -67,7 +67,7 @@ pub fn tick(id: String, ticked: bool, act: impl Fn(bool) + 'static) -> HtmlInput
     input().r#type("checkbox").id(id).prop("checked", ticked).when(events::change, ticking)
 }
 
-/// A box to tick, with its words.
+/// A check box with its label.
 pub fn switch(tick: HtmlInput, words: impl Into<View>) -> HtmlLabel {
     label().class("switch").child(tick).child(span().child(words))
 }
@@ -77,38 +77,38 @@ pub fn with_unit(field: HtmlInput, unit: impl Into<View>) -> HtmlSpan {
     span().class("quantity").child(field).child(unit_of(unit))
 }
 
-/// The unit behind a field.
+/// Unit after a field.
 pub fn unit_of(unit: impl Into<View>) -> HtmlSpan {
     span().class("unit").child(unit)
 }
 
-/// Before a field of this id: what it is called.
+/// Label before the field with this id.
 pub fn field_of(id: impl Into<Cow<'static, str>>, name: impl Into<View>) -> HtmlSpan {
     let id: Cow<'static, str> = id.into();
     span().class("quantity").child(label().r#for(id).child(name))
 }
 
-/// A remark.
+/// A note.
 pub fn note(words: impl Into<View>) -> HtmlP {
     p().class("note").child(words)
 }
 
-/// What heads a row of a table.
+/// Heading of a table row.
 pub fn row_head(words: impl Into<View>) -> HtmlTh {
     th().scope("row").child(words)
 }
 
-/// What heads a column of a table.
+/// Heading of a table column.
 pub fn column_head(words: impl Into<View>) -> HtmlTh {
     th().scope("col").child(words)
 }
 
-/// The cross that takes something away; the name says what.
+/// A remove button with this accessible name.
 pub fn cross(name: String) -> HtmlButton {
     button().class("icon small").called(name).child(icons::cross())
 }
 
-/// A place where it is said why something was not done.
+/// Paragraph for the reason of a refusal.
 pub fn refusal_of(why: Signal<Option<String>>) -> HtmlP {
     p().class("refusal").role("alert").child(text(move || why.get_clone().unwrap_or_default()))
 }

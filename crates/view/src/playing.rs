@@ -1,4 +1,4 @@
-//! What a person plays with: parameters and presets, the values, state and method, the recorded run as a table.
+//! Tab for playing: parameters and presets, values, state and method, the recorded run as a table.
 
 use crate::app::App;
 use crate::views::*;
@@ -6,7 +6,7 @@ use crate::{controls, data, readouts};
 use play::PagePart;
 use web_sys::HtmlDetailsElement;
 
-/// The tab.
+/// Content of the tab.
 pub fn view(app: App) -> HtmlDiv {
     let embedding = app.host().embedding();
     let [adjusts, reads] = [PagePart::Parameters, PagePart::Values].map(|part| !embedding.hides(part));
@@ -19,7 +19,7 @@ pub fn view(app: App) -> HtmlDiv {
         .maybe(reads.then(|| recorded(app)))
 }
 
-/// The recorded values. While they are folded they cost nothing.
+/// The recorded values. While folded, they are not updated.
 fn recorded(app: App) -> HtmlDetails {
     let words = app.words();
     let mut details = details();

@@ -1,13 +1,13 @@
-//! The presenter's size: larger type and figures, for a projector and for the last row.
+//! Presentation size: larger type and figures, for a projector.
 
 use crate::app::App;
 use crate::views::*;
 use crate::{browser, icons};
 
-/// The size of the figures' texts in CSS pixels, as usual and for a projector.
+/// Font sizes of the figures in CSS pixels: normal, and for a projector.
 const FONT_SIZES: [f64; 2] = [13.0, 18.0];
 
-/// Applies what was chosen at the last visit.
+/// Applies the choice of the last visit.
 pub fn remembered(app: App) {
     apply(app, browser::remembered("size").is_some());
 }
@@ -25,7 +25,7 @@ fn apply(app: App, large: bool) {
     app.wake();
 }
 
-/// The switch.
+/// Button that switches the presentation size on and off.
 pub fn button_of(app: App) -> HtmlButton {
     let words = app.words();
     let large = create_signal(browser::remembered("size").is_some());

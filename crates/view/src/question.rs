@@ -1,17 +1,17 @@
-//! A question: an answer to type, what it is worth, a hint, the right answer.
+//! A question with its answer field, grade, hint and right answer.
 
 use crate::app::App;
 use crate::views::*;
 use play::Grade;
 use web_sys::{HtmlInputElement, SubmitEvent};
 
-/// The question of this number, once those are answered that it waits for.
+/// The question with this index, once the questions that it waits for are answered.
 pub fn view(app: App, index: usize) -> View {
     if app.read(|play| play.program().questions.get(index).is_none_or(|asked| asked.after.is_empty())) {
         return open(app, index);
     }
     let awaited = memo(move || {
-        // An answer shows what it has opened in the same frame as the values that it shows.
+        // Questions open in the same frame in which hidden values appear.
         app.changes.frame.track();
         app.read(|play| play.awaited_questions(index))
     });
@@ -21,7 +21,7 @@ pub fn view(app: App, index: usize) -> View {
     })
 }
 
-/// In the place of a question that waits for others.
+/// Placeholder of a question that waits for others.
 fn locked(app: App, index: usize, awaited: &[usize]) -> View {
     let words = app.words();
     let numbers: Vec<String> = awaited.iter().map(|other| format!("{} {}", words.question, other + 1)).collect();
@@ -106,7 +106,7 @@ fn open(app: App, index: usize) -> View {
         .into()
 }
 
-/// What the question supposes, and a button that sets it.
+/// Parameters assumed by the question, and a button that sets them.
 fn setup(app: App, index: usize) -> View {
     let words = app.words();
     let now = memo(move || {
@@ -132,7 +132,7 @@ fn setup(app: App, index: usize) -> View {
         .into()
 }
 
-/// `h_l = 4 m, b = 0 kg/s`, with the names as in formulas.
+/// Assumed parameters, such as `h_l = 4 m, b = 0 kg/s`, with typeset names.
 pub fn supposed(values: Vec<(String, String)>) -> View {
     let one = |(place, (name, value)): (usize, (String, String))| {
         let before = if place == 0 { "" } else { ", " };

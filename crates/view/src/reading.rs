@@ -1,11 +1,11 @@
-//! What is read: the prose of the document with its questions, and its equations.
+//! Text of the document with its questions, and the equations.
 
 use crate::app::App;
 use crate::views::*;
 use crate::{browser, checks, question};
 use program::{Block, Section};
 
-/// The sections of the document in the language of the page, and the level of their headings.
+/// Sections of the document in the language of the page, and the level of their top headings.
 fn sections(app: App) -> (Vec<Section>, u8) {
     let language = app.language.get_untracked().tag();
     let mut sections: Vec<Section> = app.read(|play| play.program().sections(language).to_vec());
@@ -14,7 +14,7 @@ fn sections(app: App) -> (Vec<Section>, u8) {
     (sections, top)
 }
 
-/// Whether the document asks anything.
+/// True if the document contains questions.
 pub fn asks(app: App) -> bool {
     sections(app).0.iter().any(section_asks)
 }
@@ -23,7 +23,8 @@ fn section_asks(section: &Section) -> bool {
     section.blocks.iter().any(|block| matches!(block, Block::Question(_)))
 }
 
-/// Chapters that ask questions, and those that are only read. A section below another one belongs to its chapter.
+/// Sections of the chapters with questions (`asking`) or without, and the level of the top headings. A section below
+/// another one belongs to its chapter.
 fn chapters(app: App, asking: bool) -> (Vec<Section>, u8) {
     let (sections, top) = sections(app);
     let mut chapters: Vec<Vec<Section>> = Vec::new();
@@ -37,13 +38,13 @@ fn chapters(app: App, asking: bool) -> (Vec<Section>, u8) {
     (chapters.into_iter().flatten().collect(), top)
 }
 
-/// The tab of the questions.
+/// Content of the tab of questions.
 pub fn activities(app: App) -> HtmlDiv {
     let (sections, top) = chapters(app, true);
     prose(app, &sections, top)
 }
 
-/// The tab of prose and equations, and what the page has to say besides.
+/// Content of the tab of prose and equations, with additional content of the page (`besides`).
 pub fn theory(app: App, besides: View) -> HtmlDiv {
     let (sections, top) = chapters(app, false);
     div()
@@ -60,7 +61,7 @@ fn prose(app: App, sections: &[Section], top: u8) -> HtmlDiv {
     div().class("prose").lang(language).each(sections, |section| passage(app, section, top))
 }
 
-/// The way to the sections of a long text.
+/// Table of contents of a long text.
 fn contents(app: App, sections: &[Section], top: u8) -> View {
     let listed: Vec<&Section> =
         sections.iter().filter(|section| section.level == top && !section.title.is_empty()).collect();
@@ -83,14 +84,14 @@ fn passage(app: App, section: &Section, top: u8) -> View {
         h5().id(id).inner_html(heading).into()
     };
     let block = |block: &Block| match block {
-        // The document has made it safe.
+        // The document has already made the HTML safe.
         Block::Html(html) => div().inner_html(html.clone()).into(),
         Block::Question(index) => question::view(app, *index),
     };
     View::from((heading, each(&section.blocks, block)))
 }
 
-/// The model, typeset from its own syntax.
+/// Equations of the model, typeset from its syntax.
 fn equations(app: App) -> HtmlDiv {
     let words = app.words();
     let language = app.language.get_untracked().tag();
@@ -102,7 +103,7 @@ fn equations(app: App) -> HtmlDiv {
     div().class("model").child(heading).child(note(words.equations_intro)).child(equations)
 }
 
-/// Copies a text and says whether that worked.
+/// Copies a text and reports success or failure.
 pub fn copy(app: App, text: &str) {
     let words = app.words();
     browser::copy(

@@ -1,4 +1,4 @@
-//! The values that can be read off, with their symbols.
+//! Readouts with their symbols.
 
 use crate::app::App;
 use crate::member;
@@ -7,13 +7,13 @@ use crate::steady::steady;
 use crate::views::*;
 use play::{Play, Readout, ReadoutKind};
 
-/// The readouts: what changes with time, and what does not.
+/// The readouts: first those that change with time, then constant ones.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let first: Vec<Readout> = app.read(|play| play.readouts());
     let mut readouts = part("readouts", "readouts card", words.readouts);
     let now = followed(app, &readouts.node(), |play| play.readouts());
-    // The clock shows the independent variable.
+    // The independent variable is shown by the clock.
     let list = |varies: bool, title: &'static str| {
         let belongs = |readout: &Readout| readout.varies == varies && readout.kind != ReadoutKind::Independent;
         let rows = first.iter().enumerate().filter(|(_, readout)| belongs(readout));
@@ -37,8 +37,8 @@ pub fn view(app: App) -> HtmlSection {
         .maybe(hides.then(|| switch(shown, words.show_hidden)))
 }
 
-/// Something that changes with time, as it is now, in the same frame as the curves. While the run goes on it is read only where
-/// `element` is in sight.
+/// Signal with a value that changes with time, updated in the same frame as the curves. While the run plays it is
+/// updated only if `element` is in sight.
 pub fn followed<T: Clone + Default + PartialEq>(
     app: App,
     element: &web_sys::Element,
@@ -61,7 +61,7 @@ pub fn followed<T: Clone + Default + PartialEq>(
     *now
 }
 
-/// A row: name and symbol, the picker of a member, the value.
+/// A row: name and symbol, the member fields, the value.
 fn row(app: App, now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout) -> HtmlDiv {
     let why = app.words().hidden_why;
     let hidden = move || now.with(|list| list.get(index).is_some_and(|readout| readout.hidden));

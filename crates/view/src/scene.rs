@@ -1,5 +1,5 @@
-//! The scene of the page: the picture of its simulation, whose handles can be dragged, with what is measured in outline and
-//! a ruler over it.
+//! The scene of the page: the picture of the simulation with draggable handles, the outline of measured positions, and
+//! a ruler.
 
 use crate::app::App;
 use crate::drag::{self, Handle};
@@ -11,20 +11,20 @@ use program::{Child, Element, Piece, Scene};
 use wasm_bindgen::JsCast;
 use web_sys::{SvgElement, SvgGraphicsElement};
 
-/// The nodes of a scene.
+/// Nodes of a scene.
 pub struct SceneNodes {
     picture: Picture,
     handles: Vec<Handle>,
-    /// Kept as long as the handles can be dragged.
+    /// Keeps the listeners of the handles alive.
     _grips: Grips,
     outline: Outline,
-    /// The ruler that lies on it.
+    /// The ruler on the scene, if any.
     pub ruler: Option<Ruler>,
     root: SvgGraphicsElement,
 }
 
 impl SceneNodes {
-    /// Builds the scene into `place`.
+    /// Builds the scene in `place`.
     pub fn build(app: App, scene: &Scene, place: &web_sys::Element, label: &str) -> Option<Self> {
         let mut picture = Picture::build(scene, place)?;
         let root: SvgGraphicsElement = picture.root().clone().dyn_into().ok()?;
@@ -44,12 +44,12 @@ impl SceneNodes {
         Some(Self { picture, handles, _grips: grips, outline, ruler: None, root })
     }
 
-    /// The drawing.
+    /// The SVG root of the drawing.
     pub fn root(&self) -> SvgGraphicsElement {
         self.root.clone()
     }
 
-    /// Shows the present; in its texts only with `values`.
+    /// Updates the scene to the present state; its texts only if `values` is true.
     pub fn draw(&mut self, play: &mut Play, values: bool) {
         self.picture.draw_shapes(play);
         if values {
@@ -65,12 +65,12 @@ impl SceneNodes {
     }
 }
 
-/// What is measured of the scene, in outline over it: those parts that follow nothing but measured positions.
+/// Outline of measured positions over the scene: the parts that depend on measured values only.
 #[derive(Default)]
 struct Outline {
     /// The scene and its node.
     place: Option<(Scene, SvgElement)>,
-    /// What its values followed when it was built.
+    /// Sources of its values when it was built.
     follows: Vec<Follows>,
     node: Option<SvgElement>,
     bindings: Vec<Binding>,
@@ -93,7 +93,7 @@ impl Outline {
         }
     }
 
-    /// Builds its nodes for what is measured now.
+    /// Builds the nodes for the present measurements.
     fn build(&mut self) {
         self.bindings.clear();
         if let Some(node) = self.node.take() {
@@ -104,13 +104,13 @@ impl Outline {
         if let Some(node) = self.copy(&scene.root, &follows, "g") {
             let _ = node.set_attribute("aria-hidden", "true");
             let _ = node.set_attribute("pointer-events", "none");
-            // The handles stay on top, so that they can be grabbed.
+            // On top of the drawing, but pointers pass through it to the handles.
             let _ = root.append_child(&node);
             self.node = Some(node);
         }
     }
 
-    /// A copy, called `name`, of those parts of an element that move with the measurement; none if there are none.
+    /// Copies, with tag `name`, the parts of an element that move with the measurement; `None` if there are none.
     fn copy(&mut self, element: &Element, follows: &[Follows], name: &str) -> Option<SvgElement> {
         if matches!(element.name.as_str(), "defs" | "clipPath" | "style" | "title" | "text") {
             return None;
@@ -133,7 +133,7 @@ impl Outline {
             return None;
         }
         let node = picture::node(name)?;
-        // An id stays that of the original.
+        // The id stays with the original.
         for attribute in element.attributes.iter().filter(|one| name == element.name && one.name != "id") {
             picture::set_attribute(&node, attribute, &mut self.bindings);
         }

@@ -1,12 +1,11 @@
-//! What every page has around its content: colours, keys, the worksheet for the printer, and what is said to those who do
-//! not see it.
+//! Parts common to all pages: colours, keys, the worksheet for printing, and the live region for screen readers.
 
 use crate::app::{App, title};
 use crate::theme::Theme;
 use crate::views::*;
 use crate::{browser, frame, keys, messages, presenter, stage, worksheet};
 
-/// Listens to what concerns the page as a whole, for as long as it is open.
+/// Installs the listeners for the whole page.
 pub fn prepare(app: App) {
     Theme::remembered().apply(app);
     presenter::remembered(app);
@@ -17,7 +16,7 @@ pub fn prepare(app: App) {
     keys::listen(app);
 }
 
-/// The page, whose content is built again for another document or language.
+/// The page. Its content is rebuilt for another document or language.
 pub fn view(app: App, mut content: impl FnMut() -> View + 'static) -> View {
     let build = move || {
         app.changes.document.track();

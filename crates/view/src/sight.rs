@@ -1,4 +1,4 @@
-//! What is in sight: only that has to follow a run while it goes on.
+//! Visibility of elements: only visible ones must be updated while a run plays.
 
 use crate::views::*;
 use sycamore_reactive::on_cleanup;
@@ -6,15 +6,15 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Element, IntersectionObserver, IntersectionObserverEntry};
 
-/// Reports whether an element is in sight, until it is dropped.
+/// Observes the visibility of an element until it is dropped.
 pub struct Sight {
     observer: Option<IntersectionObserver>,
-    /// Kept as long as the observer calls it.
+    /// Kept alive for the observer.
     _callback: Closure<dyn FnMut(js_sys::Array)>,
 }
 
 impl Sight {
-    /// Calls `react` when the browser has first looked, and whenever the element comes into sight or goes out of it.
+    /// Calls `react` after the browser's first check, and whenever the element becomes visible or invisible.
     pub fn of(element: &Element, react: impl FnMut(bool) + 'static) -> Self {
         let mut react: Box<dyn FnMut(bool)> = Box::new(react);
         let callback = Closure::<dyn FnMut(js_sys::Array)>::new(move |entries: js_sys::Array| {
@@ -39,7 +39,7 @@ impl Drop for Sight {
     }
 }
 
-/// Whether an element is in sight; taken to be so until the browser has said it.
+/// Signal that is true while an element is visible, and until the browser's first check.
 pub fn in_sight(element: &Element) -> ReadSignal<bool> {
     let seen = create_signal(true);
     let sight = Sight::of(element, move |is_seen| seen.set(is_seen));

@@ -1,4 +1,4 @@
-//! The sizes of families: a field with a stepper where the page can build the model again, else the value.
+//! Sizes of families: a number field if the page can rebuild the model, otherwise the value only.
 
 use crate::app::App;
 use crate::browser;
@@ -7,8 +7,8 @@ use crate::views::*;
 use play::SizeView;
 use web_sys::HtmlInputElement;
 
-/// Gives the sizes the values of the document where the page can. Whether one had another value, so that the page must be built
-/// again.
+/// Resets the sizes to the values of the document, if the page can. Returns true if a size has changed, so that the
+/// page must be rebuilt.
 pub fn restore(app: App) -> bool {
     let host = app.host();
     let changed = app.read(|play| {
@@ -18,7 +18,7 @@ pub fn restore(app: App) -> bool {
     host.can_resize() && changed.iter().filter(|(name, stated)| host.resize(name, *stated).is_none()).count() > 0
 }
 
-/// The control of a size.
+/// Control of a size.
 pub fn control(app: App, size: SizeView) -> HtmlDiv {
     let words = app.words();
     let id = format!("size-{}", size.name);
@@ -43,7 +43,7 @@ pub fn control(app: App, size: SizeView) -> HtmlDiv {
         }
         let refusal = app.host().resize(&size.name, value);
         if refusal.is_none() {
-            // All that is shown of families is built again; who went on by key goes on.
+            // The views of families are rebuilt; the focus is restored.
             let had_focus = browser::focused() == place;
             app.rebuild();
             if had_focus {

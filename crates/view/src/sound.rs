@@ -3,12 +3,13 @@
 use play::Play;
 use web_sys::{AudioContext, GainNode, OscillatorNode};
 
-/// How loud, of 1.
+/// Loudness, from 0 to 1.
 const LOUDNESS: f32 = 0.08;
-/// Pitch and loudness follow within this time, in seconds: short enough to follow, long enough not to click.
+/// Time constant of changes of pitch and loudness, in seconds: short enough to follow the motion, long enough to avoid
+/// clicks.
 const GLIDE: f64 = 0.02;
 
-/// An oscillator, made when sound is first asked for: browsers allow it only then.
+/// An oscillator, created when sound is first switched on: browsers allow it only then.
 #[derive(Default)]
 pub struct Sound {
     voice: Option<Voice>,
@@ -35,12 +36,12 @@ impl Voice {
 }
 
 impl Sound {
-    /// Whether it is on.
+    /// True if sound is on.
     pub fn is_on(&self) -> bool {
         self.on
     }
 
-    /// Turns it on or off; false when the browser has no sound.
+    /// Switches sound on or off. Returns false if that failed because the browser has no sound.
     pub fn turn(&mut self, on: bool) -> bool {
         if on && self.voice.is_none() {
             self.voice = Voice::new();
@@ -52,7 +53,7 @@ impl Sound {
         self.on == on
     }
 
-    /// Follows the play: silent while it stands still.
+    /// Updates pitch and loudness to the simulation; silent while it is paused.
     pub fn follow(&mut self, play: &Play) {
         let Some(voice) = self.voice.as_ref().filter(|_| self.on) else { return };
         let now = voice.context.current_time();

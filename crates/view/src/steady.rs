@@ -3,8 +3,8 @@
 use crate::views::*;
 use web_sys::{HtmlElement, Text};
 
-/// A text that changes in each frame. The size of its place depends on how many characters a number has and not on which, so
-/// that the browser lays out nothing beside it for other digits.
+/// A text that changes in each frame. Its width depends on the number of characters, not on the digits, so that the
+/// browser need not lay out its neighbours for other digits.
 pub struct Steady {
     place: HtmlElement,
     text: Text,
@@ -12,7 +12,7 @@ pub struct Steady {
 }
 
 impl Steady {
-    /// The text, without letters as yet, and its element.
+    /// An empty text and its element.
     pub fn new() -> (Self, HtmlSpan) {
         let (mut place, mut inner) = (span(), span());
         let text = document().create_text_node("");
@@ -20,7 +20,7 @@ impl Steady {
         (Self { place: place.node(), text, shown: String::new() }, place.child(inner))
     }
 
-    /// What it shows.
+    /// Text shown now.
     pub fn shown(&self) -> &str {
         &self.shown
     }
@@ -39,12 +39,12 @@ impl Steady {
     }
 }
 
-/// Words have letters wider than a digit; they change more seldom.
+/// True if a text is a number. Other texts contain letters wider than a digit, and change less often.
 fn is_number(text: &str) -> bool {
     text.trim_start_matches(['(', '-', '−', '+']).starts_with(|letter: char| letter.is_ascii_digit())
 }
 
-/// A text that changes with a signal.
+/// Element with a text that changes with a signal.
 pub fn steady(text: impl FnMut() -> String + 'static) -> HtmlSpan {
     let (mut steady, element) = Steady::new();
     let text = memo(text);

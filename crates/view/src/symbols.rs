@@ -1,14 +1,14 @@
-//! The names of quantities as symbols.
+//! Typeset names of quantities.
 
 use crate::views::*;
 use units::alphabet::{self, greek_letter};
 
-/// A name typeset: `h_l` as MathML. Labels say the same in words, so readers of the screen need not hear it.
+/// A typeset name: `h_l` as MathML. Hidden from screen readers, because the label has the same meaning.
 pub fn symbol(name: &str) -> HtmlSpan {
     span().class("symbol").attr("aria-hidden", "true").inner_html(units::mathml::typeset_name(name))
 }
 
-/// A text whose indices stand below the line: `h_l` in a label.
+/// A text with lowered indices: `h_l` in a label.
 pub fn with_indices(text: &str) -> HtmlSpan {
     span().each(alphabet::with_indices(text), |(piece, is_index)| match is_index {
         true => View::from(sub().child(piece.to_owned())),
@@ -16,8 +16,8 @@ pub fn with_indices(text: &str) -> HtmlSpan {
     })
 }
 
-/// What a quantity is called, and its symbol beside the last word, from which no line break parts it. A name that is a word, such as
-/// `drag`, is no symbol: beside *Air drag* it would only be read twice.
+/// Label of a quantity, followed by its symbol without a line break. A name that is a word, such as `drag`, is not
+/// shown as a symbol: beside *Air drag* it would only repeat the label.
 pub fn name_and_symbol(label: &str, name: &str) -> HtmlSpan {
     if !label.is_empty() && is_word(name) {
         return span().child(label.to_owned());

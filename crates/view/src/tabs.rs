@@ -1,8 +1,8 @@
-//! The names of the tabs that every page has.
+//! Ids of the tabs that every page has.
 
-/// The tab of parameters, presets and values.
+/// Tab of parameters, presets and values.
 pub const PLAY: &str = "play";
-/// The tab of the questions.
+/// Tab of the questions.
 pub const ACTIVITIES: &str = "activities";
-/// The tab of prose and equations.
+/// Tab of prose and equations.
 pub const THEORY: &str = "theory";

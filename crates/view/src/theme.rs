@@ -1,4 +1,4 @@
-//! Light and dark: chosen, or as the system has it.
+//! Light or dark theme: chosen by the user, or that of the system.
 
 use crate::app::App;
 use crate::browser;
@@ -8,10 +8,10 @@ use figure::{Ink, Palette, RUN_COLOURS, SERIES_COLOURS};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlElement;
 
-/// What was chosen.
+/// The chosen theme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Theme {
-    /// As the system has it.
+    /// Theme of the system.
     System,
     /// Light.
     Light,
@@ -19,14 +19,14 @@ pub enum Theme {
     Dark,
 }
 
-/// The colours of figures in the theme that is shown.
+/// Colours of figures in the present theme.
 pub fn palette() -> &'static Palette {
     let shown = document().document_element().and_then(|root| root.get_attribute("data-theme"));
     if shown.as_deref() == Some(Theme::Dark.name()) { &Palette::DARK } else { &Palette::LIGHT }
 }
 
 impl Theme {
-    /// What was chosen at the last visit.
+    /// Choice of the last visit.
     pub fn remembered() -> Self {
         match browser::remembered("theme").as_deref() {
             Some("light") => Self::Light,
@@ -35,7 +35,7 @@ impl Theme {
         }
     }
 
-    /// The next one in turn.
+    /// Next theme in cyclic order.
     pub fn next(self) -> Self {
         match self {
             Self::System => Self::Light,
@@ -44,13 +44,13 @@ impl Theme {
         }
     }
 
-    /// Applies and remembers it.
+    /// Applies and stores the choice.
     pub fn choose(self, app: App) {
         browser::remember("theme", self.name());
         self.apply(app);
     }
 
-    /// Sets the attribute that the style sheet follows, and the colours of the canvases.
+    /// Sets the attribute used by the style sheet, and the colours of the canvases.
     pub fn apply(self, app: App) {
         let dark = self == Self::Dark || (self == Self::System && browser::matches("(prefers-color-scheme: dark)"));
         if let Some(root) = document().document_element() {

@@ -1,4 +1,4 @@
-//! The transport: play, step, back to the start, time line, speed, sound.
+//! The transport: play, step, back to start, time line, speed, sound.
 
 use crate::app::App;
 use crate::stage::full_screen;
@@ -8,27 +8,27 @@ use crate::{browser, icons};
 use play::{Play, SPEEDS, Status};
 use web_sys::{Element, HtmlElement, HtmlInputElement};
 
-/// The time line has so many positions.
+/// Number of positions of the time line.
 const POSITIONS: f64 = 10_000.0;
-/// The slider takes only so many while the run goes on, each half a pixel on a phone: every change costs the browser a layout.
+/// Number of positions while the run plays, each half a pixel on a phone: every change costs the browser a layout.
 const MOVING: f64 = 500.0;
 
-/// What changes in each frame.
+/// Nodes that change in each frame.
 pub struct TransportNodes {
     clock: Steady,
     line: HtmlInputElement,
-    /// The bars beneath it: what is recorded, and what lies behind.
+    /// Bars below the time line: the recorded part, and the part before the time shown.
     bars: [HtmlElement; 2],
-    /// Which parts of the line lie behind and are recorded.
+    /// Fractions of the line before the time shown, and recorded.
     parts: (f64, f64),
 }
 
 impl TransportNodes {
-    /// Shows the time.
+    /// Updates the clock and the time line.
     pub fn draw(&mut self, play: &mut Play) {
         let text = play.time_text();
         if text != self.clock.shown() {
-            // Read only when the slider has the focus and moves; otherwise it costs nothing.
+            // Needed only when the user moves the slider, so it is not updated while the run plays.
             if !play.is_playing() || self.clock.shown().is_empty() {
                 let _ = self.line.set_attribute("aria-valuetext", &text);
             }
@@ -38,13 +38,13 @@ impl TransportNodes {
         let part = |time: f64| ((time / play.horizon()).clamp(0.0, 1.0) * places).round() / places;
         let (fraction, recorded) = (part(play.time()), part(play.end()));
         let position = (fraction * POSITIONS).round();
-        // A hand may have put the slider beyond what is recorded.
+        // The user may have moved the slider beyond the recording.
         if position != self.line.value_as_number() {
             self.line.set_value(&position.to_string());
         }
         if (fraction, recorded) != self.parts {
             for (bar, length) in self.bars.iter().zip([recorded, fraction]) {
-                // Scaled and not made wider: that needs no layout.
+                // A scale transform needs no layout, unlike a change of the width.
                 let _ = bar.style().set_property("transform", &format!("scaleX({length:.4})"));
             }
             self.parts = (fraction, recorded);
@@ -52,7 +52,7 @@ impl TransportNodes {
     }
 }
 
-/// The bar.
+/// The transport bar.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let status = move || {
@@ -115,7 +115,7 @@ pub fn view(app: App) -> HtmlSection {
         .child(buttons)
         .child(div().class("time").child(clock).child(place_of_line))
         .child(div().class("extras").child(speed(app)).child(sound(app)).maybe(fill_screen(app)))
-        // Why the run has stopped is announced by the play; only the other has to be spoken from here.
+        // The first reason is announced by the simulation; only the second one must be a live region.
         .child(ended(app))
         .child(p().class("trouble").child(text(move || trouble(true))))
         .child(p().class("trouble").role("status").child(text(move || trouble(false))))
@@ -126,7 +126,7 @@ fn scrub(app: App, position: &str) {
     app.slide(|play| play.scrub(fraction * play.horizon()));
 }
 
-/// On the time line the arrows go by steps of the grid, not by the slider's positions.
+/// On the time line, the arrow keys move by grid steps instead of slider positions.
 fn line_key(app: App, event: &web_sys::KeyboardEvent) {
     if event.ctrl_key() || event.alt_key() || event.meta_key() {
         return;
@@ -134,7 +134,7 @@ fn line_key(app: App, event: &web_sys::KeyboardEvent) {
     match event.key().as_str() {
         "ArrowLeft" | "ArrowDown" => app.slide(Play::step_back),
         "ArrowRight" | "ArrowUp" => app.slide(|play| {
-            // Within what is recorded; the step button goes on from its end.
+            // Only within the recording; beyond its end, the step button is used.
             if play.is_scrubbed() {
                 play.step_forward();
             }
@@ -187,7 +187,7 @@ fn sound(app: App) -> HtmlButton {
         .child(changing(move || if on.get() { icons::sound() } else { icons::mute() }))
 }
 
-/// Fills the screen with the stage.
+/// Button that shows the stage in full-screen mode, if supported.
 fn fill_screen(app: App) -> Option<HtmlButton> {
     let fill = |_| {
         if let Some(stage) = browser::by_id::<Element>("apparatus") {
@@ -204,14 +204,15 @@ fn fill_screen(app: App) -> Option<HtmlButton> {
     })
 }
 
-/// Says that the run is at the end which the document gives it, and why, and offers to go on. The play announces it.
+/// Message that the run has reached the end set by the document or an event, with a button to continue. The simulation
+/// announces it.
 fn ended(app: App) -> impl Into<View> {
     let words = app.words();
     let ending = memo(move || {
         app.changes.transport.track();
         app.read(|play| play.ending())
     });
-    // The button goes away when it is used; the focus stays in the transport.
+    // The button disappears when used; the focus stays in the transport.
     let go_on = move |_| {
         app.act(Play::play);
         if let Some(play) = browser::by_id::<HtmlElement>("play") {
@@ -227,7 +228,8 @@ fn ended(app: App) -> impl Into<View> {
     })
 }
 
-/// What keeps the run from going on as it should: what the simulation has `announced`, or else what it has not.
+/// Text for a failed or stopped run. `announced`: true for the reasons that the simulation has already announced, false
+/// for the others.
 fn trouble(app: App, announced: bool) -> String {
     let words = app.words();
     app.read(|play| match play.status() {

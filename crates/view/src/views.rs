@@ -1,5 +1,5 @@
-//! What the views are made with: Sycamore's elements and signals, and a few ways to put them together. What differs from
-//! place to place goes into a box first, so that the code behind it is compiled once and not for every place.
+//! Tools for building views: Sycamore's elements and signals, and helpers to combine them. Closures are boxed first, so
+//! that the code behind them is compiled once instead of for every use.
 
 pub use crate::pieces::{
     button, column_head, cross, dialog, field_of, labelled, note, part, refusal_of, row_head, short_field, switch,
@@ -16,14 +16,14 @@ use sycamore_web::{GlobalProps, ViewHtmlNode};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlInputElement;
 
-/// What elements are put together with.
+/// Helper methods for building elements.
 pub trait Build: GlobalProps {
-    /// One more child.
+    /// Adds a child.
     fn child(self, child: impl Into<View>) -> Self {
         self.children(child)
     }
 
-    /// One more child, if there is one.
+    /// Adds a child, if there is one.
     fn maybe(self, child: Option<impl Into<View>>) -> Self {
         match child {
             Some(child) => self.child(child),
@@ -31,7 +31,7 @@ pub trait Build: GlobalProps {
         }
     }
 
-    /// A child for each item.
+    /// Adds a child for each item.
     fn each<T, V: Into<View>>(self, items: impl IntoIterator<Item = T>, mut view: impl FnMut(T) -> V) -> Self {
         let mut element = self;
         for item in items {
@@ -40,24 +40,24 @@ pub trait Build: GlobalProps {
         element
     }
 
-    /// What it is called, for those who see it and for those who do not.
+    /// Sets tooltip and accessible name.
     fn called(self, name: impl Into<Cow<'static, str>>) -> Self {
         let name: Cow<'static, str> = name.into();
         self.attr("title", name.clone()).attr("aria-label", name)
     }
 
-    /// Children as HTML. Whoever wrote it has made it safe.
+    /// Sets the content as HTML, which must already be safe.
     fn inner_html(self, html: String) -> Self {
         self.dangerously_set_inner_html(html)
     }
 
-    /// Does something whenever this happens to the element.
+    /// Calls `act` for each event of this type.
     fn when<E: EventDescriptor<EventTy: 'static>>(self, event: E, act: impl FnMut(E::EventTy) + 'static) -> Self {
         let act: Box<dyn FnMut(E::EventTy)> = Box::new(act);
         self.on(event, act)
     }
 
-    /// The element's node.
+    /// Node of the element.
     fn node<T: JsCast>(&mut self) -> T {
         self.as_html_node().as_web_sys().clone().unchecked_into()
     }
@@ -65,7 +65,7 @@ pub trait Build: GlobalProps {
 
 impl<E: GlobalProps> Build for E {}
 
-/// A view for each item, one after the other.
+/// A view for each item, in sequence.
 pub fn each<T, V: Into<View>>(items: impl IntoIterator<Item = T>, mut view: impl FnMut(T) -> V) -> View {
     let mut views: Vec<View> = Vec::new();
     for item in items {
@@ -74,35 +74,35 @@ pub fn each<T, V: Into<View>>(items: impl IntoIterator<Item = T>, mut view: impl
     views.into()
 }
 
-/// A text that changes. It is written only where it differs: readers of the screen may say what is written.
+/// A text that changes. It is written only if it differs, because screen readers may read every change.
 pub fn text(read: impl FnMut() -> String + 'static) -> View {
     memo(read).into()
 }
 
-/// A part that is rebuilt whenever something that it reads has changed.
+/// A view that is rebuilt whenever a signal that it reads has changed.
 pub fn changing<V: Into<View>>(mut build: impl FnMut() -> V + 'static) -> View {
     let build: Box<dyn FnMut() -> View> = Box::new(move || build().into());
     View::from_dynamic(build)
 }
 
-/// A value that is computed again whenever something that it reads has changed. It notifies its readers only when it differs.
+/// A value that is recomputed whenever a signal that it reads has changed. It notifies its readers only if it differs.
 pub fn memo<T: PartialEq>(compute: impl FnMut() -> T + 'static) -> ReadSignal<T> {
     let compute: Box<dyn FnMut() -> T> = Box::new(compute);
     create_selector(compute)
 }
 
-/// Does something now and whenever something has changed that it reads.
+/// Runs `act` now and whenever a signal that it reads has changed.
 pub fn effect(act: impl FnMut() + 'static) {
     let act: Box<dyn FnMut()> = Box::new(act);
     create_effect(act);
 }
 
-/// What a field holds.
+/// Value of the field that is the target of an event.
 pub fn value_of(event: &Event) -> String {
     event.target().map(|field| field.unchecked_into::<HtmlInputElement>().value()).unwrap_or_default()
 }
 
-/// Whether a box is ticked.
+/// True if the check box that is the target of an event is ticked.
 pub fn is_checked(event: &Event) -> bool {
     event.target().is_some_and(|field| field.unchecked_into::<HtmlInputElement>().checked())
 }

@@ -1,21 +1,21 @@
-//! The words around a simulation in every language. What the document says is translated by the document, and what playing
-//! says by `play`.
+//! Texts around a simulation in every language. Texts of the document are translated by the document, texts of playing
+//! by `play`.
 
-/// Declares a table of words from one list: a word that lacks a language does not compile. `beside` another table, its words
-/// can be read as the own ones.
+/// Declares a table of texts from one list; a text that lacks a language does not compile. With `@beside`, the texts of
+/// another table can be read like own ones.
 #[macro_export]
 macro_rules! table_of_words {
     ($(@beside $other:ident;)? $($name:ident: $english:literal, $spanish:literal;)*) => {
-        /// Words of the interface in one language. Each is named after its English text.
+        /// Texts of the interface in one language. Each is named after its English text.
         #[derive(Debug)]
         #[allow(missing_docs, reason = "each says itself")]
         pub struct Words { $(other: &'static $other::Words,)? $(pub $name: &'static str,)* }
-        /// The words in English.
+        /// English texts.
         pub static ENGLISH: Words = Words { $(other: &$other::ENGLISH,)? $($name: $english,)* };
-        /// The words in Spanish.
+        /// Spanish texts.
         pub static SPANISH: Words = Words { $(other: &$other::SPANISH,)? $($name: $spanish,)* };
 
-        /// The words in one language.
+        /// Texts in one language.
         pub fn words_in(language: units::Language) -> &'static Words {
             language.pick(&ENGLISH, &SPANISH)
         }
@@ -31,7 +31,7 @@ macro_rules! table_of_words {
 }
 
 table_of_words! {
-    // The page.
+    // Page.
     skip: "Skip to the apparatus", "Ir al aparato";
     skip_to_panel: "Skip to the panel", "Ir al panel";
     language: "Language", "Idioma";
@@ -60,7 +60,7 @@ table_of_words! {
     dismiss: "Dismiss", "Descartar";
     footer: "Made with Meniscus. This page works offline and sends nothing to anyone.", "Hecho con Meniscus. Esta página funciona sin conexión y no envía nada a nadie.";
 
-    // The apparatus.
+    // Apparatus.
     apparatus: "Apparatus", "Aparato";
     scene: "Scene", "Escena";
     no_scene: "This document draws no scene.", "Este documento no dibuja ninguna escena.";
@@ -175,7 +175,7 @@ table_of_words! {
     remove_run: "Remove", "Quitar";
     ghost: "Previous run", "Serie anterior";
 
-    // The panel.
+    // Panel.
     panel: "Panel", "Panel";
     tab_play: "Play", "Explorar";
     tab_activities: "Activities", "Actividades";
@@ -215,7 +215,7 @@ table_of_words! {
     save_xlsx: "Download XLSX", "Descargar XLSX";
     copy_csv: "Copy CSV", "Copiar CSV";
 
-    // The worksheet.
+    // Worksheet.
     sheet_name: "Name", "Nombre";
     sheet_date: "Date", "Fecha";
     sheet_answer: "Answer", "Respuesta";

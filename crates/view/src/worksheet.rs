@@ -1,6 +1,6 @@
-//! The worksheet: what comes out when the page is printed. Title, text with equations, scene, plots, parameter values, and
-//! the activities with room for answers. It is built when the browser is about to print and taken away afterwards; the
-//! page itself, with its buttons and its canvases of screen size, is not printed.
+//! The worksheet: the printed form of the page. Title, text with equations, scene, plots, parameter values, and the
+//! questions with space for answers. It is built when the browser is about to print and removed afterwards; the page
+//! itself, with its buttons and its canvases of screen size, is not printed.
 
 use crate::app::App;
 use crate::browser;
@@ -10,18 +10,18 @@ use figure::{Palette, Settings};
 use program::{Block, Section};
 use web_sys::{Element, Event, ShadowRootInit, ShadowRootMode};
 
-/// The size of a plot on paper, in CSS pixels: as wide as the text of a page, so that its letters have their size.
+/// Size of a plot on paper, in CSS pixels: as wide as the text, so that its font size is that of the text.
 const PLOT: Settings = Settings { width: 660.0, height: 240.0, font_size: 12.0, decimal_comma: false };
-/// Ruled lines for working, below a question.
+/// Number of ruled lines below a question.
 const LINES: usize = 4;
 
-/// Listens as long as the page lives.
+/// Listens to the print events of the browser, as long as the page lives.
 pub fn listen(app: App) {
     browser::listen("beforeprint", move |_: &Event| app.printing.set(true));
     browser::listen("afterprint", move |_: &Event| app.printing.set(false));
 }
 
-/// The worksheet, while the browser prints; a document that does not run has none, and its errors are printed.
+/// The worksheet, while the browser prints; empty if the document does not run, so that its errors are printed.
 pub fn view(app: App) -> View {
     changing(move || {
         let prints = app.printing.get() && app.read(|_| true);
@@ -35,7 +35,7 @@ fn sheet(app: App) -> HtmlArticle {
     let sections: Vec<Section> = app.read(|play| play.program().sections(language).to_vec());
     let asks = |section: &&Section| section.blocks.iter().any(|block| matches!(block, Block::Question(_)));
     let first = sections.iter().position(|section| asks(&section)).unwrap_or(sections.len());
-    // What stands before the first heading leads to the apparatus; the rest of the text follows it.
+    // The text before the first heading precedes the apparatus; the rest follows it.
     let lead = sections.iter().take(first).take_while(|section| section.level == 0).count();
     let (lead, rest) = sections.split_at(lead);
     let blank = |name: &'static str| span().class("blank").child(name);
@@ -58,7 +58,7 @@ fn passage(app: App, section: &Section) -> View {
         (false, _) => h3().inner_html(section.heading.clone()).into(),
     };
     let block = |block: &Block| match block {
-        // The document has made it safe.
+        // The document has already made the HTML safe.
         Block::Html(html) => View::from(div().inner_html(html.clone())),
         Block::Question(index) => question(app, *index),
     };
@@ -78,7 +78,7 @@ fn apparatus(app: App) -> HtmlDiv {
     div().class("sheet-apparatus").maybe(scene()).maybe(values)
 }
 
-/// The drawing as it stands on the screen.
+/// Copy of the drawing on the screen.
 fn scene() -> Option<HtmlDiv> {
     let drawing = crate::views::document().query_selector("#scene .drawing").ok().flatten()?;
     let svg = drawing.shadow_root()?.first_element_child()?;
@@ -90,7 +90,7 @@ fn scene() -> Option<HtmlDiv> {
     Some(place)
 }
 
-/// The plots that are shown, in the colours of paper whatever the theme of the screen is.
+/// The plots that are shown, in colours for paper independent of the theme of the screen.
 fn plots(app: App) -> View {
     let decimal_comma = app.language.get_untracked().style().decimal_comma;
     let settings = Settings { decimal_comma, ..PLOT };

@@ -1,4 +1,4 @@
-//! What the page is around the views of the simulation: what it announces, shows and saves besides.
+//! The laboratory as the page around the views of the simulation: its announcements, views and storage.
 
 use super::Store;
 use crate::{data, film, saved, tabs, visited, write};
@@ -32,7 +32,7 @@ impl Host for Store {
             while let Some(announcement) = desk.take_announcement() {
                 match &announcement {
                     Announcement::Play(play::Announcement::ParameterSet(..)) if by_slider => {}
-                    // The editor says that the text runs.
+                    // The editor already shows that the text runs.
                     Announcement::Play(play::Announcement::Replaced(lost)) if lost.is_empty() => {}
                     Announcement::Play(of_play) => news.push(News::of_play(desk.play(), of_play)),
                     own => {
@@ -135,7 +135,7 @@ impl Host for Store {
 }
 
 impl Store {
-    /// What is spoken and shown of an announcement of the desk.
+    /// News for an announcement of the desk.
     fn news_of(&self, desk: &Desk, announcement: &Announcement) -> News {
         let news = News::new(desk.announcement_text(announcement), announcement.prominence());
         let lead = |message: Message| match announcement {
@@ -143,7 +143,7 @@ impl Store {
                 Some(id) => Some(message.leading_to(format!("record-{id}"))),
                 None => Some(message),
             },
-            // What has come of a fit is brought into sight where it was begun.
+            // The results are visible where the fit was started.
             Announcement::FitFinished(None)
                 if self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::FIT) =>
             {

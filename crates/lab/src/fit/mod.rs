@@ -1,4 +1,4 @@
-//! Fits in the page: begun by a button, made in slices between frames.
+//! Fits in the page: started by a button, computed in slices between frames.
 
 mod results;
 mod setup;
@@ -14,13 +14,13 @@ use desk::{Desk, FitProgress};
 use view::browser;
 use view::views::*;
 
-/// The tab: which record, which theory, the fit.
+/// The tab: record, theory, fit.
 pub fn view(app: App) -> View {
     let has_records = memo(move || {
         app.records.track();
         app.read_desk(|desk| !desk.records().is_empty())
     });
-    // With this tab the plots show the part that is fitted.
+    // While this tab is open, the plots show the selected part of the time axis.
     effect(move || {
         app.tab.track();
         app.page.wake();
@@ -28,7 +28,7 @@ pub fn view(app: App) -> View {
     changing(move || if has_records.get() { steps(app) } else { nothing_yet(app) })
 }
 
-/// Where there is no record: the way to one.
+/// Content without records: ways to get one.
 fn nothing_yet(app: App) -> View {
     let words = app.words();
     let names = app.read_desk(|desk| desk.sample_names().to_vec());
@@ -52,7 +52,7 @@ fn steps(app: App) -> View {
     let words = app.words();
     let refusal = create_signal(None::<String>);
     let chosen = create_signal(None::<u32>);
-    // What is shown of the results unless a person chooses: the best after a ranking, else the last.
+    // Result shown unless the user chooses: the best one after a ranking, otherwise the last one.
     let ranked = create_signal(true);
     let begin = move |rank: bool| {
         ranked.set(rank);
@@ -88,7 +88,7 @@ fn steps(app: App) -> View {
     div().class("fitting-steps").child(record).child(theory).child(fit).into()
 }
 
-/// A card with its number.
+/// A card with its step number.
 fn step(id: &'static str, number: &'static str, title: &'static str) -> HtmlSection {
     let heading = format!("{id}-title");
     let number = span().class("number-of-step").attr("aria-hidden", "true").child(number);
@@ -99,7 +99,7 @@ fn step(id: &'static str, number: &'static str, title: &'static str) -> HtmlSect
         .child(h3().id(heading).child(number).child(title))
 }
 
-/// The bar and the way out, while a fit is being made.
+/// Progress bar with a cancel button, while a fit is running.
 fn running(app: App) -> View {
     let words = app.words();
     let progress = app.fit_progress;
@@ -111,7 +111,7 @@ fn running(app: App) -> View {
             format!("{place}{theory}, {trials} {}", words.fit_trials)
         })
     };
-    // How much of a single fit is done is unknown.
+    // The progress of a single fit is unknown.
     let part = move || {
         let (done, all) = finished();
         (all > 1).then(|| done.to_string())

@@ -1,4 +1,4 @@
-//! What has come of fits: side by side, one of them in detail, and the files that can be saved of them.
+//! Results of fits: comparison, details of one fit, and export.
 
 use crate::app::App;
 use crate::opening;
@@ -10,8 +10,8 @@ use view::symbols::name_and_symbol;
 use view::views::*;
 use wasm_bindgen::JsValue;
 
-/// The fits side by side, and one of them in detail: `chosen`, or the best if they were `ranked`, or the last. While
-/// others are being made, what has not changed keeps its place.
+/// Comparison of the fits and details of one of them: `chosen`, otherwise the best if they were `ranked`, otherwise the
+/// last. While fits are running, unchanged content keeps its place.
 pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View {
     let listed = memo(move || {
         app.fits.track();
@@ -21,12 +21,12 @@ pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View
         let shown = chosen.get().filter(|id| fits.iter().any(|fit| fit.id == *id)).or(best).or(last);
         (fits, shown)
     });
-    // What came of a fit never changes.
+    // The result of a fit never changes.
     let detailed = memo(move || listed.with(|(fits, shown)| (*shown, fits.len() > 1)));
     let any = memo(move || listed.with(|(fits, _)| !fits.is_empty()));
     let rows = move || {
         let (fits, shown) = listed.get_clone();
-        // Where several theories were fitted, the row of the one that the page shows says so.
+        // If several theories were fitted, the row of the open one is marked.
         let several = fits.iter().any(|fit| fit.theory != fits[0].theory);
         each(fits, |fit| row(app, fit, (shown, several), chosen))
     };
@@ -61,7 +61,7 @@ fn row(app: App, fit: FitView, (shown, several): (Option<u32>, bool), chosen: Si
         remarks.push(fit.tied);
     }
     let cells = [fit.rmse, fit.difference, fit.weight];
-    // A theory that is not open can be opened and shown with what was found.
+    // A theory that is not open can be opened with the fitted values.
     let apply = if fit.applicable { words.fit_apply } else { words.fit_open };
     let remove = format!("{}: {name}", words.fit_remove);
     let apply_name = format!("{apply}: {name}");
@@ -101,7 +101,7 @@ fn row(app: App, fit: FitView, (shown, several): (Option<u32>, bool), chosen: Si
     tr().attr("aria-current", selected.then_some("true")).child(first).each(cells, |cell| td().child(cell))
 }
 
-/// The files that can be saved of a fit, and of all fits of the same values.
+/// Export buttons for a fit and, with `several`, for all fits.
 fn exports(app: App, id: u32, several: bool) -> HtmlDiv {
     let words = app.words();
     let kinds = [(ExportKind::Report, words.save_report), (ExportKind::Workbook, "XLSX"), (ExportKind::Csv, "CSV")];
@@ -126,7 +126,8 @@ fn exports(app: App, id: u32, several: bool) -> HtmlDiv {
     exports.each(all, |(kind, name)| one(format!("{}: {name}", words.fit_all), kind, true))
 }
 
-/// The mathematical font of this page, in base64; empty where its style sheet has none. Its address there is in quotation marks or not.
+/// Mathematical font of this page, in base64; empty if its style sheet contains none. The address in the style sheet
+/// may be quoted or unquoted.
 fn math_font() -> String {
     const BEFORE: &str = "font/woff2;base64,";
     let sheet = document().query_selector("head style").ok().flatten().and_then(|sheet| sheet.text_content());
@@ -134,7 +135,7 @@ fn math_font() -> String {
     font.map(|(font, _)| font.to_owned()).unwrap_or_default()
 }
 
-/// The rows of what was found, under the name of the record where there are several.
+/// Rows of the estimates, grouped by record if there are several.
 fn estimates(app: App, detail: &FitDetail) -> HtmlTbody {
     let words = app.words();
     let several = detail.estimates.iter().any(|one| !one.record.is_empty());

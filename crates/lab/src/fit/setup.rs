@@ -1,4 +1,5 @@
-//! What a fit is asked for: records, what is varied and what records have in common, the part that counts.
+//! Settings of a fit: records, varied parameters, parameters common to all records, and the selected part of the time
+//! axis.
 
 use crate::app::App;
 use desk::{ChoiceView, Desk, FitRecordView, KnownView};
@@ -6,13 +7,13 @@ use view::browser;
 use view::symbols::symbol;
 use view::views::*;
 
-/// Why something typed was not taken.
+/// Reason why typed text was refused.
 type Refusal = Signal<Option<String>>;
 
-/// What can be varied, as it is now.
+/// Parameters that can be varied, with their present settings.
 type Choices = ReadSignal<Vec<ChoiceView>>;
 
-/// The records and the part of them that counts.
+/// The records and the selected part of the time axis.
 pub fn record(app: App, refusal: Refusal) -> View {
     let records = memo(move || {
         app.records.track();
@@ -24,7 +25,7 @@ pub fn record(app: App, refusal: Refusal) -> View {
     View::from((line, changing(move || together(app, records.get_clone()))))
 }
 
-/// What is varied. It is rebuilt only where it has changed, so that typing is not interrupted.
+/// Varied parameters. Rebuilt only when the rows change, so that typing is not interrupted.
 pub fn varied(app: App, refusal: Refusal) -> View {
     let choices = memo(move || {
         app.changes.parameters.track();
@@ -32,7 +33,7 @@ pub fn varied(app: App, refusal: Refusal) -> View {
         app.fits.track();
         app.read_desk(|desk| desk.fit_choices())
     });
-    // Without the known values, which a person may be typing.
+    // Without the known values, which the user may be typing.
     let rows = memo(move || {
         let mut rows = choices.get_clone();
         rows.iter_mut().flat_map(|row| &mut row.values).for_each(|known| known.text.clear());
@@ -41,12 +42,12 @@ pub fn varied(app: App, refusal: Refusal) -> View {
     changing(move || vary(app, refusal, choices, rows.get_clone()))
 }
 
-/// What is seldom changed.
+/// Settings that are seldom changed.
 pub fn options(app: App) -> HtmlDetails {
     details().class("options").child(summary().child(app.words().fit_options)).child(loss(app))
 }
 
-/// What residuals cost.
+/// Choice of the loss function of residuals.
 fn loss(app: App) -> HtmlDiv {
     let words = app.words();
     let (names, chosen) = app.read_desk(|desk| desk.fit_losses());
@@ -67,7 +68,7 @@ fn loss(app: App) -> HtmlDiv {
         .child(note(words.fit_loss_note).id("fit-loss-note"))
 }
 
-/// Which record is looked at.
+/// Choice of the record shown.
 fn chooser(app: App, records: Vec<FitRecordView>) -> HtmlSelect {
     let choose = move |event| {
         if let Ok(id) = value_of(&event).parse() {
@@ -82,7 +83,7 @@ fn chooser(app: App, records: Vec<FitRecordView>) -> HtmlSelect {
         .each(records, |record| option().value(record.id.to_string()).selected(record.chosen).child(record.name))
 }
 
-/// Which records take part; nothing where there is but one.
+/// Check boxes for the records that take part; empty if there is only one record.
 fn together(app: App, records: Vec<FitRecordView>) -> View {
     if records.len() < 2 {
         return View::new();
@@ -101,7 +102,7 @@ fn together(app: App, records: Vec<FitRecordView>) -> View {
     ))
 }
 
-/// What is varied, and what is one number for all records.
+/// Varied parameters, with check boxes for those common to all records.
 fn vary(app: App, refusal: Refusal, choices: Choices, rows: Vec<ChoiceView>) -> HtmlFieldset {
     let several = rows.iter().any(|choice| choice.same.is_some());
     let class = if several { "choices several" } else { "choices" };
@@ -123,7 +124,7 @@ fn row(app: App, refusal: Refusal, choices: Choices, choice: ChoiceView, several
     div().class("varied").child(varied).maybe(same).maybe(known).into()
 }
 
-/// Whether something is one number for all records.
+/// Check box: the parameter is common to all records.
 fn common(app: App, choice: &ChoiceView, same: bool) -> HtmlLabel {
     let words = app.words();
     let index = choice.index;
@@ -132,7 +133,7 @@ fn common(app: App, choice: &ChoiceView, same: bool) -> HtmlLabel {
     label().class("switch same").child(tick).child(span().child(words.fit_same))
 }
 
-/// The field of a value that is known of a record.
+/// Field of a parameter value known for a record.
 fn value(app: App, refusal: Refusal, choices: Choices, choice: &ChoiceView, known: &KnownView) -> HtmlSpan {
     let (index, record, id) = (choice.index, known.record, format!("known-{}-{}", choice.index, known.record));
     let text = memo(move || {
@@ -153,7 +154,7 @@ fn value(app: App, refusal: Refusal, choices: Choices, choice: &ChoiceView, know
     field_of(id, known.name.clone()).child(field).child(unit_of(choice.unit.clone()))
 }
 
-/// What part of the records counts.
+/// Fields for begin and end of the selected part.
 fn ends(app: App, refusal: Refusal) -> HtmlDiv {
     let words = app.words();
     let window = memo(move || {

@@ -1,4 +1,5 @@
-//! The theories to choose from, each with its equation. Choosing one opens it, and the reader stays where the choice was made.
+//! Selection of the theory, each shown with its equation. Selecting a theory opens it; the page keeps its scroll
+//! position.
 
 use crate::app::App;
 use crate::{library, opening};
@@ -9,13 +10,13 @@ use view::views::*;
 /// A theory in the list.
 #[derive(Clone, PartialEq)]
 struct Theory {
-    /// Its file; none for a document that is open and not in the library's list.
+    /// File name; `None` for an open document that is not in the library.
     file: Option<String>,
     title: String,
     chosen: bool,
 }
 
-/// The list.
+/// List of the theories.
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     let chips = theories(app).into_iter().enumerate();
@@ -55,7 +56,7 @@ fn chip(app: App, number: usize, theory: Theory) -> HtmlButton {
             && !chosen
         {
             opening::change_theory(app, files);
-            // Where the open document was not in the list, it has left it, and all have moved up.
+            // If the open document was not in the list, it has been removed, and the others have moved up.
             let place = theories(app).iter().position(|theory| theory.chosen).unwrap_or(0);
             browser::focus_later(format!("theory-{place}"));
         }
@@ -69,14 +70,14 @@ fn chip(app: App, number: usize, theory: Theory) -> HtmlButton {
         .child(equation)
 }
 
-/// The first equation of motion of a document; where it has none, what it defines first.
+/// First equation of motion (second order) of a document, otherwise its first equation.
 fn equation(document: &Document) -> String {
     let lines = document.program.editions.first().map_or(&[][..], |edition| &edition.equations);
     let motion = lines.iter().find(|line| line.contains("<mo>″</mo>"));
     motion.or(lines.first()).cloned().unwrap_or_default()
 }
 
-/// Reads the documents one after the other for their equations, once, and lets the page breathe in between.
+/// Reads the equations of all theories once, one after the other, yielding to the browser in between.
 fn write_equations(app: App) {
     if app.with(|lab| std::mem::replace(&mut lab.reads_equations, true)).unwrap_or(true) {
         return;

@@ -1,4 +1,4 @@
-//! Fits in slices between frames.
+//! Computes fits in slices between frames.
 
 use crate::app::App;
 use crate::tabs;
@@ -7,10 +7,10 @@ use view::views::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
-/// A slice of work takes so many milliseconds: half a frame.
+/// Duration of a slice, in milliseconds: half a frame.
 const SLICE: f64 = 8.0;
 
-/// Works on what is to be fitted, and on what an earlier visit has left to be made again.
+/// Works on pending fits, including those restored from an earlier visit.
 pub fn go_on(app: App) {
     app.fit_progress.set(app.read_desk(|desk| desk.fit_progress()));
     let begins = app.with(|lab| !std::mem::replace(&mut lab.fitting, true)).unwrap_or_default();
@@ -19,7 +19,7 @@ pub fn go_on(app: App) {
     }
 }
 
-/// Works on the fits for a slice, then lets the page breathe.
+/// Works on the fits for one slice, then yields to the browser.
 fn work(app: App) {
     let step = Closure::once_into_js(move || {
         let end = js_sys::Date::now() + SLICE;
@@ -37,7 +37,7 @@ fn work(app: App) {
             work(app);
         } else {
             app.with(|lab| lab.fitting = false);
-            // What has come of it stands below the button.
+            // The result appears below the button.
             if asked_for && app.tab.get_untracked() == tabs::FIT {
                 browser::bring_to_top("fit-step");
             }

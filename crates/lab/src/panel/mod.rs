@@ -1,4 +1,4 @@
-//! The tabs of the panel: those of the simulation, and those of measuring, fitting and writing.
+//! Tabs of the panel: those of the simulation, and those for measuring, fitting and writing.
 
 mod source;
 

@@ -1,4 +1,4 @@
-//! The text of the document, to be read, copied and saved.
+//! Text of the document, for reading, copying and saving.
 
 use crate::app::App;
 use crate::diagnostics;
@@ -6,14 +6,14 @@ use document::page::Source;
 use view::views::*;
 use view::{browser, reading};
 
-/// The text, folded away.
+/// The text, initially folded.
 pub fn view(app: App) -> View {
     let words = app.words();
     let fold = details().class("card fold").id("source").child(summary().child(h3().child(words.source)));
     fold.child(source(app)).into()
 }
 
-/// The text of the document.
+/// The text of each file.
 fn source(app: App) -> HtmlDiv {
     let words = app.words();
     let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The files of the document, and the project that holds them and what was measured.
+//! Export of the files of the document, and of the project with the measurements.
 
 use super::words;
 use crate::app::App;
@@ -7,7 +7,7 @@ use document::project::{PROJECT_ENDING, Project};
 use view::browser;
 use view::views::*;
 
-/// The section.
+/// Section of the dialog: buttons that save the files and the project.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let save = button().class("quiet outlined").id("save-source").child(words.source_save);

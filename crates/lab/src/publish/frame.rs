@@ -1,4 +1,4 @@
-//! The code of a frame that shows the page inside another page.
+//! HTML code of a frame that shows the page inside another page.
 
 use super::words::{self, Words};
 use crate::app::App;
@@ -9,7 +9,7 @@ use units::Language;
 use view::browser;
 use view::views::*;
 
-/// What the frame is to be.
+/// Settings of the frame.
 #[derive(Clone)]
 struct Frame {
     address: String,
@@ -28,7 +28,7 @@ impl Frame {
     }
 }
 
-/// The address under which the page will most probably be found: in a site its own page, else a file beside the page around it.
+/// Probable address of the page: in a site its own page, otherwise a file beside the surrounding page.
 fn address(app: App) -> String {
     let Subject::Library(name) = library::subject(&visited::sources(app)) else { return format!("{}.html", stem(app)) };
     let laboratory = browser::address("");
@@ -39,7 +39,7 @@ fn address(app: App) -> String {
     }
 }
 
-/// The section.
+/// Section of the dialog: settings and code of the frame.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let frame = create_signal(Frame {
@@ -78,7 +78,7 @@ pub fn view(app: App) -> View {
     ))
 }
 
-/// The code as it is now, and a button that copies it.
+/// The present code, with a copy button.
 fn code(app: App, frame: Signal<Frame>) -> View {
     let words = words::of(app);
     let code = memo(move || frame.with(|frame| frame.code(app)));
@@ -130,7 +130,7 @@ fn name(words: &Words, part: PagePart) -> &'static str {
     }
 }
 
-/// The choice of a language among those of the document.
+/// Choice of a language of the document.
 fn languages(app: App, frame: Signal<Frame>) -> HtmlLabel {
     let words = words::of(app);
     let known: Vec<String> = app.read(|play| play.program().languages().map(str::to_owned).collect());

@@ -1,4 +1,4 @@
-//! The link, and its QR code.
+//! Link and its QR code.
 
 use super::words;
 use crate::app::App;
@@ -9,24 +9,24 @@ use std::fmt::Write as _;
 use view::browser;
 use view::views::*;
 
-/// The longest address of which a code is offered, in bytes: of version 20 with 97 modules on a side, which telephones read from a
-/// screen and from paper.
+/// Maximum length of an address for a QR code, in bytes: version 20 with 97 modules per side, which phones can read
+/// from a screen and from paper.
 const LONGEST: usize = 858;
 
-/// Modules of white around the code: ISO 18004 asks for four.
+/// Width of the quiet zone in modules, as required by ISO 18004.
 const MARGIN: usize = 4;
 
-/// What the section of the code shows.
+/// Content of the QR code section.
 #[derive(Clone, PartialEq)]
 enum Shown {
     Nothing,
     /// The code as an SVG.
     Code(String),
-    /// Why there is none of the link; a field takes another address.
+    /// Reason why the link has no code; a field accepts another address.
     Refused(&'static str),
 }
 
-/// The section.
+/// Section of the dialog: the link, and its QR code on demand.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let copy =
@@ -76,7 +76,7 @@ fn code_of_link(app: App, address: &str) -> Shown {
     code(address).map_or(Shown::Refused(words.qr_too_long), Shown::Code)
 }
 
-/// The code, and a button that saves it.
+/// The QR code with a button that saves it.
 fn code_view(app: App, svg: String) -> View {
     let words = words::of(app);
     let picture = div().class("qr").role("img").attr("aria-label", words.qr_label).inner_html(svg.clone());
@@ -87,7 +87,7 @@ fn code_view(app: App, svg: String) -> View {
     View::from((picture, div().class("ways").child(save)))
 }
 
-/// Why the link has no code, and a field for an address that gets one.
+/// Reason why the link has no code, and a field for another address.
 fn other_address(app: App, why: &'static str) -> View {
     let words = words::of(app);
     let typed = create_signal(String::new());
@@ -109,9 +109,9 @@ fn other_address(app: App, why: &'static str) -> View {
     View::from((p().class("note").child(why), field, changing(made)))
 }
 
-/// A code as an SVG: black on white, whatever the colours of the page are. None where the text is too long.
+/// QR code as an SVG: black on white, independent of the theme of the page. `None` if the text is too long.
 fn code(text: &str) -> Option<String> {
-    // The level is raised where that needs no larger code.
+    // The error correction level is raised if the size of the code stays the same.
     let code = QrCode::encode_text(text, QrCodeEcc::Low).ok().filter(|_| text.len() <= LONGEST)?;
     let size = usize::try_from(code.size()).ok()?;
     let mut path = String::new();

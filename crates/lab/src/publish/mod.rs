@@ -1,4 +1,4 @@
-//! Publishing: a dialog with all ways in which a document leaves the laboratory.
+//! Publishing dialog, with all ways to export a document from the laboratory.
 
 mod files;
 mod frame;
@@ -12,11 +12,11 @@ use crate::write;
 use view::views::*;
 use view::{icons, views};
 
-/// The button in the head of the page.
+/// The button in the header of the page.
 pub fn button_of(app: App) -> HtmlButton {
     let words = words::of(app);
     let open = move |_| {
-        // What was typed last is published, too.
+        // Publishes also the text typed last.
         write::flush(app);
         app.publishing.set(true);
         window::open();
@@ -28,7 +28,7 @@ pub fn button_of(app: App) -> HtmlButton {
         .when(events::click, open)
 }
 
-/// The dialog. Its content is there only while it is open.
+/// The dialog. Its content exists only while it is open.
 pub fn dialog(app: App) -> HtmlDialog {
     let words = words::of(app);
     views::dialog(window::ID, "publish-title", words.title, words.close)

@@ -1,4 +1,4 @@
-//! The page that plays the document: the file that `meniscus export` writes, too.
+//! Standalone page that plays the document, identical to the file written by `meniscus export`.
 
 use super::words;
 use crate::app::App;
@@ -22,7 +22,7 @@ enum State {
 }
 
 impl Page {
-    /// Begins to make the page of the open document as it stands in the editor.
+    /// Starts building the page of the open document, with the texts in the editor.
     pub fn prepare(app: App) -> Self {
         let state = create_signal(State::Preparing);
         let words = words::of(app);
@@ -42,7 +42,7 @@ impl Page {
         Self(state)
     }
 
-    /// The section, with a button that saves the page and says how large it is.
+    /// The section, with a button that saves the page and shows its size.
     pub fn view(self, app: App) -> View {
         let words = words::of(app);
         let Self(state) = self;
@@ -63,14 +63,14 @@ impl Page {
     }
 }
 
-/// Why there is no page.
+/// Reason why there is no page.
 enum Refused {
     Faulty,
     TooLarge,
     PlayerMissing,
 }
 
-/// The page of these sources.
+/// Builds the page of these sources.
 async fn made(sources: &[Source]) -> Result<String, Refused> {
     let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
     let (base, translations) = texts.split_first().ok_or(Refused::Faulty)?;
@@ -81,7 +81,7 @@ async fn made(sources: &[Source]) -> Result<String, Refused> {
     page::played(&player, sources, &document.program, gzipped).ok_or(Refused::PlayerMissing)
 }
 
-/// The player without a simulation.
+/// HTML of the player without a simulation.
 async fn player() -> Option<String> {
     let part = carried::part("player")?;
     if let Some(address) =

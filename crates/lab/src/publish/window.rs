@@ -1,9 +1,9 @@
-//! The window of the dialog.
+//! The dialog element.
 
 use view::browser;
 use web_sys::HtmlDialogElement;
 
-/// The id of the dialog.
+/// Id of the dialog.
 pub const ID: &str = "publish";
 
 /// Opens the dialog.

@@ -1,4 +1,4 @@
-//! The words of publishing in every language.
+//! Texts of publishing in every language.
 
 use crate::app::App;
 use view::table_of_words;
@@ -21,7 +21,7 @@ table_of_words! {
     qr_address: "Address for the QR code", "Dirección para el código QR";
     qr_not_made: "This address is too long for a QR code.", "Esta dirección es demasiado larga para un código QR.";
 
-    // The page.
+    // Page.
     page: "Page", "Página";
     page_intro: "One file that plays this simulation in any browser, without a network. Its source is inside: the laboratory opens it again.", "Un solo archivo que reproduce esta simulación en cualquier navegador, sin conexión. Lleva dentro su fuente: el laboratorio lo vuelve a abrir.";
     page_save: "Save as page", "Guardar como página";
@@ -29,7 +29,7 @@ table_of_words! {
     page_too_large: "This document is too large for a page that plays it.", "Este documento es demasiado grande para una página que lo reproduzca.";
     page_missing: "The player could not be loaded. Check the connection, and open this dialog again.", "No se ha podido cargar el reproductor. Comprueba la conexión y vuelve a abrir este diálogo.";
 
-    // The frame.
+    // Frame.
     frame: "Frame in another page", "Marco en otra página";
     frame_intro: "Put the page on a web server, and this code into a page of Moodle, Google Sites or your own.", "Sube la página a un servidor web y pon este código en una página de Moodle, de Google Sites o tuya.";
     frame_address: "Address of the page", "Dirección de la página";
@@ -61,7 +61,7 @@ table_of_words! {
     source_save: "Save as file", "Guardar como archivo";
 }
 
-/// The words in the language of the page, without tracking: whatever shows them is built again for another language.
+/// Texts in the language of the page. Not tracked: views with texts are rebuilt when the language changes.
 pub fn of(app: App) -> &'static Words {
     words_in(app.language.get_untracked())
 }

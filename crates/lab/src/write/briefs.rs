@@ -1,4 +1,4 @@
-//! What was found in a part of the document, beside the fields of that part.
+//! Diagnostics of a part of the document, shown beside its fields.
 
 use super::{draft, typing};
 use crate::app::App;
@@ -8,12 +8,12 @@ use std::rc::Rc;
 use view::browser;
 use view::views::*;
 
-/// Each finding with its remedies, which change the document. `next` is the id of the element that takes the focus when the button of a
-/// remedy is gone.
+/// Diagnostics with buttons for their remedies, which change the document. `next` returns the id of the element that
+/// takes the focus when such a button disappears.
 pub fn view(app: App, found: ReadSignal<Vec<Diagnostic>>, next: impl Fn(&Fix) -> String + 'static) -> View {
     let carry_out: CarryOut = Rc::new(move |_, fix| {
         let checked = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
-        // A text that has changed since is checked first.
+        // If the text has changed since the check, it is checked again first.
         if checked == typing::text(app, 0) {
             let _ = typing::act(app, 0, &checked, |_| Ok(fix.edits.clone()));
         }

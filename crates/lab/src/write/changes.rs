@@ -1,4 +1,4 @@
-//! What a change of the text does in the page: the document is checked and runs, and this visit remembers it.
+//! Effects of a text change on the page: the document is checked and run, and the history entry is updated.
 
 use super::{draft, findings, kept, versions};
 use crate::app::{App, Lab};
@@ -7,7 +7,7 @@ use desk::{Desk, Writing};
 use document::page::Source;
 use play::Subject;
 
-/// Begins to write at the open document, unless that has been done.
+/// Begins editing the open document, unless this has been done.
 pub fn begin(app: App) {
     app.with(|lab| {
         let Lab { desk: Some(desk), sources, .. } = lab else { return };
@@ -17,10 +17,10 @@ pub fn begin(app: App) {
     });
 }
 
-/// Takes a text as it stands in the editor.
+/// Handles a changed text of the editor.
 pub fn written(app: App, file: usize, text: String) {
     let is_current = app.with(|lab| lab.editor_is_current) == Some(true);
-    // Of a document that has been left; or typed and taken back at once.
+    // Ignores texts of a previous document and changes that were undone at once.
     if !is_current || app.read_writing(|writing| writing.texts().get(file) == Some(&text)) {
         return;
     }
@@ -36,8 +36,8 @@ pub fn written(app: App, file: usize, text: String) {
     kept::now(app);
 }
 
-/// Adds a file to the open document, such as a translation, which refers to it by the name that it is saved under. It stays the same
-/// draft: its versions and what can be undone in its other files stay.
+/// Adds a file to the open document, such as a translation, which refers to it by its saved name. The draft, its
+/// versions and the undo history of the other files stay.
 pub fn add(app: App, file: Source) {
     begin(app);
     let was_own = become_own(app);
@@ -68,11 +68,12 @@ pub fn add(app: App, file: Source) {
         replaced_own(app, was_own, runs == Some(true));
     }
     kept::now(app);
-    // What shows the files shows one more.
+    // The views of the files must show the new one.
     app.rebuild();
 }
 
-/// What is about to be changed is one's own document from here on. Whether it was before; one of the library keeps what is saved of it.
+/// Turns the open document into one of the user's own before a change. Returns true if it already was one. Saved data
+/// of a library document stay with it.
 fn become_own(app: App) -> bool {
     let was_own = is_own(app);
     if !was_own {
@@ -82,7 +83,8 @@ fn become_own(app: App) -> bool {
     was_own
 }
 
-/// The desk has taken a change of one's own document. One that was of the library is a new step of the visit once it runs.
+/// Updates the page after the desk has accepted a change. A library document becomes a new history entry once its
+/// changed text runs.
 fn replaced_own(app: App, was_own: bool, runs: bool) {
     if runs {
         if !was_own {
@@ -93,13 +95,13 @@ fn replaced_own(app: App, was_own: bool, runs: bool) {
     checked(app);
 }
 
-/// Shows what was found in the texts.
+/// Shows the diagnostics of the texts.
 fn checked(app: App) {
     app.written.update(|count| *count += 1);
     findings::mark(app);
 }
 
-/// Takes other texts for all files, as if they had been typed: each can be undone in the editor.
+/// Replaces all texts as if they had been typed: each can be undone in the editor.
 pub fn take(app: App, texts: &[String]) {
     let editor = app.with(|lab| lab.editor.clone()).flatten();
     for (file, text) in texts.iter().enumerate() {
@@ -110,22 +112,22 @@ pub fn take(app: App, texts: &[String]) {
     }
 }
 
-/// Makes the text as it stands a version, and goes back to other texts.
+/// Stores the present texts as a version and replaces them.
 pub fn go_back(app: App, texts: &[String]) {
     draft::flush(app);
     versions::make(app);
     take(app, texts);
 }
 
-/// Goes back to the version of this name, if the open document still has it.
+/// Restores the version with this name, if it belongs to the open document.
 pub fn restore(app: App, version: &str) {
     if let Some(texts) = versions::texts(app, version) {
         go_back(app, &texts);
     }
 }
 
-/// Takes the texts of the files that this page is served from, which have changed: the run goes on with them. `before` are the files as
-/// they were. What was typed here since becomes a version; its name.
+/// Takes over changed files of a served page; the run continues with them. `before` are the previous files. Text typed
+/// here since becomes a version; returns its name.
 pub fn follow_file(app: App, before: &[Source], texts: &[String]) -> Option<String> {
     begin(app);
     draft::flush(app);
@@ -153,7 +155,7 @@ pub fn follow_file(app: App, before: &[Source], texts: &[String]) -> Option<Stri
     version.flatten()
 }
 
-/// Has the desk take a change of the texts, and of the files that they belong to. Whether its text runs now.
+/// Applies a change to the texts of the desk and to their files. Returns true if the text runs now.
 fn replaced(lab: &mut Lab, change: impl FnOnce(&mut Desk, &mut Vec<Source>) -> bool) -> bool {
     let before = saved::key(lab);
     let Lab { desk: Some(desk), sources, findings, .. } = lab else { return false };
@@ -168,7 +170,7 @@ fn replaced(lab: &mut Lab, change: impl FnOnce(&mut Desk, &mut Vec<Source>) -> b
     runs
 }
 
-/// Whether the open document is neither the page's nor of its library.
+/// True if the open document is neither the page's own nor one of the library.
 fn is_own(app: App) -> bool {
     matches!(library::subject(&visited::sources(app)), Subject::File(_))
 }

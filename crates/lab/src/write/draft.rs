@@ -1,10 +1,10 @@
-//! What has been typed and does not run, or has not been checked yet, when a document is opened or left.
+//! Drafts: typed text that does not run or has not been checked yet when a document is opened or left.
 
 use crate::app::{App, Lab};
 use crate::tabs;
 use crate::visited::Visited;
 
-/// Takes up what was being written of the open document and did not run yet.
+/// Restores the draft of the open document from a history entry.
 pub fn resume(app: App, visited: Option<Visited>) {
     let resumed = app.with(|lab| {
         let Lab { desk: Some(desk), sources, .. } = lab else { return false };
@@ -20,7 +20,7 @@ pub fn resume(app: App, visited: Option<Visited>) {
     }
 }
 
-/// Has what was typed last checked now.
+/// Checks the text typed last immediately.
 pub fn flush(app: App) {
     if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
         editor.flush();

@@ -1,5 +1,5 @@
-//! The editor: CodeMirror, which the page carries as a deflated script (`crates/lab/editor`) and starts when it is first needed. In
-//! a site the script is a file of its own. Places in a text are counted in UTF-16, as browsers do.
+//! The editor: CodeMirror, contained in the page as a deflated script (`crates/lab/editor`) and started on first use.
+//! In a site the script is a separate file. Places in a text are counted in UTF-16 units, as in browsers.
 
 use crate::carried;
 use desk::document::assist::{Suggestion, SuggestionKind};
@@ -11,16 +11,17 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::Element;
 
-/// What the script calls itself.
+/// Global name of the function that creates the editor.
 const MAKER: &str = "meniscusEditor";
 
-/// The editor, as long as the page is open. A call of a method that fails is ignored: the script is the page's own.
+/// The editor, as long as the page is open. Failing method calls are ignored, because the script belongs to the page.
 #[derive(Clone)]
 pub struct Editor(JsValue);
 
 impl Editor {
-    /// Starts the editor. `changed` is called with the number of a text and the text when its writer rests, `propose` with the text
-    /// shown and a place in it, `moved` with them when the cursor has come to rest.
+    /// Starts the editor. `changed` is called with file index and text after a pause in typing, `propose` with the text
+    /// shown and a place in it, `moved` likewise when the cursor has come to rest. `None` if the script cannot be
+    /// loaded.
     pub async fn start(
         mut changed: impl FnMut(usize, String) + 'static,
         propose: impl Fn(String, usize) -> (Proposals, Language) + 'static,
@@ -35,7 +36,7 @@ impl Editor {
         });
         let moved = Closure::<dyn FnMut(String, f64)>::new(move |text, place: f64| moved(text, place as usize));
         let editor = maker.call3(&JsValue::UNDEFINED, changed.as_ref(), propose.as_ref(), moved.as_ref()).ok()?;
-        // They are called as long as the page is open.
+        // The callbacks are needed as long as the page is open.
         changed.forget();
         propose.forget();
         moved.forget();
@@ -48,7 +49,7 @@ impl Editor {
         answer.unwrap_or_default()
     }
 
-    /// Puts the editor into an element.
+    /// Inserts the editor into an element.
     pub fn mount(&self, place: &Element) {
         let dom = Reflect::get(&self.0, &"dom".into()).ok().and_then(|dom| dom.dyn_into::<Element>().ok());
         if let Some(dom) = dom {
@@ -56,27 +57,27 @@ impl Editor {
         }
     }
 
-    /// Opens other texts and shows the first.
+    /// Opens other texts and shows the first one.
     pub fn open(&self, texts: &[String]) {
         self.call("open", &[texts.iter().map(JsValue::from).collect::<Array>().into()]);
     }
 
-    /// Opens one more text beside the others, which keep what can be undone in them.
+    /// Opens another text beside the others, whose undo history stays.
     pub fn add(&self, text: &str) {
         self.call("add", &[text.into()]);
     }
 
-    /// Shows another text.
+    /// Shows the text with this index.
     pub fn select(&self, file: usize) {
         self.call("select", &[(file as f64).into()]);
     }
 
-    /// Names the text for screen readers, and chooses the language of the editor's own words.
+    /// Sets the accessible name of the text and the language of the editor's own texts.
     pub fn speak(&self, label: &str, language: Language) {
         self.call("speak", &[label.into(), language.tag().into()]);
     }
 
-    /// Marks what was found in the text shown.
+    /// Marks the diagnostics in the text shown.
     pub fn mark(&self, marks: &[Mark], language: Language) {
         let mark = |mark: &Mark| {
             let severity = if mark.severity == Severity::Error { "error" } else { "warning" };
@@ -92,38 +93,38 @@ impl Editor {
         self.call("mark", &[marks.iter().map(mark).collect::<Array>().into()]);
     }
 
-    /// Changes the text shown, unless it has changed since it was checked.
+    /// Changes the text shown, unless it has changed since the check.
     pub fn change(&self, changes: &[TextChange]) {
         self.call("change", &[described(changes)]);
     }
 
-    /// A text as it stands, also where it has not been checked.
+    /// Present text of a file, even if not checked yet.
     pub fn text(&self, file: usize) -> String {
         self.call("text", &[(file as f64).into()]).as_string().unwrap_or_default()
     }
 
-    /// Changes a text that need not be the one shown; the focus stays where it is. What is typed joins with what was typed just before
-    /// into one step of the history; anything else is a step of its own.
+    /// Changes a text, shown or not, without moving the focus. With `is_typed`, consecutive changes form one undo step;
+    /// any other change is a step of its own.
     pub fn edit(&self, file: usize, changes: &[TextChange], is_typed: bool) {
         self.call("edit", &[(file as f64).into(), described(changes), is_typed.into()]);
     }
 
-    /// Takes back the last change of a text, or makes again what was taken back, and has the text checked.
+    /// Undoes the last change of a text or, with `forwards`, redoes it, and checks the text.
     pub fn undo(&self, file: usize, forwards: bool) {
         self.call("undo", &[(file as f64).into(), forwards.into()]);
     }
 
-    /// Measures the text again, which was out of sight.
+    /// Updates the layout after the editor was hidden.
     pub fn measure(&self) {
         self.call("measure", &[]);
     }
 
-    /// Takes another text for a file, as a step that can be undone. It is not told as a change of the writer's.
+    /// Replaces the text of a file as one undo step, without calling `changed`.
     pub fn take(&self, file: usize, text: &str) {
         self.call("take", &[(file as f64).into(), text.into()]);
     }
 
-    /// Goes to a place in the text shown.
+    /// Moves the cursor to a place in the text shown, in UTF-16 units.
     pub fn go(&self, place: usize) {
         self.call("go", &[(place as f64).into(), (place as f64).into()]);
     }
@@ -133,13 +134,13 @@ impl Editor {
         self.call("focus", &[]);
     }
 
-    /// Has a change checked now that is waiting for its writer to rest.
+    /// Checks a pending change immediately.
     pub fn flush(&self) {
         self.call("flush", &[]);
     }
 }
 
-/// Changes as the editor takes them: `[{ from, to, insert }]`.
+/// Changes in the format of the editor: `[{ from, to, insert }]`.
 fn described(changes: &[TextChange]) -> JsValue {
     let change = |change: &TextChange| {
         object([
@@ -151,7 +152,7 @@ fn described(changes: &[TextChange]) -> JsValue {
     changes.iter().map(change).collect::<Array>().into()
 }
 
-/// Proposals as the editor takes them: `{ from, options: [{ label, type, detail }] }`.
+/// Proposals in the format of the editor: `{ from, options: [{ label, type, detail }] }`.
 fn proposed(proposals: &Proposals, language: Language) -> JsValue {
     let option = |suggestion: &Suggestion| {
         let kind = match suggestion.kind {
@@ -171,7 +172,7 @@ fn proposed(proposals: &Proposals, language: Language) -> JsValue {
     object([("from", (proposals.from as f64).into()), ("options", options.into())])
 }
 
-/// An object with these fields.
+/// JavaScript object with these fields.
 fn object<const COUNT: usize>(fields: [(&str, JsValue); COUNT]) -> JsValue {
     let object = Object::new();
     for (name, value) in fields {
@@ -180,7 +181,7 @@ fn object<const COUNT: usize>(fields: [(&str, JsValue); COUNT]) -> JsValue {
     object.into()
 }
 
-/// Loads the script, unless it is there already.
+/// Loads the script, unless it has been loaded.
 async fn load() -> Option<()> {
     if Reflect::has(&js_sys::global(), &MAKER.into()).ok()? {
         return Some(());

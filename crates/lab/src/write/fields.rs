@@ -1,48 +1,48 @@
-//! Fields of forms that stand for a piece of the text: they show it as it is there, and what is typed goes into the text.
+//! Form fields that represent a part of the text: they show it unchanged, and typed text is written back.
 
 use super::typing;
 use crate::app::App;
 use view::views::*;
 use web_sys::{HtmlInputElement, KeyboardEvent};
 
-/// Writes what was typed into the text, or says why not.
+/// Writes typed text into the document, or returns the reason for refusing it.
 pub type Write = Box<dyn Fn(&str) -> Result<(), String>>;
 
-/// A piece of the text in a field.
+/// A part of the text, in a field.
 pub struct Piece {
-    /// The id of the field.
+    /// Id of the field.
     pub id: String,
-    /// What it is called, for those who do not see what stands around it.
+    /// Accessible name.
     pub name: String,
-    /// The piece as it stands in the text.
+    /// Present text of the part.
     pub text: ReadSignal<String>,
-    /// Why the last change was refused.
+    /// Reason why the last change was refused.
     pub refusal: Signal<Option<String>>,
-    /// Writes what was typed into the text.
+    /// Writes typed text into the document.
     pub write: Write,
 }
 
 impl Piece {
-    /// A field in one line.
+    /// A field of a single line.
     pub fn line(self, app: App) -> HtmlInput {
         let mut field = input().r#type("text").class("cell").autocomplete("off");
         let node: HtmlInputElement = field.node();
         self.connected(app, node, field)
     }
 
-    /// A field of as many lines as the text has.
+    /// A field with as many lines as the text.
     pub fn lines(self, app: App) -> HtmlTextarea {
         self.area(app, "cell lines")
     }
 
-    /// The same for words.
+    /// A field for prose, with as many lines as the text.
     pub fn prose(self, app: App) -> HtmlTextarea {
         self.area(app, "cell prose-cell")
     }
 
     fn area(self, app: App, class: &'static str) -> HtmlTextarea {
         let mut field = textarea().class(class);
-        // Its methods are those of an input of one line, as far as they are needed here.
+        // The methods used here are the same as for a single-line input.
         let node: HtmlInputElement = field.node();
         let text = self.text;
         let rows = move || text.with(|text| text.lines().count().max(1).to_string());
@@ -63,24 +63,24 @@ impl Piece {
     }
 }
 
-/// A quantity in a list to choose from: its name, and its label if it has one.
+/// Text of a quantity in a list: its name, and its label if it has one.
 pub fn named(name: &str, label: Option<String>) -> String {
     label.map_or_else(|| name.to_owned(), |label| format!("{name}: {label}"))
 }
 
-/// A field of this id under its name, in a form for something new.
+/// A labelled line, in a form for something new.
 pub fn new_line(id: &'static str, name: &'static str, field: View) -> HtmlDiv {
     div().class("new-line").child(label().r#for(id).child(name)).child(field)
 }
 
-/// Says why a change was refused, unless the change has built the views again that say it.
+/// Shows the reason for refusing a change, unless the change has rebuilt the views.
 pub fn refuse(refusal: Signal<Option<String>>, why: Option<String>) {
     if refusal.is_alive() {
         refusal.set(why);
     }
 }
 
-/// Shows the text in the field whenever it differs by more than blanks from what is typed there.
+/// Updates the field whenever the text differs from the typed text by more than surrounding blanks.
 pub fn follow(node: HtmlInputElement, text: ReadSignal<String>) {
     effect(move || {
         text.with(|text| {
@@ -91,7 +91,8 @@ pub fn follow(node: HtmlInputElement, text: ReadSignal<String>) {
     });
 }
 
-/// Control with Z takes back the last change of the document, unless something is typed that is not in it.
+/// Ctrl+Z and Ctrl+Y undo and redo the last change of the document, unless the field contains text that has not been
+/// written to it.
 pub fn take_back(app: App, text: ReadSignal<String>, event: &KeyboardEvent) {
     let key = event.key().to_lowercase();
     if !(event.ctrl_key() || event.meta_key()) || !matches!(key.as_str(), "z" | "y") {

@@ -1,4 +1,4 @@
-//! What is wrong with the text: marked in it, counted in a line, and listed with reasons and remedies.
+//! Diagnostics of the texts: marked in the editor, counted in a line, and listed with reasons and remedies.
 
 use super::{Editor, Panel, panels};
 use crate::app::App;
@@ -10,7 +10,7 @@ use std::rc::Rc;
 use view::browser;
 use view::views::*;
 
-/// Marks what was found in the text shown.
+/// Marks the diagnostics in the text shown.
 pub fn mark(app: App) {
     let file = app.written_file.get_untracked();
     let marks = app.read_writing(|writing| writing.marks(file));
@@ -19,7 +19,7 @@ pub fn mark(app: App) {
     }
 }
 
-/// How many errors and remarks there are, and whether the text runs.
+/// Number of errors and remarks, and whether the text runs.
 pub fn summary(app: App) -> String {
     let words = app.words();
     let (errors, all, runs) = app.read_writing(|writing| (writing.errors(), writing.findings().len(), writing.runs()));
@@ -43,7 +43,7 @@ pub fn summary(app: App) -> String {
     if found.is_empty() { state.to_owned() } else { format!("{}. {state}", found.join(", ")) }
 }
 
-/// Whether the text runs, for those who see it and those who hear it.
+/// Status of the text, visible and for screen readers.
 pub fn status(app: App) -> HtmlP {
     let errors = move || {
         app.written.track();
@@ -57,7 +57,7 @@ pub fn status(app: App) -> HtmlP {
     p().class(class).role("status").id("writing-status").child(text(sentence))
 }
 
-/// Leads to the errors from wherever they are not in sight; hidden while there are none.
+/// Button that leads to the list of errors from elsewhere; hidden while there are none.
 pub fn lead(app: App) -> HtmlButton {
     let words = app.words();
     let errors = memo(move || {
@@ -76,10 +76,10 @@ pub fn lead(app: App) -> HtmlButton {
         .child(text(title))
 }
 
-/// The id of the list of findings.
+/// Id of the list of diagnostics.
 pub const FINDINGS: &str = "writing-findings";
 
-/// The findings, but for those that stand beside their statement. Each place leads to it in the text.
+/// List of diagnostics, except those shown beside their statement. Each place is a link to the text.
 pub fn view(app: App) -> View {
     changing(move || {
         app.written.track();
@@ -109,7 +109,7 @@ pub fn go_to(app: App, file: usize, place: usize) {
     editor.go(place);
 }
 
-/// Changes a text as a remedy says.
+/// Applies a remedy to a text.
 fn carry_out(app: App, file: usize, fix: &Fix) {
     let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
     let changes = app.read_writing(|writing| writing.changes(file, fix));

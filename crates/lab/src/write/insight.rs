@@ -1,5 +1,5 @@
-//! What is under the cursor: what the word means, what kind of quantity it is, and the statement as a textbook prints it. It stands
-//! below the text and is not announced.
+//! Help for the word under the cursor: its meaning, the kind of quantity, and the typeset statement. It stands below
+//! the text and is not announced.
 
 use super::{Panel, typing};
 use crate::app::App;
@@ -9,10 +9,10 @@ use view::views::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
-/// How long a writer of a form rests before the place is explained, in milliseconds; the editor has the same.
+/// Delay after the last cursor move in a form, in milliseconds; the same as in the editor.
 const REST: i32 = 150;
 
-/// Looks at a place of a text, in units of UTF-16.
+/// Updates the help for a place of a text, in UTF-16 units.
 pub fn look(app: App, text: &str, place: usize) {
     let found = app.with(|lab| {
         let program = lab.desk.as_ref().map(|desk| desk.play().program());
@@ -24,7 +24,7 @@ pub fn look(app: App, text: &str, place: usize) {
     }
 }
 
-/// Looks at a place of a cell, in units of UTF-16 from its beginning, once its writer rests.
+/// Updates the help for a place of a cell, in UTF-16 units from its start, after the delay.
 pub fn look_at_cell(app: App, number: usize, kind: CellKind, place: usize) {
     let turn = app.resting.get_untracked() + 1;
     app.resting.set(turn);
@@ -43,7 +43,7 @@ pub fn look_at_cell(app: App, number: usize, kind: CellKind, place: usize) {
     let _ = window().set_timeout_with_callback_and_timeout_and_arguments_0(act.unchecked_ref(), REST);
 }
 
-/// The line.
+/// The line with the help.
 pub fn view(app: App) -> HtmlDiv {
     let line = move || {
         let Insight { word, typeset } = app.insight.get_clone();

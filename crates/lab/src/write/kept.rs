@@ -1,5 +1,5 @@
-//! What was written stays in the browser, also when the tab is closed: a limited number of documents, each under the time at which it was begun.
-//! Two open pages write different documents under different names.
+//! Stores written documents in the browser, also after the tab is closed: a limited number of documents, each under the
+//! time at which it was begun. Two open pages store different documents under different names.
 
 use super::versions;
 use crate::app::App;
@@ -11,27 +11,28 @@ use play::Subject;
 use view::browser;
 
 const PREFIX: &str = "written:";
-/// What stands before the name of a document where the time of its last change is kept, in milliseconds.
+/// Prefix of the key for the time of the last change, in milliseconds.
 const CHANGED: &str = "changed:";
-/// More of them are not kept: a person decides which one goes.
+/// Maximum number of documents. Beyond it nothing is deleted automatically; the user decides.
 const MOST: usize = 50;
 
-/// A document that was written.
+/// A written document.
 pub struct Document {
-    /// Its name in the storage.
+    /// Name in the storage.
     pub name: String,
-    /// When it was changed last, in milliseconds.
+    /// Time of the last change, in milliseconds.
     pub changed: u64,
-    /// What it is called.
+    /// Title.
     pub title: String,
-    /// Its texts.
+    /// Texts.
     pub kept: Visited,
 }
 
-/// What was removed from the storage, to be put back.
+/// Entries removed from the storage, for restoring them.
 pub struct Removed(Vec<(String, String)>);
 
-/// Finds the name for what is about to be written: that of the document as it is, if it was written before.
+/// Determines the storage name of the document about to be changed: that of an identical stored document, otherwise a
+/// new one.
 pub fn begin(app: App) {
     if app.with(|lab| lab.written_as.is_some()) == Some(true) {
         return;
@@ -41,12 +42,12 @@ pub fn begin(app: App) {
     let name = known.map_or_else(new_name, |(name, _)| name);
     app.with(|lab| {
         lab.written_as = Some(Kept { name, text });
-        // What is saved from now on has the name of this document; what is saved of the file or of the library stays there.
+        // From now on, data are saved under the name of this document; data of the file or of the library stay.
         saved::begin_other(lab);
     });
 }
 
-/// The document of the storage that is opened here, if it is one.
+/// Stored document that equals an opened one, if any.
 pub fn find(opened: &Visited) -> Option<Kept> {
     if !matches!(library::subject(&opened.sources), Subject::File(_)) {
         return None;
@@ -56,7 +57,7 @@ pub fn find(opened: &Visited) -> Option<Kept> {
     Some(Kept { name, text })
 }
 
-/// A name that no document has. Names have the same length for centuries, so that they stand in the order of time.
+/// An unused name. Names are times of equal length (for centuries), so that they sort by time.
 fn new_name() -> String {
     let mut time = js_sys::Date::now() as u64;
     while browser::remembered(&format!("{PREFIX}{time}")).is_some() {
@@ -65,20 +66,20 @@ fn new_name() -> String {
     format!("{PREFIX}{time}")
 }
 
-/// Keeps what was written: in the step of the history and in the storage.
+/// Stores the written text in the history entry and in the storage.
 pub fn now(app: App) {
     let description = visited::describe(app);
     visited::note_described(&description);
     keep(app, description);
 }
 
-/// Keeps the document as it stands in the editor, by its description. Where another page has changed it in the storage meanwhile, that stays, and this
-/// one is kept beside it.
+/// Stores the document, given by its description. If another page has changed the stored document meanwhile, that one
+/// stays and this one is stored under a new name.
 fn keep(app: App, text: String) {
     let Some(Kept { name, text: before }) = app.with(|lab| lab.written_as.clone()).flatten() else { return };
     let is_changed = browser::remembered(&name).is_some_and(|stored| stored != before);
     let name = if is_changed { new_name() } else { name };
-    // At each change of a text: the texts of the others are not read.
+    // Called at each change of a text, so the texts of the others are not read.
     let mut others = browser::remembered_keys(PREFIX);
     others.retain(|other| *other != name);
     if others.len() >= MOST && browser::remembered(&name).is_none() {
@@ -101,13 +102,15 @@ fn changed_key(name: &str) -> String {
     format!("{CHANGED}{name}")
 }
 
-/// When a document was changed last; of one that an earlier version of the page has kept, when it was begun.
+/// Time of the last change of a document, in milliseconds; for documents stored by an earlier version of the page, the
+/// time at which it was begun.
 fn changed(name: &str) -> u64 {
     let known = browser::remembered(&changed_key(name)).and_then(|time| time.parse().ok());
     known.or_else(|| name.strip_prefix(PREFIX)?.parse().ok()).unwrap_or(0)
 }
 
-/// What was written, with titles in a language, what was changed last first. A text that was changed back into that of the library is not among it.
+/// Stored documents with titles in a language, the last changed first. Excludes texts that were changed back to those
+/// of the library.
 pub fn documents(language: &str) -> Vec<Document> {
     let read = |(name, text): (String, String)| {
         let kept = visited::read(&text)
@@ -131,7 +134,7 @@ pub fn remove(name: &str) -> Removed {
     Removed(removed)
 }
 
-/// Puts back what was removed. Whether the browser has taken it.
+/// Restores removed entries. Returns true if the browser has accepted them.
 pub fn put_back(removed: &Removed) -> bool {
     removed.0.iter().all(|(key, text)| browser::remember(key, text))
 }

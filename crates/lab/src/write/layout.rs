@@ -1,11 +1,11 @@
-//! The one layout of documents, by a button.
+//! Button that formats the document in the standard layout.
 
 use super::draft::flush;
 use super::{Panel, typing};
 use crate::app::App;
 use view::views::*;
 
-/// The button, where the text is shown.
+/// The button, visible while the text is shown.
 pub fn view(app: App) -> HtmlButton {
     let words = app.words();
     button()
@@ -17,7 +17,7 @@ pub fn view(app: App) -> HtmlButton {
         .child(words.format_writing)
 }
 
-/// Gives the file that is shown its layout, which can be undone.
+/// Formats the file shown; can be undone.
 fn format(app: App) {
     flush(app);
     let (file, words) = (app.written_file.get_untracked(), app.words());

@@ -1,4 +1,4 @@
-//! The tab *Write*: the texts of the open document in an editor, what is wrong with them, and new documents.
+//! The tab *Write*: the texts of the open document in an editor, their diagnostics, and new documents.
 
 mod briefs;
 mod changes;
@@ -35,7 +35,7 @@ use ::view::views::*;
 use units::Language;
 use web_sys::Element;
 
-/// The tab.
+/// Content of the tab.
 pub fn view(app: App) -> View {
     changes::begin(app);
     let mut place = div().class("editor-place");
@@ -44,7 +44,7 @@ pub fn view(app: App) -> View {
     let wait = move || if waiting.get() { note(app.words().editor_waiting).into() } else { View::new() };
     wasm_bindgen_futures::spawn_local(async move {
         let shown = show(app, &node).await;
-        // Another language may have built the tab again meanwhile.
+        // The tab may have been rebuilt in another language meanwhile.
         if waiting.is_alive() {
             waiting.set(false);
         }
@@ -82,12 +82,12 @@ pub fn view(app: App) -> View {
         .into()
 }
 
-/// The number of the text in a language; the document's own where there is none.
+/// Index of the text in a language; 0, the document itself, if there is none.
 fn in_language(texts: &[String], language: Language) -> usize {
     texts.iter().position(|text| document::card(text).language == language.tag()).unwrap_or(0)
 }
 
-/// Puts the editor into its place; starts it if it is needed for the first time.
+/// Inserts the editor into its place; starts it on first use.
 async fn show(app: App, place: &Element) -> Option<()> {
     let started = app.with(|lab| lab.editor.clone()).flatten();
     let editor = match started {

@@ -1,26 +1,26 @@
-//! The forms in which a document is written.
+//! Forms for editing a document.
 
-/// In which form the document is written.
+/// Form for editing a document.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Panel {
-    /// Its text.
+    /// Text.
     #[default]
     Text,
-    /// Forms of its model.
+    /// Forms of the model.
     Model,
-    /// Forms of what its readers see: drawing, plots, values and controls.
+    /// Forms of the views: drawing, plots, values and controls.
     View,
-    /// Its questions with their answers.
+    /// Questions with their answers.
     Questions,
-    /// Its texts beside those of a translation.
+    /// Texts beside those of a translation.
     Translation,
 }
 
 impl Panel {
-    /// All of them in the order of the tabs.
+    /// All panels in the order of the tabs.
     pub const ALL: [Self; 5] = [Self::Text, Self::Model, Self::View, Self::Questions, Self::Translation];
 
-    /// The name in ids.
+    /// Name in ids.
     pub fn id(self) -> &'static str {
         match self {
             Self::Text => "text",

@@ -1,4 +1,5 @@
-//! The row of tabs inside *Write*: one document, shown as text, as forms of its model and of its view, as its questions, beside its translation.
+//! Tabs inside *Write*: the document as text, as forms of its model and its views, as questions, and beside its
+//! translation.
 
 use super::panel::Panel;
 use crate::app::App;
@@ -28,7 +29,7 @@ pub fn tabs(app: App) -> HtmlDiv {
         .each(Panel::ALL, tab)
 }
 
-/// The place of what a tab shows.
+/// Container of the content of a tab.
 pub fn body(app: App, panel: Panel) -> HtmlDiv {
     div()
         .class("writing-panel")
@@ -38,13 +39,13 @@ pub fn body(app: App, panel: Panel) -> HtmlDiv {
         .hidden(move || app.writing_panel.get() != panel)
 }
 
-/// Behind a long form: the way back to its tab.
+/// Link back to the tab, after a long form.
 pub fn way_back(app: App, panel: Panel) -> HtmlButton {
     let back = move |_| browser::focus(&format!("writing-tab-{}", panel.id()));
     button().class("quiet way-back").when(events::click, back).child(app.words().writing_way_back)
 }
 
-/// Shows the document in another form; what was typed last is checked before.
+/// Opens a tab, after checking the text typed last.
 pub fn show(app: App, panel: Panel) {
     super::flush(app);
     app.writing_panel.set(panel);
@@ -55,7 +56,7 @@ pub fn show(app: App, panel: Panel) {
     }
 }
 
-/// Arrow keys go from tab to tab, around the ends.
+/// Arrow keys switch between tabs, cyclically.
 fn turn(app: App, event: &KeyboardEvent) {
     let count = Panel::ALL.len();
     let now = Panel::ALL.iter().position(|panel| *panel == app.writing_panel.get_untracked()).unwrap_or(0);
@@ -73,7 +74,7 @@ fn turn(app: App, event: &KeyboardEvent) {
     }
 }
 
-/// What a tab is called.
+/// Title of a tab.
 fn title(app: App, panel: Panel) -> &'static str {
     let words = app.words();
     match panel {

@@ -1,10 +1,10 @@
-//! Times of changes.
+//! Formatting of the times of changes.
 
 use crate::app::App;
 use js_sys::{Date, Object, Reflect};
 use wasm_bindgen::JsValue;
 
-/// Day and time, as they are written in the language of the page. `time` is in milliseconds.
+/// Date and time in the format of the page's language. `time` is in milliseconds.
 pub fn time_text(app: App, time: u64) -> String {
     let options = Object::new();
     for (name, value) in [("dateStyle", "medium"), ("timeStyle", "medium")] {

@@ -1,13 +1,13 @@
-//! A row of buttons that is one stop of the Tab key: arrow keys go from button to button, as in the pattern of WAI-ARIA.
+//! A toolbar with a single tab stop: arrow keys move between its buttons, following the WAI-ARIA pattern.
 
 use view::browser;
 use view::views::*;
 use web_sys::KeyboardEvent;
 
-/// Buttons with their ids.
+/// Toolbar of buttons with their ids.
 pub fn view<const N: usize>(name: &'static str, buttons: [(&'static str, HtmlButton); N]) -> HtmlDiv {
     let ids = buttons.each_ref().map(|(id, _)| *id);
-    // The one that Tab leads to: the first, or the one that had the focus last.
+    // Index of the tab stop: the first button, or the one that had the focus last.
     let stop = create_signal(0);
     let turn = move |event: KeyboardEvent| {
         let now = ids.iter().position(|id| *id == browser::focused()).unwrap_or(0);

@@ -1,4 +1,4 @@
-//! What stands above the editor: which file is shown, new documents, saving.
+//! Tools above the editor: choice of the file, new documents, saving.
 
 use super::draft::flush;
 use super::unfolded::Unfolded;
@@ -46,7 +46,7 @@ pub fn view(app: App) -> HtmlDiv {
     };
     let (versions, version_list) = version_list::view(app, unfolded);
     let templates = div().class("templates").id("templates").hidden(move || !choosing());
-    // Escape folds up what is unfolded; the focus goes back to where it was opened.
+    // Escape closes the open section; the focus returns to its button.
     let fold = move |event: KeyboardEvent| {
         if let Some(open) = unfolded.get_untracked().filter(|_| event.key() == "Escape") {
             event.prevent_default();
@@ -67,8 +67,8 @@ pub fn view(app: App) -> HtmlDiv {
         .child(version_list)
 }
 
-/// A press on a button leaves the focus in the text. On a phone the page is another without it, and the button would be elsewhere
-/// before the finger is lifted.
+/// Keeps the focus in the text when a button is pressed. On a phone, losing the focus changes the layout, and the
+/// button would move before the finger is lifted.
 pub fn keep_focus(event: &MouseEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     if target.is_some_and(|target| target.closest("button").ok().flatten().is_some()) {
@@ -76,7 +76,7 @@ pub fn keep_focus(event: &MouseEvent) {
     }
 }
 
-/// Which file is shown, where there are several.
+/// Choice of the file shown; `None` if there is only one.
 fn file_choice(app: App) -> Option<HtmlSelect> {
     let names: Vec<String> = visited::sources(app).into_iter().map(|source| source.name).collect();
     if names.len() < 2 {
@@ -97,7 +97,7 @@ fn file_choice(app: App) -> Option<HtmlSelect> {
     Some(select.each(names.into_iter().enumerate(), option))
 }
 
-/// Opens a template as a document of one's own.
+/// Opens a template as a document of the user's own.
 fn begin_with(app: App, template: Template) {
     let text = template.text(app.language.get_untracked()).to_owned();
     flush(app);
@@ -105,7 +105,7 @@ fn begin_with(app: App, template: Template) {
     opening::open_sources(app, vec![Source { name: format!("{}.md", template.name), text }]);
 }
 
-/// Saves the file that is shown, as it stands in the editor.
+/// Saves the file shown, with its text in the editor.
 fn save(app: App) {
     flush(app);
     if let Some(file) = visited::files(app).get(app.written_file.get_untracked()) {

@@ -1,4 +1,4 @@
-//! The texts of the document beside those of a translation.
+//! Texts of the document beside those of a translation.
 
 use super::{changes, typing};
 use crate::app::App;
@@ -11,7 +11,7 @@ use view::views::*;
 use wasm_bindgen::JsCast;
 use web_sys::HtmlTextAreaElement;
 
-/// The panel: the texts side by side, or a way to begin a translation.
+/// The panel: texts side by side, or a form to begin a translation.
 pub fn view(app: App) -> View {
     let names: Vec<String> = visited::sources(app).into_iter().map(|source| source.name).skip(1).collect();
     let begin = begin_form(app);
@@ -60,7 +60,7 @@ fn sides(app: App, file: usize, only_missing: Signal<bool>) -> View {
         number => format!("{number} {}", words.translation_missing),
     };
     let ticked = tick("only-missing".to_owned(), only_missing.get_untracked(), move |on| only_missing.set(on));
-    // What is shown stays while it is typed, also when it is not missing any more.
+    // Rows stay while they are being typed, even if they are no longer missing.
     let keys = memo(move || {
         let only = only_missing.get();
         let keys = |all: &Vec<Pair>| -> Vec<(TextKey, String)> {
@@ -125,7 +125,7 @@ fn row(app: App, file: usize, all: ReadSignal<Vec<Pair>>, number: usize, key: Te
         .child(refusal_of(refusal))
 }
 
-/// What a text is, in a word.
+/// Description of a text in a word.
 fn title(app: App, key: &TextKey) -> String {
     let words = app.words();
     let question = |number: &usize, part: &str| format!("{} {}: {part}", words.question, number + 1);
@@ -141,7 +141,7 @@ fn title(app: App, key: &TextKey) -> String {
     }
 }
 
-/// Begins a translation: its language, and a button.
+/// Form for a new translation: its language, and a button.
 fn begin_form(app: App) -> HtmlDiv {
     let words = app.words();
     let matter = document::read(&typing::text(app, 0)).front_matter().clone();
@@ -179,11 +179,11 @@ fn begin(app: App, language: &str) {
         return app.complain(app.words().translation_exists.to_owned());
     }
     changes::add(app, Source { name, text });
-    // The button is gone with the other views.
+    // The button was removed with the other views.
     browser::focus_later(id_of(0));
 }
 
-/// The id of the field of a text.
+/// Id of the field of a text.
 fn id_of(number: usize) -> String {
     format!("translation-{number}")
 }

@@ -1,4 +1,5 @@
-//! Changes of the texts from outside the editor. They go through it, so that its history can take them back.
+//! Changes of the texts from outside the editor. They pass through the editor, so that they are part of its undo
+//! history.
 
 use crate::app::App;
 use desk::text_changes;
@@ -8,7 +9,7 @@ use model::Edit;
 use view::icons;
 use view::views::*;
 
-/// A file as it stands in the editor, also where its last change has not been checked.
+/// Present text of a file in the editor, even if its last change has not been checked.
 pub fn text(app: App, file: usize) -> String {
     let editor = app.with(|lab| lab.editor.clone().filter(|_| lab.editor_is_current)).flatten();
     match editor {
@@ -17,10 +18,11 @@ pub fn text(app: App, file: usize) -> String {
     }
 }
 
-/// Changes a file as its writer types into a field. What was changed, or why nothing was.
+/// Changes a file as by typing into a field. Returns the edits made.
 ///
 /// # Errors
-/// Those of `edit`, in the language of the page.
+///
+/// The error of `edit`, in the language of the page.
 pub fn change<'a>(
     app: App,
     file: usize,
@@ -30,10 +32,11 @@ pub fn change<'a>(
     edited(app, (file, text), true, edit)
 }
 
-/// Changes a file by one act, such as a button's, which is taken back as one. What was changed, or why nothing was.
+/// Changes a file by a single action, such as a button, as one undo step. Returns the edits made.
 ///
 /// # Errors
-/// Those of `edit`, in the language of the page.
+///
+/// The error of `edit`, in the language of the page.
 pub fn act<'a>(
     app: App,
     file: usize,
@@ -59,10 +62,12 @@ fn edited<'a>(
     Ok(edits)
 }
 
-/// Changes the document and its translations together: `edit` takes the document and the texts of the others and gives the edits of each.
+/// Changes the document and its translations together. `edit` receives the document and the texts of the translations
+/// and returns the edits of each file.
 ///
 /// # Errors
-/// Those of `edit`, in the language of the page.
+///
+/// The error of `edit`, in the language of the page.
 pub fn change_all(
     app: App,
     edit: impl FnOnce(&Outline, &[&str]) -> Result<Vec<Vec<Edit>>, EditError>,
@@ -79,7 +84,7 @@ pub fn change_all(
     Ok(())
 }
 
-/// The buttons that take back the last change of the document and make it again.
+/// Buttons to undo and redo the last change of the document.
 pub fn undo_buttons(app: App) -> HtmlDiv {
     let words = app.words();
     let undo = |icon, name: &'static str, forwards| {
@@ -92,7 +97,7 @@ pub fn undo_buttons(app: App) -> HtmlDiv {
     ))
 }
 
-/// Takes back the last change of a file, wherever it was made, or makes it again.
+/// Undoes or, with `forwards`, redoes the last change of a file, wherever it was made.
 pub fn undo(app: App, file: usize, forwards: bool) {
     if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
         editor.undo(file, forwards);

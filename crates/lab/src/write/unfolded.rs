@@ -1,18 +1,18 @@
-//! What is unfolded below the tools of *Write*.
+//! Section that is open below the tools of *Write*.
 
 use view::views::*;
 
-/// What is unfolded below the tools: one at a time.
+/// The open section below the tools; at most one at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfolded {
-    /// What a document can begin from.
+    /// Templates for a new document.
     New,
-    /// The versions to go back to.
+    /// Versions to go back to.
     Versions,
 }
 
 impl Unfolded {
-    /// The id of the button that unfolds it.
+    /// Id of the button that opens it.
     pub fn id(self) -> &'static str {
         match self {
             Self::New => "new-document",
@@ -20,7 +20,7 @@ impl Unfolded {
         }
     }
 
-    /// The button that unfolds it and folds it up again.
+    /// Button that opens and closes it.
     pub fn button(self, unfolded: Signal<Option<Self>>, controls: &'static str, title: &'static str) -> HtmlButton {
         button()
             .class("quiet outlined")

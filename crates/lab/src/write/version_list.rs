@@ -1,4 +1,4 @@
-//! The list of versions of what is written, and how to go back to one.
+//! List of the versions of a document, with buttons to restore them.
 
 use super::times::time_text;
 use super::unfolded::Unfolded;
@@ -8,7 +8,7 @@ use crate::app::App;
 use desk::{LineChanges, line_changes};
 use view::views::*;
 
-/// The button that shows the list, and the list below the tools.
+/// Button that shows the list, and the list below the tools.
 pub fn view(app: App, unfolded: Signal<Option<Unfolded>>) -> (HtmlButton, HtmlDiv) {
     let open = move || unfolded.get() == Some(Unfolded::Versions);
     let list = changing(move || {
@@ -22,7 +22,7 @@ pub fn view(app: App, unfolded: Signal<Option<Unfolded>>) -> (HtmlButton, HtmlDi
     (button, place)
 }
 
-/// The versions, the latest first, each with what has changed since the one before it.
+/// Versions, the latest first, each with its changes from the previous one.
 fn list(app: App) -> View {
     let words = app.words();
     let all = versions::all(app);

@@ -1,4 +1,4 @@
-//! Versions of what is written, to go back to: texts as they stood before a change, in the storage of the browser beside the draft.
+//! Versions of written documents: texts before a change, stored in the browser beside the draft.
 
 use crate::app::App;
 use crate::visited;
@@ -8,25 +8,26 @@ use js_sys::Date;
 use view::browser;
 
 const PREFIX: &str = "version:";
-/// More of one document are not kept.
+/// Maximum number of versions of one document.
 const MOST: usize = 50;
-/// The longest texts of all documents together, in bytes; the rest of the storage is for records and drafts.
+/// Maximum length of the versions of all documents together, in bytes; the rest of the storage is for records and
+/// drafts.
 const LONGEST: usize = 1_000_000;
-/// A text becomes a version if the last version is so old, in milliseconds.
+/// Minimum age of the last version before a new one is made, in milliseconds.
 const BETWEEN: f64 = 60_000.0;
-/// A text becomes a version if its writer has rested so long before the change.
+/// Minimum pause in typing before a change that makes a new version, in milliseconds.
 const REST: f64 = 15_000.0;
 
-/// A version in the storage.
+/// A stored version.
 pub struct Version {
     key: String,
-    /// When it was made, in milliseconds.
+    /// Time at which it was made, in milliseconds.
     pub time: u64,
-    /// Its texts.
+    /// Texts of the files.
     pub texts: Vec<String>,
 }
 
-/// A change is about to be made: the text before it becomes a version if enough has happened since the last one.
+/// Called before a change: stores the present text as a version if the conditions above are met.
 pub fn before_change(app: App) {
     let now = Date::now();
     let times = app.with(|lab| {
@@ -39,7 +40,7 @@ pub fn before_change(app: App) {
     }
 }
 
-/// Makes the text as it stands a version, unless the last one is the same. The name of the version that has it.
+/// Stores the present text as a version, unless it equals the last one. Returns the name of the version with this text.
 pub fn make(app: App) -> Option<String> {
     let document = document_key(app)?;
     let now = Date::now();
@@ -66,7 +67,7 @@ pub fn make(app: App) -> Option<String> {
     Some(key)
 }
 
-/// Forgets the oldest versions of all documents if all together are too long.
+/// Deletes the oldest versions of all documents until the total length is within the limit.
 fn make_room() {
     let mut all = browser::all_remembered(PREFIX);
     let mut length: usize = all.iter().map(|(_, text)| text.len()).sum();
@@ -80,12 +81,12 @@ fn make_room() {
     }
 }
 
-/// The versions of a draft, as they are in the storage.
+/// Stored versions of a draft: (key, text).
 pub fn kept(draft: &str) -> Vec<(String, String)> {
     browser::all_remembered(&key_of(draft))
 }
 
-/// What the keys of the versions of a draft begin with.
+/// Key prefix of the versions of a draft.
 fn key_of(draft: &str) -> String {
     format!("{PREFIX}{}:", draft.rsplit(':').next().unwrap_or_default())
 }
@@ -98,12 +99,12 @@ fn time_of(key: &str) -> u64 {
     key.rsplit(':').next().and_then(|time| time.parse().ok()).unwrap_or(0)
 }
 
-/// The versions of the open document, the oldest first.
+/// Versions of the open document, the oldest first.
 pub fn all(app: App) -> Vec<Version> {
     document_key(app).map_or_else(Vec::new, |document| of_document(&document))
 }
 
-/// The texts of the version of this name, if the open document still has it.
+/// Texts of the version with this name, if it belongs to the open document.
 pub fn texts(app: App, key: &str) -> Option<Vec<String>> {
     let is_own = key.starts_with(&document_key(app)?);
     read(&browser::remembered(key).filter(|_| is_own)?)
@@ -113,7 +114,7 @@ fn read(list: &str) -> Option<Vec<String>> {
     Some(page::read_list(list)?.into_iter().map(|Source { text, .. }| text).collect())
 }
 
-/// The versions whose keys begin like this.
+/// Versions whose keys have this prefix, the oldest first.
 fn of_document(document: &str) -> Vec<Version> {
     let version = |(key, text): (String, String)| Some(Version { time: time_of(&key), texts: read(&text)?, key });
     let mut versions: Vec<Version> = browser::all_remembered(document).into_iter().filter_map(version).collect();

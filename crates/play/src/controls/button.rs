@@ -1,19 +1,19 @@
-//! Buttons of the document: a press is an event at the moment shown, and part of the run from then on.
+//! Buttons of the document. A press is an event at the moment shown and becomes part of the run.
 
 use crate::{Announcement, Play, Refusal};
 use engine::Press;
 use program::Button;
 use units::number::compact;
 
-/// More presses in one run would not fit into a link.
+/// Maximum number of presses in one run, so that they fit into a link.
 pub(crate) const MOST_PRESSES: usize = 300;
 
-/// A button of the document as it is shown.
+/// A button of the document, for display.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ButtonView {
-    /// Which of [`program::Model::buttons`].
+    /// Index into [`program::Model::buttons`].
     pub index: usize,
-    /// What stands on it, in the chosen language.
+    /// Title in the chosen language.
     pub title: String,
 }
 
@@ -24,14 +24,15 @@ impl Play {
         buttons.map(|(index, button)| ButtonView { index, title: self.text(&button.title).to_owned() }).collect()
     }
 
-    /// Whether a button can be pressed now: not where the run cannot go on, or an event has ended it.
+    /// True if a button can be pressed now. False if the run has failed, an event has ended it, or the recording is
+    /// full, unless an earlier moment is shown.
     pub fn can_press(&self) -> bool {
         let course = &self.course;
         course.history().is_some() && (course.is_scrubbed() || (course.error().is_none() && !self.full))
     }
 
-    /// Presses a button at the moment shown. Where an earlier moment is shown, the run goes on from there: what followed
-    /// becomes the ghost.
+    /// Presses a button at the moment shown. If an earlier moment is shown, the run continues from there and the later
+    /// rows become the ghost.
     pub fn press(&mut self, index: usize) -> Result<(), Refusal> {
         if index >= self.model().buttons.len() {
             return Err(Refusal::Unknown { name: index.to_string() });
@@ -59,9 +60,10 @@ impl Play {
         Ok(())
     }
 
-    /// `Kick 3.20 s` for each press of a run up to a time; of many, how many there are of each button.
+    /// Texts such as `Kick 3.20 s` for the presses of a run up to the time `until` (SI). If there are many presses, one
+    /// count per button instead.
     pub(crate) fn press_texts(&self, presses: &[Press], until: f64) -> Vec<String> {
-        /// So many are named one by one.
+        /// Up to this number, presses are listed individually.
         const FEW: usize = 3;
         let presses: Vec<&Press> = presses.iter().filter(|press| press.time <= until).collect();
         let title = |button: &Button| self.text(&button.title).to_owned();
@@ -78,7 +80,8 @@ impl Play {
         counted.filter(|(count, _)| *count > 0).map(|(count, button)| format!("{} × {count}", title(button))).collect()
     }
 
-    /// The presses of a run of the former program as those of this one, and the names of those that are lost.
+    /// Maps the presses of a run of the former program to the buttons of this one. Adds the names of lost presses to
+    /// `lost`.
     pub(crate) fn presses_from(&self, presses: &[Press], before: &Play, lost: &mut Vec<String>) -> Vec<Press> {
         let same = |old: &Button, new: &Button| match (&old.name, &new.name) {
             (Some(old), Some(new)) => old == new,
@@ -102,7 +105,7 @@ impl Play {
     }
 }
 
-/// The presses of a run in a link: `kick:3.2:4.1,stop:5`, the presses of one button together as long as no other comes between.
+/// Text form of presses for a link: `kick:3.2:4.1,stop:5`. Consecutive presses of the same button share one entry.
 pub(crate) fn written(presses: &[Press], buttons: &[Button], encode: impl Fn(&str) -> String) -> String {
     let mut text = String::new();
     let mut last = None;
@@ -121,7 +124,7 @@ pub(crate) fn written(presses: &[Press], buttons: &[Button], encode: impl Fn(&st
     text
 }
 
-/// What [`written`] has written; `None` for what does not fit.
+/// Parses the output of [`written`]; `None` if a part does not match the buttons.
 pub(crate) fn read(text: &str, buttons: &[Button], encode: impl Fn(&str) -> String) -> Option<Vec<Press>> {
     let mut presses: Vec<Press> = Vec::new();
     for part in text.split(',') {
@@ -140,7 +143,7 @@ pub(crate) fn read(text: &str, buttons: &[Button], encode: impl Fn(&str) -> Stri
     Some(presses)
 }
 
-/// What names a button in a link.
+/// Identifier of a button in a link: its name, or its title if it has no name.
 fn key(button: &Button) -> &str {
     button.name.as_deref().unwrap_or(&button.title)
 }

@@ -1,31 +1,31 @@
-//! Expressions as people type them into a field: arithmetic with units in brackets and the names of the model. What is
-//! read are nodes of a graph, as the compiler of the language makes them, so that the same expression has the same bits.
+//! Parser for expressions typed into a field: arithmetic with units in brackets and names of the model. The result is
+//! graph nodes built as by the compiler of the language, so that equal expressions give bit-identical values.
 
 use program::functions::{Function, Rule};
 use program::{Binary, Graph, Kind, Model, Node, NodeId};
 use units::alphabet::{greek_name, lowered, primes};
 use units::{Dimension, Exponent, Unit};
 
-/// How deeply parentheses may be nested.
+/// Maximum nesting depth of parentheses.
 const DEEPEST: usize = 40;
 
-/// What an expression is.
+/// A parsed expression.
 #[derive(Debug)]
 pub(crate) struct Calculation {
-    /// Its node.
+    /// Graph node of the expression.
     pub node: NodeId,
-    /// What it measures.
+    /// Dimension of the value.
     pub dimension: Dimension,
-    /// The names in it, `pi` among them.
+    /// Names used in the expression, including `pi`.
     pub names: Vec<String>,
 }
 
-/// Adds the expression to the graph of a model; `None` for what is no expression, or has mismatching dimensions.
+/// Adds the expression to the graph of `model`. `None` for a syntax error or mismatching dimensions.
 pub(crate) fn calculate(model: &mut Model, text: &str) -> Option<Calculation> {
     let mut reader = Reader { model, rest: text.trim_start(), names: Vec::new(), depth: 0 };
     let value = reader.sum()?;
     let dimension = value.dimension.unwrap_or(Dimension::NONE);
-    // `in [kg/s]` states what it measures.
+    // `in [kg/s]` states the dimension of the result.
     let stated = reader.rest.strip_prefix("in").map(|rest| rest.trim().strip_prefix('[')?.strip_suffix(']'));
     let ends = match stated {
         Some(unit) => Unit::parse(unit?).is_ok_and(|unit| value.dimension.is_none_or(|own| own == unit.dimension)),
@@ -34,7 +34,7 @@ pub(crate) fn calculate(model: &mut Model, text: &str) -> Option<Calculation> {
     ends.then_some(Calculation { node: value.node, dimension, names: reader.names })
 }
 
-/// The names in an expression, `pi` among them, whether or not its dimensions match.
+/// Names used in an expression, including `pi`, even if its dimensions mismatch.
 pub(crate) fn names(model: &Model, text: &str) -> Vec<String> {
     let mut model = model.clone();
     let mut reader = Reader { model: &mut model, rest: text.trim_start(), names: Vec::new(), depth: 0 };
@@ -45,7 +45,7 @@ pub(crate) fn names(model: &Model, text: &str) -> Vec<String> {
 #[derive(Clone, Copy)]
 struct Value {
     node: NodeId,
-    /// `None` for a literal 0, which fits any.
+    /// `None` for a literal 0, which is compatible with any dimension.
     dimension: Option<Dimension>,
 }
 
@@ -58,7 +58,7 @@ impl Value {
         self.dimension.is_none_or(|dimension| dimension.is_none())
     }
 
-    /// The dimension that two terms have in common.
+    /// Common dimension of two terms; outer `None` if they mismatch.
     fn common(self, other: Self) -> Option<Option<Dimension>> {
         match (self.dimension, other.dimension) {
             (Some(one), Some(other)) => (one == other).then_some(Some(one)),
@@ -79,14 +79,14 @@ impl Reader<'_> {
         &mut self.model.graph
     }
 
-    /// Takes a sign if it comes next, and the blanks after it.
+    /// Consumes `sign` and the blanks after it, if it comes next.
     fn take(&mut self, sign: char) -> bool {
         let Some(rest) = self.rest.strip_prefix(sign) else { return false };
         self.rest = rest.trim_start();
         true
     }
 
-    /// `a + b - c`
+    /// Parses a sum: `a + b - c`.
     fn sum(&mut self) -> Option<Value> {
         let mut left = self.product()?;
         loop {
@@ -103,7 +103,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `a*b/c`
+    /// Parses a product: `a*b/c`.
     fn product(&mut self) -> Option<Value> {
         let mut left = self.signed()?;
         loop {
@@ -124,7 +124,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `-a`; a power binds tighter.
+    /// Parses a sign: `-a`; a power binds more tightly.
     fn signed(&mut self) -> Option<Value> {
         if self.take('+') {
             return self.nested(Self::signed);
@@ -136,7 +136,7 @@ impl Reader<'_> {
         Some(Value { node: self.graph().negate(value.node), ..value })
     }
 
-    /// `a^b^c`, from right to left.
+    /// Parses a power: `a^b^c`, right-associative.
     fn power(&mut self) -> Option<Value> {
         let base = self.operand()?;
         if !self.take('^') {
@@ -155,7 +155,7 @@ impl Reader<'_> {
         Some(Value::new(self.graph().power(base.node, exponent.node), dimension))
     }
 
-    /// Reads with a bound on the depth.
+    /// Calls `read` one level deeper; `None` beyond the maximum depth.
     fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         self.depth += 1;
         let value = if self.depth <= DEEPEST { read(self) } else { None };
@@ -171,7 +171,7 @@ impl Reader<'_> {
         if self.rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') { self.number() } else { self.name() }
     }
 
-    /// `3.5`, `2e-3 [m]`
+    /// Parses a number, optionally with a unit: `3.5`, `2e-3 [m]`.
     fn number(&mut self) -> Option<Value> {
         let length = super::typed::number_length(self.rest);
         let (digits, rest) = self.rest.split_at(length);
@@ -186,7 +186,7 @@ impl Reader<'_> {
         Some(Value::new(self.graph().constant(unit.to_si(number)), unit.dimension))
     }
 
-    /// `rho`, `ω₀`, `y'(0)`, `sqrt(2)`
+    /// Parses a name, an initial value or a call: `rho`, `ω₀`, `y'(0)`, `sqrt(2)`.
     fn name(&mut self) -> Option<Value> {
         let mut name = String::new();
         let mut order = 0;
@@ -223,14 +223,14 @@ impl Reader<'_> {
             let meaning = self.model.lookup(&name, order).filter(|value| value.kind == Kind::Number)?;
             return Some(Value::new(meaning.node, meaning.dimension()));
         }
-        // Dry friction has no value by itself.
+        // Dry friction is not a function with a value.
         match Function::reserving(&name).filter(|_| order == 0) {
             Some(function) => self.call(function),
             None => self.initial(name, order),
         }
     }
 
-    /// The value of a state at the start, after `y'(`.
+    /// Initial value of a state, after `y'(`.
     fn initial(&mut self, name: String, order: u32) -> Option<Value> {
         if !(self.take('0') && self.take(')')) {
             return None;
@@ -242,7 +242,7 @@ impl Reader<'_> {
         Some(Value::new(self.graph().insert(Node::Initial(state as u32)), dimension))
     }
 
-    /// The arguments of a function, after its parenthesis, and its value.
+    /// Parses the arguments of a function after its opening parenthesis and builds the call.
     fn call(&mut self, function: &Function) -> Option<Value> {
         let mut arguments = vec![self.nested(Self::sum)?];
         while self.take(',') {
@@ -276,7 +276,7 @@ mod tests {
         document::open(source, &[]).document.unwrap().program.model
     }
 
-    /// The value for the defaults, and its dimension.
+    /// Value of an expression at the default parameters, and its dimension.
     fn value(text: &str) -> Option<(f64, String)> {
         let mut model = model();
         let calculation = calculate(&mut model, text)?;

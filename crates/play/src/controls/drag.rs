@@ -1,11 +1,12 @@
-//! Dragging a part of the scene: the state follows the pointer; let go, the run begins from there.
+//! Dragging a part of the scene: the state follows the pointer; on release, the run starts from there.
 //!
-//! At the start of a run that begins with the document's initial values, the drag changes the parameters that decide the
-//! initial value held, as little as possible ([`Start::solve`]); the other initial values stay those of the document. Where
-//! no parameter decides it, where a range ends, or at any later time, the state itself becomes the start of the run, and
-//! the dragged quantity is at rest. It stays the start until another one is set or [`Play::restore_defaults`].
+//! At the start of a run that uses the document's initial values, the drag changes the parameters that determine the
+//! dragged initial value, as little as possible ([`Start::solve`]); the other initial values stay those of the
+//! document. If no parameter determines it, if a range ends, or at any later time, the state itself becomes the start
+//! of the run, and the dragged quantity is at rest. It remains the start until another one is set or
+//! [`Play::restore_defaults`] is called.
 //!
-//! A part may also set a parameter, as its slider does: the run goes on meanwhile.
+//! A part may also set a parameter, like a slider; the run then continues during the drag.
 
 use crate::controls::hold::{Hold, Holding};
 use crate::controls::start::Start;
@@ -14,22 +15,22 @@ use engine::Setup;
 use program::{Child, Drag, Dragged, Element, Piece, Program};
 use units::{Dimension, Unit};
 
-/// What a run begins with when a handle has been pulled.
+/// Start of the run that results from a drag.
 struct Pulled {
     parameters: Vec<f64>,
     state: Vec<f64>,
-    /// Whether the state is not the one that the parameters decide.
+    /// True if the state differs from the one that the parameters determine.
     by_hand: bool,
 }
 
-/// How finely the place is found at which the drawing stops following: parts of the way, as a power of two.
+/// Number of bisections used to find the position at which the drawing stops following.
 const HALVINGS: u32 = 40;
 
-/// Significant digits of a length in the drawing: those of a ruler.
+/// Significant digits of a length in the drawing, as on a ruler.
 const LENGTH_DIGITS: usize = 3;
 
 impl Play {
-    /// Takes hold of a part of the scene; the run stands still meanwhile.
+    /// Starts dragging a part of the scene. A part that moves a state pauses the run.
     pub fn drag_begin(&mut self, drag: &Drag) {
         if self.hold.is_some() {
             self.drag_end();
@@ -48,8 +49,8 @@ impl Play {
         }
     }
 
-    /// The least and the greatest value (SI) that dragging this part can give its state from where it is now: as far as
-    /// the drawing follows.
+    /// Least and greatest value (SI) that dragging this part can give its state from the present value, limited by how
+    /// far the drawing follows. For a parameter, its range.
     pub fn drag_range(&mut self, drag: &Drag) -> Option<(f64, f64)> {
         let held = match drag.target {
             Dragged::State(held) => held,
@@ -63,15 +64,15 @@ impl Play {
         Some((one.min(other).min(now), one.max(other).max(now)))
     }
 
-    /// A length in the drawing in words; `None` where the drawing has no scale.
+    /// Text of a length given in scene units; `None` if the drawing has no scale.
     pub fn scene_length(&mut self, units: f64) -> Option<String> {
         let (metres, unit) = self.scene_scale()?;
         let text = number::plain(unit.from_si(units * metres), LENGTH_DIGITS, self.style);
         Some(format!("{text} {}", number::unit_text(&unit.text)))
     }
 
-    /// How many metres a unit of the drawing stands for at the time shown, and the unit in which lengths of this size are stated: by a
-    /// handle that changes a length, else by a frame of lengths; `None` where there is neither.
+    /// Scale of the drawing at the time shown, in metres per scene unit, and the unit in which lengths are displayed.
+    /// Taken from a handle that changes a length, otherwise from a frame of lengths; `None` if there is neither.
     pub fn scene_scale(&mut self) -> Option<(f64, Unit)> {
         let scene = self.program.scene(&self.tag)?;
         let mut drags = Vec::new();
@@ -89,7 +90,7 @@ impl Play {
         Some((factor.abs(), unit))
     }
 
-    /// What is to be known of a part that is taken hold of; `None` where the state cannot be dragged.
+    /// Data for dragging a part that moves a state; `None` if the state cannot be dragged.
     fn grip(&mut self, drag: &Drag, held: usize) -> Option<Hold> {
         let (right, up) = self.drag_factors(drag);
         let mut from = self.course.state().to_vec();
@@ -111,7 +112,7 @@ impl Play {
         Some(Hold { state: held, from, parameters, start, right, up, reach, shaping, moved: false, playing })
     }
 
-    /// What a scene unit to the right and upwards adds now.
+    /// Change of the dragged value (SI) per scene unit to the right and upwards, at the moment shown.
     fn drag_factors(&mut self, drag: &Drag) -> (f64, f64) {
         let values = self.scene_values();
         let factor = |index: Option<usize>| {
@@ -120,9 +121,9 @@ impl Play {
         (factor(drag.right), factor(drag.up))
     }
 
-    /// The pointer is now `right` and `up` scene units from where it took hold (up is positive). It pulls the state no
-    /// further than the drawing follows: not past the extent of the scene, not to where a value of the drawing is not
-    /// finite, and not on where nothing moves any more because the author limits it (`min(sum, sum/2 + y)`).
+    /// Moves the pointer to `right` and `up` scene units from the start of the drag (up is positive). The state follows
+    /// only as far as the drawing does: within the extent of the scene, while all values of the drawing are finite, and
+    /// until an author's limit (`min(sum, sum/2 + y)`) stops the motion.
     pub fn drag_move(&mut self, right: f64, up: f64) {
         let mut hold = match self.hold.take() {
             Some(Holding::State(hold)) => hold,
@@ -146,7 +147,7 @@ impl Play {
         self.hold = Some(Holding::State(hold));
     }
 
-    /// Sets a parameter that is held, within its range; whether it has its new value.
+    /// Sets a dragged parameter (SI), clamped to its range. Returns true if it has the new value.
     fn drag_parameter(&mut self, parameter: usize, value: f64) -> bool {
         if !value.is_finite() {
             return false;
@@ -164,7 +165,7 @@ impl Play {
         true
     }
 
-    /// Lets go: the run goes on from there if it was going on before.
+    /// Ends the drag. The run continues from there if it was playing before.
     pub fn drag_end(&mut self) {
         let hold = match self.hold.take() {
             Some(Holding::State(hold)) => hold,
@@ -188,12 +189,12 @@ impl Play {
         }
     }
 
-    /// Whether a part of the scene is held.
+    /// True while a part of the scene is being dragged.
     pub fn is_dragging(&self) -> bool {
         self.hold.is_some()
     }
 
-    /// What is held does not move: the derivatives of its variable are 0.
+    /// Sets the higher derivatives of the dragged variable to 0.
     fn rest(&self, held: usize, state: &mut [f64]) {
         let states = &self.program.model.states;
         let Some(held) = states.get(held) else { return };
@@ -204,7 +205,7 @@ impl Play {
         }
     }
 
-    /// What the run begins with when the value held is pulled by `way` (SI).
+    /// Start of the run after pulling the dragged value by `way` (SI).
     fn pulled(&mut self, hold: &mut Hold, way: f64) -> Pulled {
         let mut state = hold.from.clone();
         let Some(value) = state.get_mut(hold.state) else {
@@ -220,7 +221,8 @@ impl Play {
         }
     }
 
-    /// The start as far along `way` (SI) as the drawing follows; `None` where it cannot be drawn.
+    /// Start of the run at the furthest point along `way` (SI) to which the drawing follows; `None` if it cannot be
+    /// drawn.
     fn followed(&mut self, hold: &mut Hold, way: f64) -> Option<Pulled> {
         let there = self.pulled(hold, way);
         let here = self.pulled(hold, 0.0);
@@ -229,7 +231,7 @@ impl Play {
             return None;
         }
         if same(&here, &drawn) {
-            // What is held does not shape the drawing at all, or is beyond its limits already.
+            // The dragged value does not affect the drawing, or is already beyond its limits.
             return Some(there);
         }
         let (mut follows, mut stands) = (0.0, 1.0);
@@ -245,14 +247,14 @@ impl Play {
         Some(self.pulled(hold, way * stands))
     }
 
-    /// The values that shape the drawing when a run begins like this.
+    /// Values that determine the drawing for a run with this start.
     fn drawing(&mut self, hold: &Hold, Pulled { parameters, state, .. }: &Pulled) -> Vec<f64> {
         let values = self.evaluators.scene.at(parameters, state, 0.0, state);
         hold.shaping.iter().filter_map(|&index| values.get(index).copied()).collect()
     }
 }
 
-/// Whether two drawings are the same, bit by bit.
+/// True if two drawings are bit-identical.
 fn same(one: &[f64], other: &[f64]) -> bool {
     one.iter().map(|value| value.to_bits()).eq(other.iter().map(|value| value.to_bits()))
 }
@@ -266,7 +268,7 @@ fn collect_drags<'a>(element: &'a Element, drags: &mut Vec<&'a Drag>) {
     }
 }
 
-/// Collects the values in the attributes of an element and those below it.
+/// Collects the indices of the values in the attributes of an element and of its descendants.
 fn collect_shaping(element: &Element, indices: &mut Vec<usize>) {
     let pieces = element.attributes.iter().flat_map(|attribute| &attribute.value);
     indices.extend(pieces.filter_map(Piece::value));
@@ -277,7 +279,7 @@ fn collect_shaping(element: &Element, indices: &mut Vec<usize>) {
     }
 }
 
-/// The width and height of the scene, in its units; without a view box there is no telling.
+/// Width and height of the scene in scene units; unlimited without a view box.
 fn extent(program: &Program, language: &str) -> (f64, f64) {
     let unlimited = (f64::MAX, f64::MAX);
     let Some(scene) = program.scene(language) else {

@@ -1,4 +1,4 @@
-//! Curves that the reader draws: tables of the model whose points are set in the page. Another curve restarts the run.
+//! Curves drawn by the reader: tables of the model whose points are set in the page. Changing a curve restarts the run.
 
 use crate::controls::input::DIGITS;
 use crate::play::Evaluators;
@@ -13,42 +13,42 @@ use engine::Setup;
 use program::{Drawn, Model, Table};
 use units::Unit;
 
-/// A curve has so many levels between the least and the greatest value: two characters of a link are enough for one.
+/// Number of levels between the least and the greatest value of a curve. One level fits into two characters of a link.
 const LEVELS: u16 = 4000;
 
-/// So many lines are drawn from one point of a smooth curve to the next.
+/// Number of line segments between adjacent points of a smooth curve.
 const SMOOTH: usize = 8;
 
-/// A curve that the reader draws, as its field shows it. Heights and places are parts of the range, from 0 to 1.
+/// A curve drawn by the reader, for its field. Heights and places are fractions of the range, from 0 to 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawingView {
-    /// Which of them.
+    /// Index among the drawn curves of the model.
     pub index: usize,
-    /// The label in the chosen language; `a(t)` where there is none.
+    /// Label in the chosen language; `a(t)` if there is none.
     pub label: String,
-    /// `a(t)`
+    /// Symbol with argument: `a(t)`.
     pub symbol: String,
-    /// The heights of the points, which are equally far apart.
+    /// Heights of the points, which are equally spaced.
     pub heights: Vec<f64>,
-    /// The line through them: places and heights.
+    /// Points of the interpolated line: (place, height).
     pub line: Vec<(f64, f64)>,
-    /// The height of 0, if it lies in the range.
+    /// Height of the value 0, if it lies in the range.
     pub zero: Option<f64>,
-    /// The least and the greatest value, with their unit.
+    /// Least and greatest value, with unit.
     pub values: [String; 2],
-    /// The least and the greatest argument, with their unit.
+    /// Least and greatest argument, with unit.
     pub arguments: [String; 2],
-    /// Whether it is the document's own.
+    /// True if the curve is the document's own.
     pub is_default: bool,
 }
 
 impl Play {
-    /// The curves that the reader draws, in the order of the text.
+    /// All curves drawn by the reader, in the order of the text.
     pub fn drawn_curves(&self) -> Vec<DrawingView> {
         (0..self.course.begun().drawings.len()).filter_map(|index| self.drawn_curve(index)).collect()
     }
 
-    /// One of them.
+    /// One drawn curve; `None` for an unknown index.
     pub fn drawn_curve(&self, index: usize) -> Option<DrawingView> {
         let (table, drawn) = table(self.model(), index)?;
         let values = self.course.begun().drawings.get(index)?;
@@ -75,7 +75,7 @@ impl Play {
         })
     }
 
-    /// `t = 2 s: 1.5 m/s²`: a point of a curve at a height.
+    /// Text for a point of a curve at a height: `t = 2 s: 1.5 m/s²`.
     pub fn drawn_text(&self, index: usize, point: usize, height: f64) -> String {
         let Some((table, drawn)) = table(self.model(), index) else { return String::new() };
         let shown = |value: f64, unit: &Unit| self.with_unit(number::plain(unit.from_si(value), 4, self.style), unit);
@@ -83,7 +83,7 @@ impl Play {
         format!("{} = {argument}: {}", symbol(&table.argument), shown(value(drawn, level(height)), &table.unit))
     }
 
-    /// Draws a curve through points of these heights; the run starts again.
+    /// Replaces a curve by one through points at these heights (0 to 1); the run restarts.
     pub fn draw(&mut self, index: usize, heights: &[f64]) -> Result<(), Refusal> {
         let unknown = || Refusal::Unknown { name: index.to_string() };
         let (_, drawn) = table(self.model(), index).ok_or_else(unknown)?;
@@ -98,7 +98,7 @@ impl Play {
         Ok(())
     }
 
-    /// Puts the document's own curve back; the run starts again.
+    /// Restores the document's own curve; the run restarts.
     pub fn clear_drawing(&mut self, index: usize) {
         let Some(values) = self.defaults.drawings.get(index).cloned() else { return };
         if self.course.begun().drawings.get(index) != Some(&values) {
@@ -118,7 +118,7 @@ impl Play {
         self.restart(setup);
     }
 
-    /// Computes everything from now on with these curves, if they are others than before.
+    /// Replaces the drawn curves of the model. Does nothing if they are unchanged.
     pub(crate) fn adopt_drawings(&mut self, drawings: &[Vec<f64>]) {
         let Some(model) = self.program.model.with_drawings(drawings) else { return };
         self.program.model = model;
@@ -130,12 +130,12 @@ impl Play {
         self.revision.parameters += 1;
     }
 
-    /// The label of a curve in the chosen language.
+    /// Label of a drawn curve in the chosen language.
     pub(crate) fn drawing_label(&self, index: usize) -> String {
         self.drawn_curve(index).map(|view| view.label).unwrap_or_default()
     }
 
-    /// The curves of a run of the former program as those of this one, and the names of those that are lost.
+    /// Maps the drawn curves of a run of the former program to this one. Adds the names of lost curves to `lost`.
     pub(crate) fn drawings_from(&self, former: &Setup, before: &Play, lost: &mut Vec<String>) -> Vec<Vec<f64>> {
         let mut drawings = self.defaults.drawings.clone();
         for (index, values) in former.drawings.iter().enumerate() {
@@ -161,32 +161,32 @@ impl Play {
     }
 }
 
-/// A curve among those that the reader draws, and its table.
+/// Drawn curve with this index, and its table.
 fn table(model: &Model, index: usize) -> Option<(&Table, &Drawn)> {
     model.tables.iter().filter_map(|table| Some((table, table.drawn.as_ref()?))).nth(index)
 }
 
-/// The height of a value.
+/// Height (0 to 1) of a value.
 fn height(drawn: &Drawn, value: f64) -> f64 {
     (value - drawn.low) / (drawn.high - drawn.low)
 }
 
-/// The level next to a height.
+/// Level nearest to a height.
 fn level(height: f64) -> u16 {
     (height.clamp(0.0, 1.0) * f64::from(LEVELS)).round() as u16
 }
 
-/// The value of a level.
+/// Value of a level.
 fn value(drawn: &Drawn, level: u16) -> f64 {
     let part = f64::from(level.min(LEVELS)) / f64::from(LEVELS);
     (drawn.low + part * (drawn.high - drawn.low)).clamp(drawn.low, drawn.high)
 }
 
-/// What a link says of the curves that are not those of the document: `a:` and two characters for each point.
+/// Text form, for a link, of the curves that differ from the document's: `a:` and two characters per point.
 pub(crate) fn written(model: &Model, drawings: &[Vec<f64>], defaults: &[Vec<f64>]) -> Vec<String> {
     let one = |(index, (values, own)): (usize, (&Vec<f64>, &Vec<f64>))| {
         let (table, drawn) = table(model, index).filter(|_| values != own)?;
-        // Three bytes for two points; each has 12 bits.
+        // Two points of 12 bits each take three bytes.
         let levels: Vec<u16> = values.iter().map(|&value| level(height(drawn, value))).collect();
         let bytes: Vec<u8> = levels
             .chunks(2)
@@ -200,13 +200,13 @@ pub(crate) fn written(model: &Model, drawings: &[Vec<f64>], defaults: &[Vec<f64>
     drawings.iter().zip(defaults).enumerate().filter_map(one).collect()
 }
 
-/// A curve that [`written`] has written: which of them, and its values; `None` for what is none.
+/// Parses the output of [`written`] into index and values; `None` if it does not match.
 pub(crate) fn read(model: &Model, text: &str) -> Option<(usize, Vec<f64>)> {
     let (name, points) = text.split_once(':')?;
     let count = model.tables.iter().filter(|table| table.drawn.is_some()).count();
     let index = (0..count).find(|index| table(model, *index).is_some_and(|(table, _)| table.name == name))?;
     let (_, drawn) = table(model, index)?;
-    // No more is decoded than a curve has.
+    // Limits decoding to the length of a valid curve.
     let bytes = URL_SAFE_NO_PAD.decode(points.get(..4 * Drawn::POINTS.div_ceil(2)).unwrap_or(points)).ok()?;
     let levels = bytes.chunks_exact(3).flat_map(|three| {
         let [a, b, c] = [three[0], three[1], three[2]].map(u16::from);

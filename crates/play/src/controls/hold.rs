@@ -1,8 +1,8 @@
-//! What is held while a part of the scene is dragged.
+//! State of a drag in the scene.
 
 use crate::controls::start::Start;
 
-/// What is held.
+/// The part being dragged.
 #[derive(Clone, Debug)]
 pub(crate) enum Holding {
     /// A part that moves a state.
@@ -10,35 +10,35 @@ pub(crate) enum Holding {
     /// A part that sets a parameter.
     Parameter {
         parameter: usize,
-        /// Its value when it was taken hold of.
+        /// Value at the start of the drag, SI.
         from: f64,
-        /// What a scene unit to the right and upwards adds.
+        /// Change of the value (SI) per scene unit to the right and upwards.
         right: f64,
         up: f64,
-        /// Whether it has been changed.
+        /// True once the parameter has changed.
         moved: bool,
     },
 }
 
-/// A part of the scene that is held and moves a state.
+/// A drag that moves a state.
 #[derive(Clone, Debug)]
 pub(crate) struct Hold {
     pub state: usize,
-    /// The state when it was taken hold of; except at the start the variable held is at rest.
+    /// State vector at the start of the drag, SI. Except at time 0, the dragged variable is at rest.
     pub from: Vec<f64>,
-    /// The parameters when it was taken hold of.
+    /// Parameters at the start of the drag, SI.
     pub parameters: Vec<f64>,
-    /// What decides the value held, at the start of a run.
+    /// Parameters that determine the dragged value; only at the start of a run.
     pub start: Option<Start>,
-    /// What a scene unit to the right and upwards adds.
+    /// Change of the value (SI) per scene unit to the right and upwards.
     pub right: f64,
     pub up: f64,
-    /// How far the pointer may move, in scene units: the extent of the scene.
+    /// Maximum displacement of the pointer, in scene units: the extent of the scene.
     pub reach: (f64, f64),
-    /// The values of the scene that shape the drawing, those in attributes.
+    /// Indices of the scene values that determine the drawing (those in attributes).
     pub shaping: Vec<usize>,
-    /// Whether the state has been changed.
+    /// True once the state has changed.
     pub moved: bool,
-    /// Whether the run goes on afterwards.
+    /// True if the run continues after the drag.
     pub playing: bool,
 }

@@ -1,4 +1,4 @@
-//! What people type: a number, perhaps with a unit, or an expression.
+//! Parsing of typed input: a number with an optional unit, or an expression.
 
 use super::calculator::calculate;
 use super::typed::{Candidate, candidates, stated_units};
@@ -6,17 +6,17 @@ use crate::{Play, Refusal, number};
 use engine::Readings;
 use units::Unit;
 
-/// Significant digits of a value that stands still.
+/// Significant digits of a value at rest.
 pub const DIGITS: usize = 6;
 
-/// How a unit of 1/s counts turns.
+/// Convention by which a unit of dimension 1/s counts turns.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Turns {
-    /// Whole ones: hertz.
+    /// Whole turns: hertz.
     Whole,
-    /// By their angle: `rad/s`, `deg/s`.
+    /// Angle: `rad/s`, `deg/s`.
     Angle,
-    /// It does not say.
+    /// Not specified.
     Unsaid,
 }
 
@@ -35,14 +35,14 @@ impl Turns {
     }
 }
 
-/// What was typed, for a message.
+/// Typed text, shortened to 40 characters for a message.
 pub(crate) fn shortened(typed: &str) -> String {
     typed.trim().chars().take(40).collect()
 }
 
 impl Play {
-    /// Reads a value, SI: a number in `unit`, or with a unit of its own of the same dimension. Hertz are no unit of an angular
-    /// frequency, nor radians per second of a frequency, although their dimension is the same.
+    /// Parses a value and returns it in SI: a number in `unit`, or with its own unit of the same dimension. Hertz is
+    /// refused for an angular frequency and radians per second for a frequency, although their dimensions agree.
     pub fn read_value(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
         let no_number = || Refusal::NotANumber { typed: shortened(typed) };
         let (value, rest) = number::parse(typed, self.style).ok_or_else(no_number)?;
@@ -65,7 +65,7 @@ impl Play {
         if value.is_finite() { Ok(value) } else { Err(no_number()) }
     }
 
-    /// Refuses `value` of the unit `own` (`si` in SI) where `unit` counts turns in another way.
+    /// Refuses `value` in the unit `own` (`si` in SI) if `unit` counts turns differently.
     fn refuse_other_frequency(&self, value: f64, own: &Unit, si: f64, unit: &Unit) -> Result<(), Refusal> {
         let turn = std::f64::consts::TAU;
         let (angular, meant) = match (Turns::of(own), Turns::of(unit)) {
@@ -80,8 +80,9 @@ impl Play {
         })
     }
 
-    /// What was typed into a field that shows `shown`: nothing new if that stands there still, although it may be
-    /// rounded; else a value as [`Play::read_value`] takes it, or what an expression in the parameters gives now.
+    /// Parses the text of a field that shows `shown`. `None` if the text is unchanged, because the shown text may be
+    /// rounded. Otherwise a value (SI) as in [`Play::read_value`], or the present value of an expression in the
+    /// parameters.
     pub fn read_field(&self, typed: &str, shown: &str, unit: &Unit) -> Result<Option<f64>, Refusal> {
         if typed.trim() == shown {
             return Ok(None);
@@ -93,11 +94,12 @@ impl Play {
         }
     }
 
-    /// The value, SI, of an expression as presets have them, `2*m*omega_0`, `y(0)/2`, or of arithmetic with units as people
-    /// type them, `15/4 s`. A pure number is one in `unit`.
+    /// Value (SI) of an expression as in presets (`2*m*omega_0`, `y(0)/2`), or of typed arithmetic with units
+    /// (`15/4 s`). A pure number is taken to be in `unit`.
     ///
     /// # Errors
-    /// Why it cannot be taken, if there is more to say than that it is no number.
+    ///
+    /// The specific refusal, or `None` if the text is simply not a number.
     pub(crate) fn read_expression(&self, typed: &str, unit: &Unit) -> Result<f64, Option<Refusal>> {
         let mut why = None;
         for candidate in candidates(typed, self.style) {
@@ -111,7 +113,7 @@ impl Play {
 
     fn evaluate(&self, candidate: &Candidate, unit: &Unit) -> Result<f64, Option<Refusal>> {
         let text = &candidate.expression;
-        // What is typed once leaves nothing behind in the graph.
+        // A copy, so that the typed expression does not stay in the graph.
         let mut model = self.model().clone();
         let calculation = calculate(&mut model, text).ok_or(None)?;
         if model.depends(calculation.node).varies() {
@@ -132,10 +134,10 @@ impl Play {
                 return Err(Some(Refusal::WrongUnit { typed, expected }));
             }
             Some(_) => return Err(None),
-            // `60/2` is 30 degrees where degrees are asked for, but `pi/6` and `theta_0/2` are angles themselves.
+            // `60/2` is 30 degrees if degrees are expected, but `pi/6` and `theta_0/2` are angles themselves.
             None if pure && (!fits || (names.is_empty() && !text.contains('['))) => unit.to_si(value),
             None if fits => {
-                // `2*pi*(0.27 Hz)` is an angular frequency, `0.54/2 Hz` is none.
+                // `2*pi*(0.27 Hz)` is an angular frequency, `0.54/2 Hz` is not.
                 let unconverted = stated_units(text).filter(|_| names.is_empty());
                 for own in unconverted {
                     self.refuse_other_frequency(own.from_si(value), &own, value, unit)?;
@@ -147,12 +149,12 @@ impl Play {
         if si.is_finite() { Ok(si) } else { Err(None) }
     }
 
-    /// A value with its unit, for people: `0,05 m²`.
+    /// Text of an SI value in `unit`, with the unit: `0,05 m²`.
     pub fn quantity_text(&self, value: f64, unit: &Unit) -> String {
         self.with_unit(number::plain(unit.from_si(value), DIGITS, self.style), unit)
     }
 
-    /// A number with its unit; a dash alone.
+    /// Number with its unit; a dash stays without unit.
     pub(crate) fn with_unit(&self, number: String, unit: &Unit) -> String {
         number::with_unit(&number, unit)
     }

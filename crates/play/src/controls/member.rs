@@ -1,10 +1,10 @@
-//! Choosing which member of a family is shown.
+//! Selection of the displayed member of a family.
 
 use crate::Play;
 
 impl Play {
-    /// Shows another member of a family in its line: the index at `place` gets this value. Where there is no such member it is the
-    /// next one in the direction of the change.
+    /// Displays another member of a family: sets the index at position `place` to `value`. If that member does not
+    /// exist, the next one in the direction of the change.
     pub fn choose_member(&mut self, family: &str, place: usize, value: i64) {
         let lines = &self.lines;
         let readout = lines.readouts.iter().find(|line| line.is_family() && line.name() == family);

@@ -1,4 +1,4 @@
-//! Method and step, chosen in the laboratory.
+//! Integration method and step.
 
 use crate::{Announcement, Play, Refusal, number, words};
 use engine::{Cause, Method, Run, RunError, Setup};
@@ -6,18 +6,18 @@ use engine::{Cause, Method, Run, RunError, Setup};
 /// A method in the list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MethodView {
-    /// Its name in the engine: `rk4`.
+    /// Name in the engine: `rk4`.
     pub name: &'static str,
-    /// Its name in the chosen language.
+    /// Name in the chosen language.
     pub label: String,
-    /// Whether it is the one in use.
+    /// True if this method is in use.
     pub selected: bool,
-    /// Why it cannot integrate this model, in the chosen language; empty if it can.
+    /// Reason why it cannot integrate this model, in the chosen language; empty if it can.
     pub refused: String,
 }
 
 impl Play {
-    /// The methods.
+    /// All integration methods.
     pub fn methods(&self) -> Vec<MethodView> {
         let view = |method: Method| MethodView {
             name: method.name(),
@@ -28,7 +28,7 @@ impl Play {
         Method::ALL.into_iter().map(view).collect()
     }
 
-    /// Chooses a method by its name; the run restarts from where it began.
+    /// Selects a method by its name; the run restarts from its start.
     pub fn set_method(&mut self, name: &str) -> Result<(), Refusal> {
         let method: Method = name.parse().map_err(|_| Refusal::Unknown { name: name.to_owned() })?;
         if let Some(refusal) = self.method_refusal(method) {
@@ -42,12 +42,12 @@ impl Play {
         Ok(())
     }
 
-    /// The step (SI); with adaptive methods the distance of the rows.
+    /// Step (SI); for adaptive methods, the spacing of the rows.
     pub fn step(&self) -> f64 {
         self.course.begun().step
     }
 
-    /// The step in the unit of the independent variable, and that unit for people.
+    /// Step in the unit of the independent variable, and the text of that unit.
     pub fn step_text(&self) -> (String, String) {
         let unit = &self.model().independent.unit;
         (
@@ -56,7 +56,7 @@ impl Play {
         )
     }
 
-    /// Sets the step from what was typed; the run restarts from where it began.
+    /// Sets the step from typed text; the run restarts from its start.
     pub fn set_step_text(&mut self, text: &str) -> Result<(), Refusal> {
         if text.trim() == self.step_text().0 {
             return Ok(());
@@ -65,7 +65,7 @@ impl Play {
         self.set_step(step)
     }
 
-    /// Sets the step (SI); the run restarts from where it began.
+    /// Sets the step (SI); the run restarts from its start.
     pub fn set_step(&mut self, step: f64) -> Result<(), Refusal> {
         if !(step.is_finite() && step > 0.0) {
             return Err(Refusal::NotPositive);
@@ -78,7 +78,7 @@ impl Play {
         Ok(())
     }
 
-    /// Why a method cannot integrate the model, if it can be integrated at all.
+    /// Reason why a method cannot integrate the model; `None` if it can, or if the run fails for another reason.
     pub(crate) fn method_refusal(&self, method: Method) -> Option<Refusal> {
         let setup = Setup { method, ..self.defaults.clone() };
         match Run::start(&self.program.model, setup) {

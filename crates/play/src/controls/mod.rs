@@ -1,4 +1,5 @@
-//! What a visitor sets: parameters, presets, states, method and step; by slider, by hand in the scene, or typed.
+//! Controls of the visitor: parameters, presets, states, method and step; set by slider, by dragging in the scene, or
+//! typed.
 
 pub(crate) mod button;
 pub(crate) mod calculator;

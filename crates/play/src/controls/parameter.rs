@@ -1,4 +1,4 @@
-//! Parameters: what their controls show, and setting them.
+//! Parameters: values for their controls, and setters.
 
 use crate::controls::input::DIGITS;
 use crate::controls::slider::Mapping;
@@ -7,52 +7,52 @@ use crate::{Announcement, Play, Refusal, Slider, number, words};
 use engine::Setup;
 use program::{Choices, Parameter};
 
-/// A parameter as its control shows it.
+/// A parameter, for its control.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterView {
-    /// Which of [`program::Model::parameters`].
+    /// Index into [`program::Model::parameters`].
     pub index: usize,
-    /// The ASCII name, `h_l`.
+    /// ASCII name, `h_l`.
     pub name: String,
-    /// The label in the chosen language; the name where there is none.
+    /// Label in the chosen language; the name if there is none.
     pub label: String,
-    /// The unit for people, `kg/m³`; empty for a pure number.
+    /// Unit as displayed, `kg/m³`; empty for a pure number.
     pub unit: String,
-    /// The value, SI.
+    /// Value, SI.
     pub value: f64,
-    /// The value in the unit, for the field: `0,05`.
+    /// Value in the unit, for the field: `0,05`.
     pub text: String,
-    /// The value with its unit, for `aria-valuetext`: `0,05 m²`.
+    /// Value with unit, for `aria-valuetext`: `0,05 m²`.
     pub spoken: String,
-    /// What there is to choose from in a switch (off and on) or a choice; none for a number.
+    /// Options of a switch (off and on) or a choice; empty for a number.
     pub choices: Vec<ChoiceView>,
-    /// Whether it is on or off.
+    /// True for a switch (on or off).
     pub is_switch: bool,
-    /// Least and greatest value for people, without unit: `("2", "9")`.
+    /// Least and greatest value as displayed, without unit: `("2", "9")`.
     pub range: Option<(String, String)>,
-    /// The slider; `None` without a range.
+    /// Slider; `None` without a range.
     pub slider: Option<Slider>,
-    /// Whether it has its default value.
+    /// True if it has its default value.
     pub is_default: bool,
-    /// Whether changing it restarts the run.
+    /// True if changing it restarts the run.
     pub restarts: bool,
 }
 
-/// Parameters whose controls stand under one heading.
+/// Parameters under one heading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterGroup {
-    /// The heading in the chosen language; empty for those before the first group of the document.
+    /// Heading in the chosen language; empty for parameters before the first group of the document.
     pub name: String,
-    /// Its parameters, in the order of the text.
+    /// Parameters in the order of the text.
     pub parameters: Vec<ParameterView>,
 }
 
-/// One value of a switch or a choice.
+/// One option of a switch or a choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChoiceView {
-    /// The value.
+    /// Value of the parameter for this option.
     pub value: f64,
-    /// What it is called, in the chosen language.
+    /// Text of the option in the chosen language.
     pub text: String,
 }
 
@@ -62,7 +62,7 @@ impl Play {
         (0..self.model().parameters.len()).filter_map(|index| self.parameter(index)).collect()
     }
 
-    /// All parameters by the groups of the document, in the order of the text.
+    /// All parameters by groups of the document, in the order of the text.
     pub fn parameter_groups(&self) -> Vec<ParameterGroup> {
         let mut views = self.parameters().into_iter();
         let groups = self.model().parameters.chunk_by(|one, next| one.group == next.group);
@@ -74,7 +74,7 @@ impl Play {
             .collect()
     }
 
-    /// One parameter.
+    /// One parameter; `None` for an unknown index.
     pub fn parameter(&self, index: usize) -> Option<ParameterView> {
         let parameter = self.model().parameters.get(index)?;
         let &value = self.course.parameters().get(index)?;
@@ -96,7 +96,7 @@ impl Play {
         })
     }
 
-    /// The values of a switch or a choice.
+    /// Options of a switch or a choice.
     fn choices(&self, index: usize) -> Vec<ChoiceView> {
         let values = match self.model().parameters.get(index).map(|parameter| &parameter.choices) {
             None | Some(Choices::Numbers | Choices::Seed) => Vec::new(),
@@ -107,7 +107,7 @@ impl Play {
         values.into_iter().map(view).collect()
     }
 
-    /// A value of a parameter for people: `50 kg/s`, `yes`, `Water`.
+    /// Text of a parameter value (SI): `50 kg/s`, `yes`, `Water`.
     pub fn parameter_value_text(&self, index: usize, value: f64) -> String {
         let Some(parameter) = self.model().parameters.get(index) else { return String::new() };
         match parameter.choices {
@@ -119,8 +119,8 @@ impl Play {
         }
     }
 
-    /// Sets a parameter to an SI value. One on which an initial value depends restarts the run; any other takes
-    /// effect from the next step on.
+    /// Sets a parameter to an SI value. If an initial value depends on it, the run restarts; otherwise it takes effect
+    /// from the next step.
     pub fn set_parameter(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
         let value = self.admit(index, value)?;
         let mut parameters = self.course.parameters().to_vec();
@@ -136,8 +136,8 @@ impl Play {
         Ok(())
     }
 
-    /// Sets a parameter from what was typed: a number in the parameter's unit, or with a unit of the same dimension, or
-    /// an expression that gives its value now. The text that the field shows leaves the value as it is.
+    /// Sets a parameter from typed text: a number in the parameter's unit, a number with a unit of the same dimension,
+    /// or an expression for its present value. The text shown in the field leaves the value unchanged.
     pub fn set_parameter_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
         let unknown = || Refusal::Unknown { name: index.to_string() };
         let (view, parameter) = self.parameter(index).zip(self.model().parameters.get(index)).ok_or_else(unknown)?;
@@ -147,24 +147,24 @@ impl Play {
         }
     }
 
-    /// Sets a parameter to the value at a position of its slider.
+    /// Sets a parameter to the value at a slider position.
     pub fn slide(&mut self, index: usize, position: u32) {
         let Some(mapping) = self.model().parameters.get(index).and_then(Mapping::of) else {
             return;
         };
-        // Values of a slider lie in the range, so this cannot be refused.
+        // Slider values lie within the range, so this cannot be refused.
         let _ = self.set_parameter(index, mapping.value(position));
     }
 
-    /// Sets one parameter to its default.
+    /// Resets one parameter to its default.
     pub fn restore_default(&mut self, index: usize) {
         if let Some(value) = self.model().parameters.get(index).map(|parameter| parameter.value) {
             let _ = self.set_parameter(index, value);
         }
     }
 
-    /// Sets all parameters to their defaults. A run that began from a state set by hand begins again, with the document's
-    /// initial values.
+    /// Resets all parameters to their defaults. If the run started from a state set by hand or with drawn curves, it
+    /// restarts with the document's initial values and curves.
     pub fn restore_defaults(&mut self) {
         let parameters = self.defaults.parameters.clone();
         if self.is_started_by_hand() || self.course.begun().drawings != self.defaults.drawings {
@@ -178,7 +178,7 @@ impl Play {
         self.announce(Announcement::DefaultsRestored);
     }
 
-    /// The label of a parameter in the chosen language; its name where it has none.
+    /// Label of a parameter in the chosen language; its name if it has none.
     pub fn parameter_label(&self, index: usize) -> &str {
         let Some(parameter) = self.model().parameters.get(index) else {
             return "";
@@ -186,7 +186,7 @@ impl Play {
         parameter.label.as_deref().map_or(parameter.name.as_str(), |label| self.text(label))
     }
 
-    /// The value if the parameter may have it.
+    /// Returns the value (SI), clamped to the range against rounding, or the reason why the parameter cannot take it.
     pub fn admit(&self, index: usize, value: f64) -> Result<f64, Refusal> {
         let parameter =
             self.model().parameters.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
@@ -197,7 +197,7 @@ impl Play {
         let Some((low, high)) = parameter.range else {
             return Ok(value);
         };
-        // What is typed in another unit may miss the end of the range by a rounding.
+        // A value typed in another unit may miss the end of the range by rounding.
         let slack = (high - low) * 1e-12;
         if value < low - slack {
             Err(Refusal::TooSmall { name, least: self.quantity_text(low, &parameter.unit) })
@@ -208,7 +208,7 @@ impl Play {
         }
     }
 
-    /// Puts other parameters into force, and restarts the run if an initial value depends on one of them.
+    /// Sets all parameters (SI). Restarts the run if an initial value depends on a changed one.
     pub(crate) fn change_parameters(&mut self, parameters: Vec<f64>) {
         let old = self.course.parameters();
         if old == parameters {

@@ -5,33 +5,33 @@ use crate::{Announcement, Play, Refusal};
 use engine::Readings;
 use program::Assignment;
 
-/// Presets that belong together.
+/// A group of presets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PresetGroup {
-    /// The group's name in the chosen language; empty for presets without a group.
+    /// Name of the group in the chosen language; empty for presets without a group.
     pub name: String,
-    /// Its presets, in the order of the text.
+    /// Presets in the order of the text.
     pub presets: Vec<PresetView>,
 }
 
-/// A preset as its button shows it.
+/// A preset, for its button.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PresetView {
-    /// Which of [`program::Program::presets`].
+    /// Index into [`program::Program::presets`].
     pub index: usize,
-    /// Its name in the chosen language.
+    /// Name in the chosen language.
     pub name: String,
-    /// What it sets, for a tooltip: `ρ = 13534 kg/m³`.
+    /// Assignments of the preset, for a tooltip: `ρ = 13534 kg/m³`.
     pub description: String,
-    /// Whether the parameters have its values: applying it would change nothing.
+    /// True if the parameters already have the preset's values.
     pub selected: bool,
 }
 
-/// Values that differ by less than this part are the same: those of expressions are rounded.
+/// Relative tolerance for equal values: values of expressions are rounded.
 const SAME: f64 = 1e-9;
 
 impl Play {
-    /// The presets by group, in the order of the text.
+    /// Presets by group, in the order of the text.
     pub fn presets(&mut self) -> Vec<PresetGroup> {
         let mut groups: Vec<(Option<String>, PresetGroup)> = Vec::new();
         for index in 0..self.program.presets.len() {
@@ -61,7 +61,8 @@ impl Play {
         groups.into_iter().map(|(_, group)| group).collect()
     }
 
-    /// Sets the parameters of a preset, each computed with those before it; all of them or, when one is refused, none.
+    /// Sets the parameters of a preset; each value may depend on those assigned before it. If one is refused, none is
+    /// changed.
     pub fn apply_preset(&mut self, index: usize) -> Result<(), Refusal> {
         let parameters = self.preset_parameters(index);
         let preset = self.program.presets.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
@@ -78,7 +79,7 @@ impl Play {
         assign(&mut self.evaluators.presets, first, values, self.course.parameters(), self.course.initial())
     }
 
-    /// The name of each parameter that is set, and its value for people: `rho` and `13534 kg/m³`.
+    /// Name and displayed value of each assigned parameter: `rho` and `13534 kg/m³`.
     pub(crate) fn assigned(&self, assignments: &[Assignment], parameters: &[f64]) -> Vec<(String, String)> {
         let assigned = |assignment: &Assignment| {
             let parameter = self.model().parameters.get(assignment.parameter)?;
@@ -88,7 +89,7 @@ impl Play {
         assignments.iter().filter_map(assigned).collect()
     }
 
-    /// The parameters if each of those assigned may have its value.
+    /// Returns the parameters if every assigned value is allowed.
     pub(crate) fn admit_assignments(
         &self,
         assignments: &[Assignment],
@@ -103,8 +104,8 @@ impl Play {
     }
 }
 
-/// The parameters after `assignments`, whose values are the readings from `first` on; each is computed with the
-/// parameters that those before it have left.
+/// Parameters (SI) after `assignments`, whose values are the readings from index `first` on. Each is evaluated with the
+/// parameters left by the previous ones.
 pub(crate) fn assign(
     readings: &mut Readings,
     first: usize,

@@ -1,19 +1,19 @@
-//! The sizes of families. Another size makes another model, which only a page that holds the parser can build.
+//! Sizes of families. Another size requires another model, which only a page that contains the parser can build.
 
 use crate::Play;
 
-/// The size of families as its control shows it.
+/// The size of families, for its control.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SizeView {
-    /// Its ASCII name.
+    /// ASCII name.
     pub name: String,
-    /// The label in the chosen language; the name where there is none.
+    /// Label in the chosen language; the name if there is none.
     pub label: String,
-    /// Its value.
+    /// Present value.
     pub value: u32,
-    /// Least and greatest value.
+    /// Least and greatest value; `None` without a range.
     pub range: Option<(u32, u32)>,
-    /// Whether it is the value that the document states.
+    /// True if it is the value stated in the document.
     pub is_default: bool,
 }
 
@@ -30,8 +30,8 @@ impl Play {
         self.model().sizes.iter().map(view).collect()
     }
 
-    /// The sizes, by name, with which the program must be built before a state is restored that [`Play::share`] has written; none
-    /// where they are those of this program.
+    /// Sizes, by name, with which the program must be built before restoring a state written by [`Play::share`]. Empty
+    /// if they are those of this program.
     pub fn sizes_for(&self, fragment: &str) -> Vec<(String, u32)> {
         let field = fragment.split('&').find_map(|field| field.strip_prefix("n=")).unwrap_or_default();
         let linked = |name: &str| {

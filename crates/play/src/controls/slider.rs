@@ -1,24 +1,25 @@
-//! Where the values of a parameter lie on its slider. A slider has whole positions; each stands for a round number.
+//! Mapping between the values of a parameter and the positions of its slider. Positions are integers; each stands for a
+//! round number.
 
 use crate::number;
 use program::Parameter;
 
-/// A slider with whole positions, 0 to `positions`.
+/// A slider with integer positions, 0 to `positions`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Slider {
-    /// The greatest position.
+    /// Greatest position.
     pub positions: u32,
-    /// The present one.
+    /// Present position.
     pub position: u32,
-    /// How many positions a large step (Page Up) is.
+    /// Number of positions in a large step (Page Up).
     pub page: u32,
 }
 
-/// From position to value and back.
+/// Mapping between position and value.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mapping<'a> {
     parameter: &'a Parameter,
-    /// In the parameter's unit.
+    /// Ends of the range, in the parameter's unit.
     low: f64,
     high: f64,
     scale: Scale,
@@ -26,20 +27,20 @@ pub(crate) struct Mapping<'a> {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Scale {
-    /// Every position is `step` further, from the low end; the last one is the high end.
+    /// Linear: adjacent positions differ by `step`, starting at the low end. The last position is the high end.
     Even { step: f64, positions: u32 },
-    /// Fine near the low end: the distance from it grows with this power of the position.
+    /// Fine near the low end: the distance from it is proportional to this power of the position.
     Fine { power: u32 },
 }
 
-/// More than this many positions are no use on a screen.
+/// Maximum number of positions that is useful on a screen.
 const MOST_POSITIONS: f64 = 100_000.0;
 
-/// Positions of a fine slider: adjacent ones differ by a few per cent at most.
+/// Number of positions of a fine slider. Adjacent values differ by a few per cent at most.
 const FINE_POSITIONS: u32 = 300;
 
 impl<'a> Mapping<'a> {
-    /// The slider of a parameter; `None` without a range.
+    /// Mapping for a parameter; `None` without a range.
     pub fn of(parameter: &'a Parameter) -> Option<Self> {
         let (low, high) = parameter.range?;
         let unit = &parameter.unit;
@@ -57,7 +58,7 @@ impl<'a> Mapping<'a> {
         Some(Self { parameter, low, high, scale })
     }
 
-    /// The slider at a value (SI): at the nearest position.
+    /// Slider at the position nearest to a value (SI).
     pub fn slider(&self, value: f64) -> Slider {
         let value = self.parameter.unit.from_si(value).clamp(self.low, self.high);
         let (positions, place) = match self.scale {
@@ -72,11 +73,11 @@ impl<'a> Mapping<'a> {
         Slider { positions, position, page: (positions / 10).max(1) }
     }
 
-    /// The value (SI) at a position.
+    /// Value (SI) at a position.
     pub fn value(&self, position: u32) -> f64 {
         let value = match self.scale {
             Scale::Even { step, positions } if position < positions => {
-                // The round number that the sum misses by rounding: 0.15, not 0.15000000000000002.
+                // Rounds away the error of the sum: 0.15, not 0.15000000000000002.
                 let value = self.low + f64::from(position) * step;
                 number::roundest(value - step * 1e-6, value + step * 1e-6)
             }
@@ -102,19 +103,19 @@ fn even(low: f64, high: f64, step: f64) -> Scale {
     Scale::Even { step, positions: positions as u32 }
 }
 
-/// Whether an even slider would leave no room for the small values that matter: the default lies in the first
-/// twentieth of a range of positive values, or the ends are further apart than a factor of a thousand.
+/// True if a linear slider would leave too little room for small values: the default lies in the first twentieth of a
+/// range of non-negative values, or the ends differ by more than a factor of a thousand.
 fn is_wide(low: f64, high: f64, default: f64) -> bool {
     low >= 0.0 && (default - low < (high - low) / 20.0 || (low > 0.0 && high / low > 1000.0))
 }
 
-/// The cube, unless that would leave the default on the first twentieth of the slider.
+/// Exponent of a fine slider: 3, or 5 if the cube would leave the default in the first twentieth of the slider.
 fn power(low: f64, high: f64, default: f64) -> u32 {
     let part = (default - low) / (high - low);
     if part > 0.0 && libm::cbrt(part) < 0.05 { 5 } else { 3 }
 }
 
-/// The greatest of 1, 2 or 5 times a power of ten that is at most `step`.
+/// Greatest number of the form 1, 2 or 5 times a power of ten that is at most `step`.
 fn round_step(step: f64) -> f64 {
     let scientific = format!("{step:e}");
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));

@@ -1,37 +1,38 @@
-//! The start of the run as the hand sets it: which parameters give the initial value that a handle is pulled to.
+//! Start of the run after a drag: finds the parameters that give a dragged initial value.
 
 use engine::Readings;
 use program::{Choices, Model, Variable};
 
-/// The initial value of one state as a function of the parameters that decide it.
+/// Initial value of one state as a function of the parameters that determine it.
 #[derive(Clone, Debug)]
 pub(crate) struct Start {
-    /// The value, then its partial derivatives by `parameters`.
+    /// The value, then its partial derivatives with respect to `parameters`.
     readings: Readings,
     parameters: Vec<Decides>,
-    /// The number of states of the model.
+    /// Number of states of the model.
     states: usize,
 }
 
 /// A parameter on which the initial value depends.
 #[derive(Clone, Copy, Debug)]
 struct Decides {
-    /// Which of [`Model::parameters`].
+    /// Index into [`Model::parameters`].
     index: usize,
     /// Least and greatest value, SI.
     range: (f64, f64),
-    /// What a change of it is measured by, SI: the width of its range.
+    /// Scale of its changes, SI: the width of its range. Without a range, the magnitude of its default value, or one
+    /// unit if that is 0.
     scale: f64,
 }
 
-/// Newton's method has found the value long before, or finds none.
+/// Maximum number of Newton iterations.
 const MOST_TRIALS: usize = 20;
 
-/// How near the value found is to the one wanted, as a part of the way to it.
+/// Tolerance of the value found, relative to the change wanted.
 const NEAR: f64 = 1e-9;
 
 impl Start {
-    /// `None` if no parameter decides the initial value of this state.
+    /// Returns `None` if no parameter determines the initial value of this state.
     pub fn of(model: &Model, state: usize) -> Option<Self> {
         let initial = model.states.get(state)?.initial;
         let decides = |index: u32| {
@@ -55,11 +56,11 @@ impl Start {
         Some(Self { readings: Readings::new(&extended, &nodes), parameters, states: model.states.len() })
     }
 
-    /// The parameters that give the initial value `wanted` (SI), changed as little as possible from `from`: least in the
-    /// sum of squares of the changes, each divided by the width of its range. For `y(0) = (h_l - h_r)/2` and equal ranges
-    /// one height rises by as much as the other falls. `None` if a parameter would leave its range, or if there are none.
+    /// Parameters (SI) that give the initial value `wanted` (SI) with the least change from `from`: the sum of squares
+    /// of the changes, each divided by its scale, is minimal. For `y(0) = (h_l - h_r)/2` and equal ranges, one height
+    /// rises by as much as the other falls. `None` if a parameter would leave its range or no solution is found.
     ///
-    /// Newton's method along the gradient; where the initial value is linear in the parameters the first step is exact.
+    /// Newton's method along the gradient. If the initial value is linear in the parameters, the first step is exact.
     pub fn solve(&mut self, from: &[f64], wanted: f64) -> Option<Vec<f64>> {
         let nothing = vec![0.0; self.states];
         let mut found = from.to_vec();
@@ -94,7 +95,7 @@ impl Start {
         None
     }
 
-    /// Without what rounding leads out of a range.
+    /// Clamps parameters to their ranges to remove rounding errors.
     fn within(&self, mut parameters: Vec<f64>) -> Vec<f64> {
         for parameter in &self.parameters {
             if let Some(value) = parameters.get_mut(parameter.index) {

@@ -1,4 +1,4 @@
-//! The state by hand: typed while the run stands still. It starts a new run from there, and stays the start of the run
+//! State set by hand, typed while the run is paused. It starts a new run from there and remains the start of the run
 //! until another one is set or the defaults are restored.
 
 use crate::values::Members;
@@ -9,37 +9,38 @@ use engine::Setup;
 use program::{Node, Role, State};
 use units::number::Layout;
 
-/// A state as its field shows it.
+/// A state, for its field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateView {
-    /// Which of [`program::Model::states`].
+    /// Index into [`program::Model::states`].
     pub index: usize,
-    /// `y'`.
+    /// Name, such as `y'`.
     pub name: String,
-    /// The label in the chosen language; the name where there is none.
+    /// Label in the chosen language; the name if there is none.
     pub label: String,
-    /// The unit for people; empty for a pure number.
+    /// Unit as displayed; empty for a pure number.
     pub unit: String,
-    /// The value at the time shown, SI.
+    /// Value at the time shown, SI.
     pub value: f64,
-    /// The value in the unit.
+    /// Value in the unit.
     pub text: String,
-    /// The value with its unit, for `aria-valuetext`.
+    /// Value with unit, for `aria-valuetext`.
     pub spoken: String,
-    /// Whether it can be set now: only while the run stands still.
+    /// True if it can be set now: only while the run is paused.
     pub editable: bool,
-    /// The family of whose members this one is shown, where it stands for all of them; name and label are then the family's.
+    /// Family of the displayed member. Name and label are then those of the family. `None` for a state that stands
+    /// alone.
     pub members: Option<Members>,
 }
 
 impl Play {
-    /// All states of the author, in the order of the model.
+    /// All states defined by the author, in the order of the model.
     pub fn states(&self) -> Vec<StateView> {
         let states = self.model().states.iter().enumerate().filter(|(_, state)| state.role == Role::Own);
         states.filter_map(|(index, _)| self.state(index)).collect()
     }
 
-    /// One state.
+    /// One state; `None` for an unknown index.
     pub fn state(&self, index: usize) -> Option<StateView> {
         let state = self.model().states.get(index)?;
         let &value = self.course.state().get(index)?;
@@ -57,7 +58,7 @@ impl Play {
         })
     }
 
-    /// The states in lines: of a family the member that is chosen ([`Play::choose_member`]).
+    /// States in lines; for a family, the member selected with [`Play::choose_member`].
     pub fn state_lines(&self) -> Vec<StateView> {
         let line = |line: &Line<usize>| {
             let &index = line.member(self.lines.chosen_of(line))?.parts.first()?;
@@ -72,7 +73,7 @@ impl Play {
         self.lines.states.iter().filter_map(line).collect()
     }
 
-    /// Starts a new run from the state shown with one value replaced (SI). Refused while the run is playing.
+    /// Starts a new run from the state shown with one value (SI) replaced. Refused while the run is playing.
     pub fn set_state(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
         if self.playing {
             return Err(Refusal::NotPaused);
@@ -95,7 +96,7 @@ impl Play {
         Ok(())
     }
 
-    /// The same from what was typed, as [`Play::set_parameter_text`] takes it.
+    /// Sets a state from typed text, as [`Play::set_parameter_text`] does for a parameter.
     pub fn set_state_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
         let unknown = || Refusal::Unknown { name: index.to_string() };
         let (view, state) = self.state(index).zip(self.model().states.get(index)).ok_or_else(unknown)?;
@@ -105,19 +106,19 @@ impl Play {
         }
     }
 
-    /// Whether the run began from a state set by hand and not from the model's initial values.
+    /// True if the run started from a state set by hand instead of the model's initial values.
     pub fn is_started_by_hand(&self) -> bool {
         self.course.begun().start.is_some()
     }
 
-    /// Starts a run from a state, with the parameters shown.
+    /// Starts a run from a state (SI) with the parameters shown.
     pub(crate) fn start_from(&mut self, state: Vec<f64>) {
         let parameters = self.course.parameters().to_vec();
         let setup = Setup { parameters, start: Some(state), ..self.course.begun().clone() };
         self.restart(setup);
     }
 
-    /// The label of a state in the chosen language; its name where it has none.
+    /// Label of a state in the chosen language; its name if it has none.
     pub(crate) fn state_label(&self, index: usize) -> String {
         let Some(state) = self.model().states.get(index) else {
             return String::new();
@@ -125,7 +126,7 @@ impl Play {
         state.label.as_deref().map_or_else(|| state.name(), |label| self.text(label).to_owned())
     }
 
-    /// A state's value in its own unit, for its field, with the resolution that its swing in this run calls for.
+    /// Value of a state in its own unit, for its field. Its resolution follows from the largest magnitude in this run.
     pub(crate) fn state_number(&self, index: usize, state: &State, value: f64) -> String {
         let node = self.model().graph.find(Node::State(index as u32));
         if node.is_some_and(|node| self.is_count(node, &state.unit)) {

@@ -1,26 +1,25 @@
-//! Arithmetic as people type it, made readable for the parser of the model's language: `15/4 s`, `2π/(1,672 1/s)`,
-//! `3 m + 20 cm`.
+//! Converts typed arithmetic to the syntax of the model's language: `15/4 s`, `2π/(1,672 1/s)`, `3 m + 20 cm`.
 
 use units::Unit;
 use units::number::Style;
 
-/// A typed value is at most this long.
+/// Maximum length of a typed value, in bytes.
 pub(crate) const LONGEST: usize = 300;
 
-/// No unit that is typed is longer, in characters.
+/// Maximum length of a typed unit, in characters.
 const LONGEST_UNIT: usize = 40;
 
-/// One way to understand what was typed.
+/// One interpretation of the typed text.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Candidate {
-    /// In the model's language, with units in brackets.
+    /// Expression in the model's language, with units in brackets.
     pub expression: String,
-    /// The unit of the whole, whose numbers then have none.
+    /// Unit of the whole expression, whose numbers then have none.
     pub unit: Option<Unit>,
 }
 
-/// The ways to understand what was typed, the likelier first. A unit at the end is that of the whole (`15/4 s` is 3.75 s) or of
-/// the number before it (`5 m + 20 cm`): which of them it is, the dimensions decide.
+/// Possible interpretations of the typed text, the more likely first. A unit at the end belongs to the whole expression
+/// (`15/4 s` is 3.75 s) or to the last number (`5 m + 20 cm`); the dimensions decide.
 pub(crate) fn candidates(typed: &str, style: Style) -> Vec<Candidate> {
     if typed.len() > LONGEST {
         return Vec::new();
@@ -30,7 +29,8 @@ pub(crate) fn candidates(typed: &str, style: Style) -> Vec<Candidate> {
     whole.into_iter().chain([Candidate { expression: with_brackets(&typed), unit: None }]).collect()
 }
 
-/// The operators of the language for those on a page; points for decimal commas, whose lists are separated by semicolons.
+/// Replaces typographic operators by those of the language, and decimal commas by points. With decimal commas,
+/// semicolons separate lists.
 fn plain_signs(typed: &str, style: Style) -> String {
     let sign = |character: char| match character {
         '×' | '·' | '⋅' => '*',
@@ -52,12 +52,12 @@ fn plain_signs(typed: &str, style: Style) -> String {
     out
 }
 
-/// What stands before a unit at the end, and that unit.
+/// Splits off a unit at the end: (text before it, unit).
 fn unit_at_end(text: &str) -> Option<(&str, Unit)> {
     let begins = |(at, character): (usize, char)| {
         let (head, tail) = text.split_at(at);
         let before = head.trim_end().chars().next_back()?;
-        // The `1` of `1/s` is no digit of the number before it.
+        // The `1` of `1/s` is not a digit of the preceding number.
         let apart = head.ends_with(' ') || !character.is_ascii_digit();
         let follows = (before.is_ascii_digit() || matches!(before, '.' | ')')) && apart && character != ' ';
         let unit = follows.then(|| unit(tail)).flatten()?;
@@ -74,7 +74,7 @@ fn unit(text: &str) -> Option<Unit> {
     Unit::parse(text).ok().filter(|unit| !unit.text.is_empty())
 }
 
-/// The same with brackets around the units that stand after numbers.
+/// Puts brackets around the units after numbers.
 fn with_brackets(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
@@ -82,7 +82,7 @@ fn with_brackets(text: &str) -> String {
     while let Some(first) = rest.chars().next() {
         let length = if inside_name { 0 } else { number_length(rest) };
         if length == 0 {
-            // What stands in brackets is a unit already.
+            // Text in brackets is already a unit.
             let end = if first == '[' { rest.find(']').map_or(rest.len(), |end| end + 1) } else { first.len_utf8() };
             out.push_str(&rest[..end]);
             rest = &rest[end..];
@@ -93,7 +93,7 @@ fn with_brackets(text: &str) -> String {
         rest = &rest[length..];
         inside_name = false;
         let after = rest.trim_start_matches(' ');
-        // Before a unit in brackets `in` is the word, and no inch.
+        // Before a unit in brackets, `in` is the keyword and not an inch.
         let is_word = after.strip_prefix("in").is_some_and(|rest| rest.trim_start().starts_with('['));
         let unit = if is_word { 0 } else { unit_at_start(after, after.len() < rest.len()) };
         if unit > 0 {
@@ -105,7 +105,7 @@ fn with_brackets(text: &str) -> String {
     out
 }
 
-/// The length of the number at the start: digits, a point, an exponent.
+/// Length in bytes of the number at the start: digits, a point, an exponent; 0 if there is none.
 pub(crate) fn number_length(text: &str) -> usize {
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let whole = digits(text);
@@ -122,7 +122,7 @@ pub(crate) fn number_length(text: &str) -> usize {
     length + exponent
 }
 
-/// The length of the longest unit at the start, 0 where there is none.
+/// Length in bytes of the longest unit at the start; 0 if there is none.
 fn unit_at_start(text: &str, after_blank: bool) -> usize {
     let symbol = text.starts_with(|c: char| c.is_alphabetic() || matches!(c, '%' | '°'));
     let reciprocal = after_blank && text.starts_with("1/");
@@ -138,7 +138,7 @@ fn unit_at_start(text: &str, after_blank: bool) -> usize {
     ends.filter(complete).last().unwrap_or(0)
 }
 
-/// The units that stand in brackets.
+/// All units in brackets.
 pub(crate) fn stated_units(expression: &str) -> impl Iterator<Item = Unit> {
     expression.split('[').skip(1).filter_map(|rest| Unit::parse(rest.split(']').next()?).ok())
 }

@@ -1,12 +1,13 @@
-//! What others add to the figures: points over the curves of a plot, and plots of their own.
+//! Content added to the figures by other crates: points over the curves of a plot, and separate plots.
 
 use super::labels::Labels;
 use figure::{Interval, SERIES_COLOURS, Style};
 
-/// The first colour of points: the first curves have those before it, and a line could not be seen on points of its colour.
+/// First palette colour of points. The first curves use the colours before it; a line would be invisible on points of
+/// its own colour.
 const POINTS: usize = 3;
 
-/// The colour of the points of a measured column, by its number among all that are drawn.
+/// Palette colour of the points of a measured column, from its number among all drawn columns.
 pub fn points_colour(number: usize) -> u8 {
     (POINTS + number % (SERIES_COLOURS - POINTS)) as u8
 }
@@ -14,65 +15,65 @@ pub fn points_colour(number: usize) -> u8 {
 /// Points over one curve of a plot of the document, in the units of its axes.
 #[derive(Clone, Debug, Default)]
 pub struct Points {
-    /// Which curve.
+    /// Index of the curve.
     pub curve: usize,
-    /// Which colour of the palette.
+    /// Index of the palette colour.
     pub colour: u8,
-    /// The entry in the legend.
+    /// Legend entry.
     pub label: String,
-    /// Where they come from; a reading begins with it.
+    /// Source of the points; a read-out begins with it.
     pub source: String,
-    /// Along the horizontal axis.
+    /// Abscissas.
     pub x: Vec<f64>,
-    /// Along the vertical axis.
+    /// Ordinates.
     pub y: Vec<f64>,
-    /// Standard errors along the vertical axis; empty where there are none.
+    /// Standard errors of the ordinates; empty if there are none.
     pub errors: Vec<f64>,
     /// See [`figure::Series::version`].
     pub version: u64,
 }
 
-/// A plot that is not the document's, such as residuals.
+/// A plot that does not come from the document, such as residuals.
 #[derive(Debug, Default)]
 pub struct AddedPlot {
-    /// Its texts.
+    /// Texts of the plot.
     pub labels: Labels,
-    /// What is drawn.
+    /// Series, in drawing order.
     pub series: Vec<AddedSeries>,
-    /// What the horizontal axis shows at least.
+    /// Interval that the horizontal axis shows at least.
     pub x_includes: Option<Interval>,
-    /// What the vertical axes show at least.
+    /// Interval that the vertical axes show at least.
     pub y_includes: Option<Interval>,
-    /// What the vertical axis shows unless it is zoomed.
+    /// Interval that the vertical axis shows unless zoomed.
     pub y_limits: Option<Interval>,
-    /// Whether the time shown is marked on the horizontal axis.
+    /// True if the time shown is marked on the horizontal axis.
     pub marks_time: bool,
-    /// Whether the abscissas ascend.
+    /// True if the abscissas ascend.
     pub ordered: bool,
-    /// Whether there is anything to show.
+    /// True if the plot has anything to show.
     pub offered: bool,
-    /// Whether it stands apart from the other plots, where its owner puts it.
+    /// True if it stands apart from the other plots, where its owner places it.
     pub apart: bool,
-    /// The series along which the keyboard's cursor goes.
+    /// Index of the series that the keyboard cursor follows.
     pub cursor: usize,
 }
 
 /// A series of an [`AddedPlot`], in the units of its axes.
 #[derive(Debug, Default)]
 pub struct AddedSeries {
-    /// Which axis.
+    /// Index of the vertical axis.
     pub axis: usize,
-    /// Which colour of the palette.
+    /// Index of the palette colour.
     pub colour: u8,
-    /// How it is drawn.
+    /// Drawing style.
     pub style: Style,
-    /// Whether it stands in the legend, with its name among [`Labels::curves`].
+    /// True if the legend lists it, with its name from [`Labels::curves`].
     pub in_legend: bool,
-    /// Along the horizontal axis.
+    /// Abscissas.
     pub x: Vec<f64>,
-    /// Along the vertical axis.
+    /// Ordinates.
     pub y: Vec<f64>,
-    /// Standard errors; empty where there are none.
+    /// Standard errors of the ordinates; empty if there are none.
     pub errors: Vec<f64>,
     /// See [`figure::Series::version`].
     pub version: u64,

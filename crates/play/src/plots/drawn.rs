@@ -1,4 +1,4 @@
-//! What is drawn in a plot: the series, behind one another, with their axes.
+//! Assembles the figure of a plot: series in drawing order, with their axes.
 
 use super::added::AddedPlot;
 use super::histogram::Histogram;
@@ -13,7 +13,7 @@ use program::{Curve, Drawing};
 use units::Unit;
 
 impl Play {
-    /// What is drawn in a plot.
+    /// Figure of a plot; `None` for an unknown index.
     pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
         let state = self.plots.get(index)?;
         if let Some(added) = &state.added {
@@ -28,7 +28,8 @@ impl Play {
         }
     }
 
-    /// What is drawn: points, the ghost, then the kept runs, then the present run on top, in the same colours.
+    /// Series from back to front: points, the ghost, the kept runs, the present run; curves keep their colours in all
+    /// runs.
     fn figure_plot(&self, index: usize) -> Option<Plot<'_>> {
         let state = self.plots.get(index)?;
         let columns = self.columns.plot(index)?;
@@ -50,7 +51,7 @@ impl Play {
                 let present = self.present.get(x).copied().zip(self.present.get(y).copied());
                 let label = match style {
                     Style::Line => labels.curves.get(number).map_or("", String::as_str),
-                    // One entry stands for all its curves.
+                    // One legend entry stands for all curves of a kept run.
                     Style::Ghost if number == 0 => words::previous_run(self.language),
                     _ => "",
                 };
@@ -79,7 +80,7 @@ impl Play {
         })
     }
 
-    /// A plot of the document without what is drawn in it.
+    /// A plot of the document without series.
     fn empty_figure(&self, index: usize) -> Option<Plot<'_>> {
         let state = self.plots.get(index)?;
         let labels = &state.labels;
@@ -94,7 +95,7 @@ impl Play {
         })
     }
 
-    /// The series of a curve of a plot that is not drawn along the run.
+    /// Series of one curve of a plot that is not drawn along the run.
     fn curve_alone<'a>(&'a self, index: usize, number: usize, x: &'a [f64], y: &'a [f64]) -> Option<Series<'a>> {
         let labels = &self.plots.get(index)?.labels;
         let text = |list: &'a [String]| list.get(number).map_or("", String::as_str);
@@ -103,7 +104,7 @@ impl Play {
         Some(Series { label, across, axis, colour, x, y, ..Series::default() })
     }
 
-    /// The points of the run at the multiples of a period.
+    /// Points of the run at multiples of a period, or at the firings of an event.
     fn section_figure<'a>(&'a self, index: usize, section: &'a Section) -> Option<Plot<'a>> {
         let curves = self.columns.plot(index)?.curves.len();
         let series = (0..curves).filter_map(|number| {
@@ -117,7 +118,7 @@ impl Play {
         })
     }
 
-    /// The curves over the values of a parameter, of which the present one is marked.
+    /// Curves over the values of a parameter, with the present value marked.
     fn swept_figure<'a>(&'a self, index: usize, swept: &'a Swept) -> Option<Plot<'a>> {
         let mut plot = self.empty_figure(index)?;
         let style = if swept.is_of_points() { Style::Dots } else { Style::Line };
@@ -125,14 +126,14 @@ impl Play {
         let series =
             curves.filter_map(|(number, y)| Some(Series { style, ..self.curve_alone(index, number, &swept.x, y)? }));
         plot.series = series.collect();
-        // The axis ends where the sweep does: nothing can be computed beyond.
+        // The axis ends with the sweep: no values are computed beyond it.
         plot.view.x.get_or_insert(swept.range());
         plot.marker = swept.present(&self.course);
         plot.ordered = style == Style::Line;
         Some(plot)
     }
 
-    /// The members at the moment shown.
+    /// Members of families at the moment shown.
     fn profile_figure<'a>(&'a self, index: usize, profile: &'a Snapshot, style: Style) -> Option<Plot<'a>> {
         let mut plot = self.empty_figure(index)?;
         let curves = self.columns.plot(index)?.curves.len();
@@ -150,7 +151,7 @@ impl Play {
         Some(plot)
     }
 
-    /// How many values lie where.
+    /// Bars of a histogram.
     fn histogram_figure<'a>(&'a self, index: usize, histogram: &'a Histogram) -> Option<Plot<'a>> {
         let mut plot = self.empty_figure(index)?;
         let bins = histogram.bins();
@@ -162,8 +163,8 @@ impl Play {
         Some(plot)
     }
 
-    /// Whether a unit has the same length on both axes: where lengths are drawn against a length, or the document asks for it.
-    /// Displacements of members against their places would be flattened by it.
+    /// True if both axes have the same scale: if lengths are plotted against a length, or the document requests it. Not
+    /// for profiles by default: displacements of members against their places would be flattened.
     pub(super) fn has_equal_axes(&self, index: usize) -> bool {
         let is_length = |curve: &Curve| curve.value.unit.dimension == units::Dimension::LENGTH;
         self.program.plots.get(index).is_some_and(|plot| match plot.drawing {
@@ -173,13 +174,15 @@ impl Play {
         })
     }
 
-    /// What a zoomed plot of the document against the independent variable shows of it; `None` where none is zoomed.
+    /// Horizontal interval of the first zoomed plot of the document against the independent variable; `None` if none is
+    /// zoomed.
     pub fn zoomed_part(&self) -> Option<Interval> {
         let against = (0..self.program.plots.len()).filter(|index| self.is_against_independent(*index));
         against.filter_map(|index| self.plots.get(index)?.view.x).next()
     }
 
-    /// The unit of the horizontal axis of a plot that shows points against the independent variable; `None` for others.
+    /// Unit of the horizontal axis of a plot that shows points against the independent variable; `None` for other
+    /// plots.
     pub fn unit_of_time_axis(&self, PlotId(index): PlotId) -> Option<&Unit> {
         let has_points = self.plots.get(index).is_some_and(|plot| !plot.points.is_empty());
         let plot = self.program.plots.get(index).filter(|_| has_points && self.is_against_independent(index));
@@ -191,7 +194,7 @@ impl Play {
         self.program.plots.get(index).is_some_and(|plot| plot.abscissas().all(independent))
     }
 
-    /// What is drawn in a plot that was added.
+    /// Figure of an added plot.
     fn added_figure<'a>(&'a self, added: &'a AddedPlot, view: &View) -> Plot<'a> {
         let labels = &added.labels;
         let unit = &self.model().independent.unit;
@@ -222,12 +225,12 @@ impl Play {
         }
     }
 
-    /// How many series are drawn behind those of the present run.
+    /// Number of series drawn behind those of the present run.
     pub(super) fn series_behind(&self, index: usize) -> usize {
         self.points_behind(index) + self.runs_behind(index)
     }
 
-    /// How many series of points are drawn behind all lines.
+    /// Number of series of points, which are drawn behind all lines.
     pub(super) fn points_behind(&self, index: usize) -> usize {
         let along = self.plots.get(index).filter(|plot| matches!(plot.content, Content::Run));
         along.map_or(0, |plot| plot.points.len())

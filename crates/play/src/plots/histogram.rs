@@ -1,8 +1,8 @@
-//! Histograms: how many values lie where, of the members of a family at the moment shown, or of a quantity over the run so
-//! far. The bins are as wide as the rule of D. Freedman and P. Diaconis, *On the histogram as a density estimator: L2
-//! theory*, Z. Wahrscheinlichkeitstheorie verw. Gebiete 57 (1981) 453, says: twice the interquartile range over the cube
-//! root of the number of values. Where that range is 0 there are as many bins as the square root of that number. Widths
-//! are rounded to 1, 2 or 5 times a power of ten, and the edges are multiples of them, so that bins seldom change.
+//! Histograms of the members of a family at the moment shown, or of a quantity over the run so far. The bin width
+//! follows the rule of D. Freedman and P. Diaconis, *On the histogram as a density estimator: L2 theory*, Z.
+//! Wahrscheinlichkeitstheorie verw. Gebiete 57 (1981) 453: twice the interquartile range divided by the cube root of
+//! the number of values. If that range is 0, the number of bins is the square root of the number of values. Widths are
+//! rounded to 1, 2 or 5 times a power of ten, and the edges are multiples of the width, so that bins seldom change.
 
 use super::members::Snapshot;
 use crate::time::course::Course;
@@ -11,40 +11,40 @@ use program::{Model, NodeId, Plot};
 use units::Unit;
 use units::number::{leading_exponent, scaled_by};
 
-/// No histogram has more bins.
+/// Maximum number of bins.
 const MOST_BINS: f64 = 200.0;
-/// The quartiles are those of about so many values, evenly thinned.
+/// The quartiles are computed from about this many values, evenly thinned.
 const FOR_QUARTILES: usize = 50_000;
-/// The vertical axis shows at least so many.
+/// Minimum of the upper end of the vertical axis, a count.
 const LEAST_COUNT: f64 = 5.0;
 
-/// The bars of one plot.
+/// Bars of one plot.
 #[derive(Debug)]
 pub(crate) struct Histogram {
     members: Option<Snapshot>,
-    /// Whether the values are whole numbers.
+    /// True if the values are integers.
     whole: bool,
     bins: Bins,
-    /// Where the bars of the run so far lie, and how high the highest of those shown was.
+    /// Horizontal extent of the bars of the run so far, and the height of the highest bar shown so far.
     reached: Interval,
     highest: f64,
-    /// Of the run so many values were counted, of so many that there are.
+    /// Number of rows up to the moment shown and number of all rows, at the last update.
     counted: (usize, usize),
 }
 
-/// Bins of one width.
+/// Bins of equal width.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Bins {
-    /// Their middles, ascending.
+    /// Centres of the bins, ascending.
     pub middles: Vec<f64>,
-    /// How many values lie in each.
+    /// Number of values in each bin.
     pub counts: Vec<f64>,
-    /// Their width.
+    /// Width of a bin.
     pub width: f64,
 }
 
 impl Histogram {
-    /// Of a plot of these members, or of its curve over the run where there are none.
+    /// Histogram of these members at the moment shown, or, if `members` is empty, of the plot's curve over the run.
     pub fn new(model: &Model, plot: &Plot, members: &[NodeId]) -> Self {
         let unit: &Unit = &plot.x.value.unit;
         let whole =
@@ -59,28 +59,28 @@ impl Histogram {
         }
     }
 
-    /// The bars.
+    /// Present bins.
     pub fn bins(&self) -> &Bins {
         &self.bins
     }
 
-    /// What the horizontal axis shows.
+    /// Interval shown on the horizontal axis.
     pub fn across(&self) -> Interval {
         self.reached
     }
 
-    /// What the vertical axis shows.
+    /// Interval shown on the vertical axis.
     pub fn along(&self) -> Interval {
         Interval { low: 0.0, high: self.highest }
     }
 
-    /// Forgets what was counted.
+    /// Discards all counts.
     pub fn forget(&mut self) {
         (self.counted, self.highest) = ((0, 0), LEAST_COUNT);
         self.members.iter_mut().for_each(Snapshot::forget);
     }
 
-    /// Counts what is shown. `traces` are the values of the curve at the rows of the run.
+    /// Updates the bins to the moment shown. `traces` are the values of the curve, one per row of the run.
     pub fn follow(&mut self, course: &Course, traces: &[f64]) {
         if course.rows() < 2 {
             self.highest = LEAST_COUNT;
@@ -115,7 +115,7 @@ impl Histogram {
 }
 
 impl Bins {
-    /// The bins of some values; whole numbers stand in the middle of theirs.
+    /// Bins for these values; integers lie at the centres of their bins.
     pub fn of(values: &[f64], whole: bool) -> Self {
         let finite = || values.iter().copied().filter(|value| value.is_finite());
         let count = finite().count();
@@ -131,7 +131,7 @@ impl Bins {
         if width <= 0.0 {
             width = range / number.sqrt().ceil();
         }
-        // Narrower ones could not be told apart, neither by eye nor in doubles.
+        // Narrower bins could be distinguished neither by eye nor in double precision.
         let magnitude = low.abs().max(high.abs());
         width = width.max(range / MOST_BINS).max(1e-9 * magnitude);
         width = if width > 0.0 { rounded(width) } else { 1.0 };
@@ -154,14 +154,14 @@ impl Bins {
         Self { middles, counts, width }
     }
 
-    /// The lower edge of the first and the upper edge of the last.
+    /// Lower edge of the first and upper edge of the last bin; `None` without bins.
     fn edges(&self) -> Option<Interval> {
         let (first, last) = (self.middles.first()?, self.middles.last()?);
         Some(Interval { low: first - self.width / 2.0, high: last + self.width / 2.0 })
     }
 }
 
-/// The distance of the quartiles, each interpolated between the values next to it.
+/// Interquartile range; each quartile is interpolated linearly between adjacent values.
 fn quartiles(mut values: Vec<f64>) -> f64 {
     values.sort_unstable_by(f64::total_cmp);
     let last = values.len().saturating_sub(1) as f64;
@@ -174,11 +174,11 @@ fn quartiles(mut values: Vec<f64>) -> f64 {
     at(0.75) - at(0.25)
 }
 
-/// The nearest of 1, 2 and 5 times a power of ten, by the ratio.
+/// Rounds to the nearest of 1, 2 and 5 times a power of ten, by ratio.
 fn rounded(width: f64) -> f64 {
     let power = scaled_by(1.0, leading_exponent(width));
     let mantissa = width / power;
-    // Between two of them lies the square root of their product.
+    // The boundary between two candidates is the square root of their product.
     let round = [(1.0, 2.0), (2.0, 10.0), (5.0, 50.0)].into_iter().find(|(_, product)| mantissa * mantissa < *product);
     round.map_or(10.0, |(round, _)| round) * power
 }

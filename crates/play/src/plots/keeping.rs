@@ -1,4 +1,4 @@
-//! Runs are kept, shown, removed; what is given up becomes the ghost.
+//! Keeping, showing and removing runs. Discarded rows become the ghost.
 
 use crate::plots::kept::{Ghost, Kept, KeptView, MOST_KEPT};
 use crate::plots::traces::{Columns, Traces};
@@ -9,14 +9,14 @@ use crate::values::symbol::symbol;
 use crate::{Announcement, Play, Refusal, words};
 use program::State;
 
-/// The most rows that are kept of a run that is only looked at.
+/// Maximum number of rows stored for a kept run or ghost.
 const ROWS_KEPT: usize = 20_000;
 
-/// A ghost with fewer rows than this does not replace another: it is one of the short runs that moving a slider leaves.
+/// A ghost with fewer rows does not replace another one: moving a slider leaves many short runs.
 const ROWS_WORTH_SEEING: usize = 20;
 
 impl Play {
-    /// Keeps the run as it is now, to be drawn behind later ones.
+    /// Keeps the present run; it is drawn behind later ones.
     pub fn keep(&mut self) -> Result<(), Refusal> {
         let recipe = self.course.recipe();
         self.follow();
@@ -27,18 +27,19 @@ impl Play {
         Ok(())
     }
 
-    /// Keeps a run of this model by computing it again with no more than the work given, from which what was done is taken.
-    /// Returns whether that was enough for all of it.
+    /// Keeps a run by recomputing it. `work` is the limit in floating-point operations and is reduced by the work done.
+    /// Returns true if it sufficed for the whole run.
     pub(crate) fn keep_recipe(&mut self, recipe: &Recipe, work: &mut u64) -> Result<bool, Refusal> {
         let (recipe, traces, complete) = self.compute_kept(recipe, Moments::Rows, work);
         self.keep_traces(recipe, traces)?;
         Ok(complete)
     }
 
-    /// The recipe of the run that was computed, what is drawn of it, and whether the work was enough for all of it.
+    /// Recomputes a run. Returns the recipe of the computed part, its traces, and true if `work` sufficed for the whole
+    /// run.
     pub(crate) fn compute_kept(&mut self, recipe: &Recipe, moments: Moments, work: &mut u64) -> (Recipe, Traces, bool) {
         let overhead = self.columns.bytes_per_row();
-        // What is drawn decides the columns, too.
+        // Drawn curves change the model and therefore the columns.
         let drawn = self.program.model.with_drawings(&recipe.setup.drawings);
         let mut own = drawn.map(|model| Columns::new(&model, &self.program.plots));
         let (mut course, complete) = Course::replay(&self.program.model, recipe, moments, overhead, work);
@@ -65,7 +66,7 @@ impl Play {
         Ok(())
     }
 
-    /// The kept runs, oldest first.
+    /// All kept runs, oldest first.
     pub fn kept(&self) -> Vec<KeptView> {
         let mut views: Vec<KeptView> = Vec::new();
         for kept in &self.kept {
@@ -78,7 +79,7 @@ impl Play {
         views
     }
 
-    /// Draws a kept run or not.
+    /// Shows or hides a kept run.
     pub fn show_kept(&mut self, id: u32, shown: bool) {
         if let Some(kept) = self.kept.iter_mut().find(|kept| kept.id == id) {
             kept.shown = shown;
@@ -86,7 +87,7 @@ impl Play {
         }
     }
 
-    /// Forgets a kept run.
+    /// Removes a kept run; can be undone.
     pub fn remove_kept(&mut self, id: u32) {
         let Some(view) = self.kept().into_iter().find(|view| view.id == id) else {
             return;
@@ -99,12 +100,12 @@ impl Play {
         self.announce(Announcement::Removed(view.name));
     }
 
-    /// Whether the rows given up last are drawn.
+    /// True if a ghost (the rows discarded last) is drawn.
     pub fn has_ghost(&self) -> bool {
         self.ghost.is_some()
     }
 
-    /// Removes the ghost at a person's wish; it can be put back.
+    /// Removes the ghost at the user's request; can be undone.
     pub fn remove_ghost(&mut self) {
         if let Some(ghost) = self.ghost.take() {
             self.can_undo(Removed::Ghost(ghost));
@@ -113,26 +114,26 @@ impl Play {
         }
     }
 
-    /// Forgets the ghost.
+    /// Removes the ghost; cannot be undone.
     pub fn clear_ghost(&mut self) {
         if self.ghost.take().is_some() {
             self.revision.runs += 1;
         }
     }
 
-    /// Makes the rows of the run from `first` on the ghost, if there is something to see.
+    /// Turns the rows from index `first` on into the ghost, if there are enough to be seen.
     pub(crate) fn keep_ghost(&mut self, first: usize) {
         self.follow();
         let rows = self.traces.rows().saturating_sub(first);
         let worth = if self.ghost.is_some() { ROWS_WORTH_SEEING } else { 2 };
         if rows >= worth {
-            // From the row before on, so that the ghost hangs on to the line it left.
+            // Starts one row earlier, so that the ghost joins the line that it left.
             self.ghost = Some(Ghost { traces: self.traces.thinned(first.saturating_sub(1), ROWS_KEPT) });
             self.revision.runs += 1;
         }
     }
 
-    /// `y(0) = 0.3 m` for each state of a start set by hand.
+    /// Texts such as `y(0) = 0.3 m` for each state of a start set by hand.
     pub(crate) fn start_texts(&self, start: &[f64]) -> Vec<String> {
         let text = |(state, &value): (&State, &f64)| {
             format!("{}(0) = {}", symbol(&state.name()), self.quantity_text(value, &state.unit))
@@ -140,12 +141,12 @@ impl Play {
         self.model().states.iter().zip(start).map(text).collect()
     }
 
-    /// `h = 0.01 s`
+    /// Text of a step: `h = 0.01 s`.
     pub(crate) fn step_words(&self, step: f64) -> String {
         format!("h = {}", self.quantity_text(step, &self.model().independent.unit))
     }
 
-    /// What distinguishes a run from the document's own: `b = 200 kg/s, rk4`.
+    /// Name of a run, from its differences to the document's own run: `b = 200 kg/s, rk4`.
     fn recipe_name(&self, recipe: &Recipe) -> String {
         let model = &self.program.model;
         let last = recipe.last_parameters();

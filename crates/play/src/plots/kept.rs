@@ -1,21 +1,21 @@
-//! A run kept for comparison, and the ghost: the rows that were given up last.
+//! A run kept for comparison, and the ghost: the rows discarded last.
 
 use crate::plots::traces::Traces;
 use crate::time::recipe::Recipe;
 
-/// How many runs can be kept: no more can be distinguished in a plot.
+/// Maximum number of kept runs; more cannot be distinguished in a plot.
 pub const MOST_KEPT: usize = 5;
 
 /// A kept run in the list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeptView {
-    /// Names the run as long as it exists.
+    /// Identifier, unique while the document is open.
     pub id: u32,
-    /// What distinguishes it: `b = 200 kg/s`.
+    /// Name from its differences to the document's own run: `b = 200 kg/s`.
     pub name: String,
-    /// Whether it is drawn.
+    /// True if it is drawn.
     pub shown: bool,
-    /// Which dash pattern it is drawn with: [`figure::Style::Kept`].
+    /// Dash pattern of its lines, see [`figure::Style::Run`].
     pub pattern: u8,
 }
 
@@ -29,7 +29,7 @@ pub(crate) struct Kept {
     pub traces: Traces,
 }
 
-/// The rows that were given up last.
+/// The rows discarded last.
 #[derive(Clone, Debug)]
 pub(crate) struct Ghost {
     pub traces: Traces,

@@ -1,4 +1,4 @@
-//! Writes the texts of the plots.
+//! Builds the texts of the plots.
 
 use super::labels::Labels;
 use crate::values::symbol::symbol;
@@ -6,7 +6,7 @@ use crate::{Play, number, words};
 use program::{Curve, Drawing, Plot};
 
 impl Play {
-    /// Writes the texts of all plots in the chosen language.
+    /// Updates the texts of all plots to the chosen language.
     pub(crate) fn label_plots(&mut self) {
         for index in 0..self.plots.len() {
             let Some(labels) = self.labels_of(index) else {
@@ -19,8 +19,9 @@ impl Play {
         self.revision.plots += 1;
     }
 
-    /// The names of the curves of an axis. An expression that is no name is what the author calls it; of several such the legend
-    /// tells all, and the axis has its unit alone.
+    /// Title of an axis from the names of its curves. For a single expression that is not a plain name, its label. For
+    /// several curves that all have labels, and not all plain names, the title is empty: the legend shows the labels,
+    /// the axis only its unit.
     fn axis_title(&self, curves: &[(&Curve, &String)]) -> String {
         let is_name = |curve: &Curve| {
             curve.expression.chars().all(|letter| letter.is_alphanumeric() || "_'[].,".contains(letter))
@@ -92,7 +93,7 @@ impl Play {
         Labels { title, description, x, axes, curves: vec![count], ..Labels::default() }
     }
 
-    /// What a plot shows: `Height (y), Speed (v) against Time (t).` Curves with the same abscissa stand together.
+    /// Description of a plot: `Height (y), Speed (v) against Time (t).` Curves with the same abscissa are grouped.
     fn described(&self, plot: &Plot, names: &[String], named: impl Fn(&Curve) -> String) -> String {
         let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
         for (curve, name) in names.iter().enumerate() {

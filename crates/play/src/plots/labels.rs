@@ -3,18 +3,18 @@
 /// The texts of a plot in the chosen language.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Labels {
-    /// The title.
+    /// Title.
     pub title: String,
-    /// What it shows, for who does not see it.
+    /// Description of the content, for screen readers.
     pub description: String,
     /// Name and unit of the horizontal axis.
     pub x: (String, String),
-    /// Name and unit of each axis.
+    /// Name and unit of each vertical axis.
     pub axes: Vec<(String, String)>,
-    /// The name of each curve.
+    /// Name of each curve.
     pub curves: Vec<String>,
-    /// What each curve is called in a legend, where that is not its name.
+    /// Legend text of each curve: its label, or its name if it has none.
     pub legend: Vec<String>,
-    /// Of each curve the name of what it is drawn against, where that is not the whole horizontal axis; else empty.
+    /// For each curve, the name of its abscissa if the plot has curves with different abscissas; otherwise empty.
     pub across: Vec<String>,
 }

@@ -1,4 +1,4 @@
-//! The members of families at the moment shown, and between which ends they have been in the run so far.
+//! Values of family members at the moment shown, and the intervals that they have covered in the run so far.
 
 use super::traces::PlotColumns;
 use crate::time::course::Course;
@@ -7,32 +7,32 @@ use figure::Interval;
 use program::{Members, Model, NodeId, Plot};
 use units::Unit;
 
-/// Columns of values that are read at one moment.
+/// Columns of values evaluated at one moment.
 #[derive(Debug)]
 pub(crate) struct Snapshot {
     readings: Readings,
     columns: Vec<Column>,
-    /// So many rows of the run have been gone through.
+    /// Number of rows of the run processed so far.
     rows: usize,
-    /// The ends of the values along each axis, and from which row on they are these. Axes grow with the run and do not
-    /// follow each moment: they would twitch.
+    /// For each axis, the interval covered so far; each entry applies from its row on. Axes grow with the run and do
+    /// not follow every moment, to avoid jitter.
     ends: Vec<(usize, Vec<Interval>)>,
 }
 
-/// One column.
+/// One column of values.
 #[derive(Debug)]
 struct Column {
     unit: Unit,
-    /// 0 for the horizontal axis, then the vertical ones.
+    /// Index of the axis: 0 is the horizontal one, followed by the vertical ones.
     axis: usize,
     values: Vec<f64>,
 }
 
-/// The ends of nothing.
+/// Empty interval.
 const NOTHING: Interval = Interval { low: f64::INFINITY, high: f64::NEG_INFINITY };
 
 impl Snapshot {
-    /// Of the curves of a plot: for each a column of abscissas and one of ordinates.
+    /// Snapshot of the curves of a plot: a column of abscissas and one of ordinates for each.
     pub fn of_curves(model: &Model, plot: &Plot, members: &[Members], columns: &PlotColumns) -> Self {
         let mut all = Vec::new();
         for (members, curve) in members.iter().zip(&columns.curves) {
@@ -43,7 +43,7 @@ impl Snapshot {
         Self::new(model, all)
     }
 
-    /// Of one column of values.
+    /// Snapshot of a single column of values.
     pub fn of_values(model: &Model, nodes: &[NodeId], unit: &Unit) -> Self {
         Self::new(model, vec![(nodes, unit.clone(), 0)])
     }
@@ -56,26 +56,27 @@ impl Snapshot {
         Self { readings: Readings::new(model, &nodes), columns, rows: 0, ends: Vec::new() }
     }
 
-    /// A column.
+    /// Values of one column, in its unit.
     pub fn column(&self, number: usize) -> &[f64] {
         self.columns.get(number).map_or(&[][..], |column| &column.values)
     }
 
-    /// Between which values an axis has shown something in the run so far; 0 is the horizontal one.
+    /// Interval that an axis has covered in the run so far, in its unit; axis 0 is the horizontal one. `None` if it is
+    /// empty.
     pub fn reached(&self, axis: usize) -> Option<Interval> {
         self.ends.last()?.1.get(axis).copied().filter(|ends| ends.low <= ends.high)
     }
 
-    /// Forgets what the run has reached.
+    /// Discards the intervals covered by the run.
     pub fn forget(&mut self) {
         self.rows = 0;
     }
 
-    /// Reads the moment that is shown, and goes through the rows that are new.
+    /// Evaluates the moment shown, and extends the intervals by the new rows.
     pub fn follow(&mut self, course: &Course) {
         let rows = course.rows();
         if rows < 2 {
-            // The start follows the parameters.
+            // The start changes with the parameters.
             self.rows = 0;
         }
         self.rows = self.rows.min(rows);
@@ -103,7 +104,7 @@ impl Snapshot {
         }
     }
 
-    /// Widens the ends to the values that were read at a row.
+    /// Extends the intervals by the values evaluated at a row.
     fn widen(&mut self, row: usize) {
         let axes = self.columns.iter().map(|column| column.axis + 1).max().unwrap_or(0);
         let before = self.ends.last().map(|(_, ends)| &ends[..]);

@@ -1,4 +1,4 @@
-//! Figures: the document's plots with the present run and the kept ones, and what others add to them.
+//! Figures: the document's plots with the present and kept runs, and content added by other crates.
 
 mod added;
 mod drawn;

@@ -1,4 +1,4 @@
-//! A plot: its name, what is chosen for it, and what is kept of it from frame to frame.
+//! A plot: its identifier, its settings, and the data kept from frame to frame.
 
 use super::added::{AddedPlot, Points};
 use super::histogram::Histogram;
@@ -11,76 +11,76 @@ use figure::{Figure, Style, View};
 use program::{Drawing, Plot, Program};
 use std::fmt;
 
-/// Names a plot as long as the document is open. The document's plots come first, in the order of the text.
+/// Identifies a plot while the document is open. The document's plots come first, in the order of the text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PlotId(pub(crate) usize);
 
 impl PlotId {
-    /// The plot of this place in the list.
+    /// Identifier of the plot at a position in the list.
     pub fn at(place: usize) -> Self {
         Self(place)
     }
 
-    /// Its place in the list.
+    /// Position in the list.
     pub fn place(self) -> usize {
         self.0
     }
 }
 
-/// Its place, for names of elements.
+/// Writes the position, for ids of HTML elements.
 impl fmt::Display for PlotId {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(formatter)
     }
 }
 
-/// A plot in the list.
+/// A plot, for the list of plots.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlotView {
-    /// Names it.
+    /// Identifier.
     pub id: PlotId,
-    /// The title in the chosen language.
+    /// Title in the chosen language.
     pub title: String,
-    /// Whether it is to be shown.
+    /// True if the user has not hidden it.
     pub shown: bool,
-    /// Whether it shows all of the data.
+    /// True if it is not zoomed: all data are visible.
     pub automatic: bool,
-    /// Whether there is anything for it to show: residuals only where something is measured.
+    /// True if it has anything to show; residuals, for instance, only if there are measurements.
     pub offered: bool,
-    /// Whether it stands apart from the other plots.
+    /// True if it stands apart from the other plots.
     pub apart: bool,
-    /// Whether a unit has the same length on both axes, so that its height limits its width.
+    /// True if both axes have the same scale, so that its height limits its width.
     pub equal: bool,
 }
 
-/// What is chosen for a plot, and what is kept of it from frame to frame.
+/// Settings of a plot, and the data kept from frame to frame.
 #[derive(Debug)]
 pub struct PlotState {
     pub shown: bool,
     pub view: View,
     pub figure: Figure,
-    /// The row at which the keyboard reads.
+    /// Row at which the keyboard cursor reads.
     pub cursor: Option<usize>,
     pub labels: Labels,
-    /// Points over the curves.
+    /// Measured points over the curves.
     pub points: Vec<Points>,
-    /// What is drawn, where it is not a plot of the document.
+    /// Content of a plot that does not come from the document.
     pub added: Option<AddedPlot>,
-    /// What is computed for it.
+    /// Computed content.
     pub content: Content,
 }
 
-/// What is computed for a plot of the document.
+/// Computed content of a plot of the document.
 #[derive(Debug, Default)]
 pub enum Content {
-    /// Lines along the run: nothing beyond the columns of all plots.
+    /// Lines along the run: only the columns shared by all plots.
     #[default]
     Run,
-    /// Single points of the run.
+    /// Isolated points of the run.
     Section(Section),
     /// Lines over the values of a parameter.
     Swept(Box<Swept>),
-    /// Lines, or points, over members at the moment shown.
+    /// Lines or points over family members at the moment shown.
     Profile(Snapshot, Style),
     /// Bars.
     Histogram(Histogram),
@@ -102,10 +102,10 @@ impl Default for PlotState {
 }
 
 impl PlotState {
-    /// So many plots of a document are shown at first, since each of more would be too small to be read.
+    /// Number of document plots shown initially. More would be too small to read.
     pub const AT_FIRST: usize = 3;
 
-    /// Those of the document.
+    /// States of the document's plots.
     pub fn of(program: &Program, columns: &Columns) -> Vec<Self> {
         let state = |(index, plot): (usize, &Plot)| {
             let model = &program.model;
@@ -127,7 +127,7 @@ impl PlotState {
         program.plots.iter().enumerate().map(state).collect()
     }
 
-    /// Another run takes the place of the one that was followed.
+    /// Discards the rows processed, because another run replaces the present one.
     pub fn forget_rows(&mut self) {
         match &mut self.content {
             Content::Section(section) => section.truncate(0),
@@ -137,7 +137,7 @@ impl PlotState {
         }
     }
 
-    /// Its curves over a parameter.
+    /// Curves over a parameter, if the plot has them.
     pub fn swept(&self) -> Option<&Swept> {
         match &self.content {
             Content::Swept(swept) => Some(swept),
@@ -145,7 +145,7 @@ impl PlotState {
         }
     }
 
-    /// The same to be changed.
+    /// Mutable access to the curves over a parameter, if the plot has them.
     pub fn swept_mut(&mut self) -> Option<&mut Swept> {
         match &mut self.content {
             Content::Swept(swept) => Some(swept),
@@ -153,7 +153,7 @@ impl PlotState {
         }
     }
 
-    /// An empty plot that is not the document's.
+    /// An empty plot that does not come from the document.
     pub fn added() -> Self {
         Self { added: Some(AddedPlot::default()), ..Self::default() }
     }

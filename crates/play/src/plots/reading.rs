@@ -1,16 +1,16 @@
-//! Measured points read off a plot, beside what the pointer or the keyboard's cursor reads of the run.
+//! Adds measured points to the read-outs of a plot by pointer or keyboard.
 
 use super::added::AddedPlot;
 use super::plot::PlotId;
 use crate::{Play, number};
 use figure::{Plot, Point, Readout, Sample, Series, Style};
 
-/// A point further away than this, in pixels, is not the one that is meant.
+/// Maximum distance of a point from the cursor, in pixels.
 const REACH: f32 = 24.0;
 
 impl Play {
-    /// Adds to a read-out the measured points that are nearest to a pixel: of each column in use one where the plot is
-    /// against the independent variable, else the nearest of all.
+    /// Adds the measured points nearest to a pixel to a read-out: one per column if the abscissa is the independent
+    /// variable, otherwise only the nearest point of all.
     pub(crate) fn with_points(&self, index: usize, at: Point, readout: Option<Readout>) -> Option<Readout> {
         let mut near = self.points_near(index, at);
         let Some(mut readout) = readout else {
@@ -20,7 +20,7 @@ impl Play {
         Some(readout)
     }
 
-    /// A read-out of a plot that was added, values that have errors with these.
+    /// Read-out of an added plot, with the errors of values that have them.
     pub(super) fn with_errors(&self, added: &AddedPlot, mut readout: Readout) -> Readout {
         for sample in &mut readout.samples {
             let Some(series) = added.series.get(sample.series) else { continue };
@@ -40,7 +40,7 @@ impl Play {
         let curves = &state.labels.curves;
         let mut found: Vec<Sample> = Vec::new();
         for (number, points) in state.points.iter().enumerate() {
-            // Alone in its plot: then the heading is that of its own point.
+            // On its own, so that the heading is that of the point.
             let Some(own) = plot.series.get(number) else { continue };
             let label = curves.get(points.curve).map_or("", String::as_str);
             let series = Series {
@@ -59,7 +59,7 @@ impl Play {
             };
             sample.text = format!("{}: {}, {}", points.source, readout.heading, sample.text);
             sample.series = number;
-            // A column computed from another one may hold the same values.
+            // A computed column may hold the same values as its source.
             if !found.iter().any(|other| other.text == sample.text) {
                 found.push(sample);
             }

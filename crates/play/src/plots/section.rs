@@ -1,5 +1,5 @@
-//! Sections: a point of the run at each multiple of a period, as Poincaré's section of a driven motion has it, or at each
-//! firing of an event.
+//! Sections: points of the run at multiples of a period (the Poincaré section of a driven motion) or at each firing of
+//! an event.
 
 use super::traces::PlotColumns;
 use crate::time::course::Course;
@@ -7,37 +7,37 @@ use engine::Readings;
 use program::{Every, Model, NodeId, Plot};
 use units::Unit;
 
-/// No section has more points: a person sees no more, and a period of nothing has no end.
+/// Maximum number of points of a section: more are not visible, and a tiny period would give arbitrarily many.
 const MOST: usize = 50_000;
 
-/// When there are points.
+/// Times of the points.
 #[derive(Debug)]
 pub(crate) enum Moments {
-    /// At multiples of a period.
+    /// Multiples of a period.
     Every(Every),
-    /// Where this count rises: the state is that before.
+    /// Times at which this count rises. The point shows the state before the event.
     Firings(NodeId),
 }
 
-/// The points of one plot.
+/// Points of one plot.
 #[derive(Debug)]
 pub(crate) struct Section {
     moments: Moments,
-    /// The period, or how often the event has fired, then abscissa and ordinate of each curve.
+    /// The period or the count of firings, then abscissa and ordinate of each curve.
     readings: Readings,
-    /// The units of what is read after the period.
+    /// Units of the values after the first one.
     units: Vec<Unit>,
-    /// So many rows of the run have been gone through.
+    /// Number of rows of the run processed so far.
     rows: usize,
-    /// Before which row each point lies.
+    /// For each point, the index of the row that follows it.
     places: Vec<usize>,
-    /// Abscissas and ordinates of each curve.
+    /// Abscissas and ordinates of each curve: two columns per curve, one value per point.
     columns: Vec<Vec<f64>>,
     state: Vec<f64>,
 }
 
 impl Section {
-    /// Of a plot with these columns.
+    /// Section for a plot with these columns.
     pub fn new(model: &Model, plot: &Plot, moments: Moments, columns: &PlotColumns) -> Self {
         let mut nodes = match &moments {
             Moments::Every(every) => vec![every.period],
@@ -60,13 +60,13 @@ impl Section {
         }
     }
 
-    /// Abscissas and ordinates of a curve.
+    /// Abscissas and ordinates of a curve, in the units of the plot.
     pub fn curve(&self, number: usize) -> (&[f64], &[f64]) {
         let column = |place: usize| self.columns.get(place).map_or(&[][..], Vec::as_slice);
         (column(2 * number), column(2 * number + 1))
     }
 
-    /// Forgets the points that lie in rows from `rows` on.
+    /// Discards the points in rows with index `rows` or higher.
     pub fn truncate(&mut self, rows: usize) {
         self.rows = self.rows.min(rows);
         let kept = self.places.partition_point(|place| *place < rows);
@@ -74,7 +74,7 @@ impl Section {
         self.columns.iter_mut().for_each(|column| column.truncate(kept));
     }
 
-    /// Brings the points up to the front of the run.
+    /// Adds the points up to the front of the run.
     pub fn follow(&mut self, course: &mut Course) {
         let rows = course.rows();
         self.truncate(rows);
@@ -90,7 +90,7 @@ impl Section {
         self.rows = rows;
     }
 
-    /// The point before an event that has fired between the row before and this one.
+    /// Adds the state before an event that fired between the previous row and this one.
     fn firing(&mut self, course: &Course, row: usize) {
         let Some(history) = course.history() else { return };
         let mut count = |row: usize| self.readings.at_row(history, row).first().copied().unwrap_or(0.0);
@@ -104,7 +104,7 @@ impl Section {
         }
     }
 
-    /// The points at the multiples of the period between the row before and this one.
+    /// Adds the points at multiples of the period between the previous row and this one.
     fn multiples(&mut self, course: &mut Course, row: usize) {
         let (Moments::Every(every), Some(history)) = (&self.moments, course.history()) else { return };
         let (start, end) = (history.time(row - 1), history.time(row));
@@ -114,7 +114,7 @@ impl Section {
         if !(period > 0.0 && period.is_finite()) {
             return;
         }
-        // Multiples, not sums: the moments do not drift away from the drive.
+        // Products instead of sums, so that the times do not drift against the drive.
         let first = every.from.unwrap_or(period);
         let mut number = ((start - first) / period).floor().max(0.0);
         while self.places.len() < MOST {

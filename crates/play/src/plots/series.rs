@@ -1,4 +1,4 @@
-//! The series of a plot by name: its legend, its numbers as CSV, and how far two read-outs are apart.
+//! Series of a plot by name: legend, export as CSV, differences between read-outs.
 
 use super::plot::PlotId;
 use crate::{Play, words};
@@ -8,25 +8,25 @@ use figure::{Plot, Readout, Series, Style};
 /// An entry of a legend.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LegendEntry {
-    /// What it stands for.
+    /// Text of the entry.
     pub label: String,
-    /// Which colour it has: of the series, or of the kept runs where the style says so.
+    /// Palette index of the series; for kept runs their pattern number, as `style` tells.
     pub colour: u8,
-    /// How it is drawn.
+    /// Drawing style.
     pub style: Style,
 }
 
-/// What a series shows.
+/// Description of a series.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SeriesName {
-    /// The curve, `y`, or the name of a measurement.
+    /// Curve, such as `y`, or name of a measurement.
     pub curve: String,
-    /// The run, if it is not the present one, or the moment of it that is shown.
+    /// Name of the run, or the moment shown; `None` for the present run.
     pub run: Option<String>,
 }
 
 impl Play {
-    /// The legend of a plot; empty where there is but one series.
+    /// Legend of a plot; empty if it has fewer than two entries.
     pub fn plot_legend(&self, PlotId(index): PlotId) -> Vec<LegendEntry> {
         let names = self.series_names(index);
         let Some(plot) = self.figure_of(index) else { return Vec::new() };
@@ -42,7 +42,7 @@ impl Play {
         if entries.len() < 2 { Vec::new() } else { entries }
     }
 
-    /// What a series is called in a legend: by the label that the plot gives its curve, else by its name.
+    /// Legend label of a series: the label that the plot gives its curve, otherwise its name.
     pub(super) fn legend_name<'a>(&'a self, index: usize, series: &Series<'a>) -> &'a str {
         let labels = self.plots.get(index).map(|plot| &plot.labels);
         let number = usize::from(series.colour);
@@ -50,7 +50,8 @@ impl Play {
         own.and_then(|labels| labels.legend.get(number)).map_or(series.label, String::as_str)
     }
 
-    /// What is drawn in a plot as CSV: an abscissa and an ordinate for each series, since each has rows of its own.
+    /// All series of a plot as CSV. Each series has its own columns of abscissas and ordinates, because row counts
+    /// differ.
     pub fn plot_csv(&mut self, PlotId(index): PlotId) -> String {
         self.follow();
         let names = self.series_names(index);
@@ -66,7 +67,7 @@ impl Play {
             let across = if series.across.is_empty() { plot.x.label } else { series.across };
             [head(&format!("{across}{run}"), plot.x.unit), head(&format!("{}{run}", name.curve), unit)]
         });
-        // Writing to a string does not fail.
+        // Writing to a string cannot fail.
         for (place, head) in heads.enumerate() {
             if place > 0 {
                 out.push(dialect.separator());
@@ -74,7 +75,7 @@ impl Play {
             let _ = dialect.text(&mut out, &head);
         }
         out.push_str(dialect.line_end());
-        // The last row of a run that stands on a row of its grid is there twice.
+        // If a run ends on a grid row, its last row occurs twice.
         let length = |series: &Series<'_>| match series.x.len().min(series.y.len()) {
             rows @ 2.. if series.x[rows - 1] == series.x[rows - 2] && series.y[rows - 1] == series.y[rows - 2] => {
                 rows - 1
@@ -100,7 +101,7 @@ impl Play {
         out
     }
 
-    /// A read-out without the kept runs, unless it is of one of them alone: what is worth keeping.
+    /// Removes the samples of kept runs from a read-out, unless it contains nothing else.
     pub fn own_samples(&self, PlotId(index): PlotId, mut readout: Readout) -> Readout {
         let Some(plot) = self.figure_of(index) else { return readout };
         let own = |style: Style| !matches!(style, Style::Run(_) | Style::Ghost);
@@ -111,7 +112,7 @@ impl Play {
         readout
     }
 
-    /// How far a read-out of a plot is from another one: `Δt = 0.5 s`, `Δy = 0.1 m`.
+    /// Difference between two read-outs of a plot: `Δt = 0.5 s`, `Δy = 0.1 m`.
     pub fn plot_difference(&self, PlotId(index): PlotId, from: &Readout, to: &Readout) -> Vec<String> {
         let difference = |figure: &figure::Figure, plot: Plot<'_>| figure.difference(&plot, from, to);
         self.plot_figure(PlotId(index))
@@ -120,7 +121,7 @@ impl Play {
             .unwrap_or_default()
     }
 
-    /// What each series of a plot shows, in their order.
+    /// Descriptions of the series of a plot, in their order.
     pub(crate) fn series_names(&self, index: usize) -> Vec<SeriesName> {
         let Some(plot) = self.figure_of(index) else { return Vec::new() };
         let kept = self.kept();

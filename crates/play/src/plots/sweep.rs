@@ -1,4 +1,5 @@
-//! Curves and points over the values of a parameter: definitions at once, what is taken of runs by and by.
+//! Curves and points over the values of a parameter. Definitions are evaluated at once; values taken from runs are
+//! computed in time slices.
 
 use crate::time::course::Course;
 use engine::{Advance, Readings, Run, RunError, Setup};
@@ -6,54 +7,55 @@ use figure::Interval;
 use program::{Aggregate, AggregateKind, Model, NodeId, Plot, Sweep, Taken};
 use units::Unit;
 
-/// The curves of one plot over the values of a parameter, as far as they are computed.
+/// Curves of one plot over the values of a parameter, as far as computed.
 #[derive(Debug)]
 pub(crate) struct Swept {
     sweep: Sweep,
-    /// The unit of the horizontal axis, and of each curve.
+    /// Unit of the horizontal axis, and units of the curves.
     unit: Unit,
     units: Vec<Unit>,
-    /// What is read at each row of a run: what aggregates are taken of, or what points are drawn of and their event.
+    /// Values read at each row of a run: operands of aggregates, or the points and the count of their event.
     rows: Readings,
-    /// What is drawn of each curve.
+    /// Final values of each curve.
     drawn: Readings,
-    /// Computes the start of a run, on which definitions may depend.
+    /// Evaluates the initial state of a run, on which definitions may depend.
     initial: Readings,
-    /// What the values were computed with.
+    /// Settings with which the values were computed.
     setup: Option<Setup>,
-    /// How many values the parameter has.
+    /// Number of parameter values.
     count: usize,
-    /// The values of the parameter, of points that of each.
+    /// Abscissas: parameter values, in the unit of the axis; for points, one entry per point.
     pub x: Vec<f64>,
-    /// The values of each curve; not numbers where they are not known yet. Points are added as runs go on.
+    /// Ordinates, one list per curve, in the units of the curves. NaN while unknown. Points are appended as runs
+    /// proceed.
     pub y: Vec<Vec<f64>>,
-    /// How many runs are complete, and the one that goes on.
+    /// Number of complete runs, and the run in progress.
     done: usize,
     run: Option<Going>,
 }
 
-/// A run that goes on, and what has been taken of it.
+/// A run in progress and the values taken from it so far.
 #[derive(Debug)]
 struct Going {
     run: Run,
-    /// Of each aggregate what was taken so far.
+    /// Intermediate results of the aggregates.
     folds: Vec<Fold>,
-    /// Time and values at the row before.
+    /// Time (SI) and values at the previous row.
     before: Option<(f64, Vec<f64>)>,
-    /// How many points have been taken.
+    /// Number of points taken from this run.
     points: usize,
 }
 
-/// An aggregate of one run, as far as the run has come.
+/// Intermediate result of an aggregate.
 #[derive(Clone, Copy, Debug, Default)]
 struct Fold {
     value: Option<f64>,
-    /// How long an integral has been taken.
+    /// Duration over which the integral has been taken, SI.
     duration: f64,
 }
 
 impl Fold {
-    /// Takes the value at `time`, after that at the row before.
+    /// Adds the value at `time` (SI); `before` holds time and value at the previous row.
     fn take(&mut self, of: &Aggregate, before: Option<(f64, f64)>, time: f64, value: f64) {
         if time < of.from {
             return;
@@ -61,7 +63,7 @@ impl Fold {
         match of.kind {
             AggregateKind::Maximum => self.value = Some(self.value.map_or(value, |greatest| greatest.max(value))),
             AggregateKind::Minimum => self.value = Some(self.value.map_or(value, |least| least.min(value))),
-            // The trapezoidal rule, which is right for rows at any distance.
+            // Trapezoidal rule; the spacing of the rows may vary.
             AggregateKind::Mean | AggregateKind::Integral => {
                 let Some((start, first)) = before.filter(|(start, _)| *start >= of.from) else { return };
                 let area = (time - start) * (first + value) / 2.0;
@@ -80,7 +82,7 @@ impl Fold {
 }
 
 impl Swept {
-    /// Of a plot over a range of values, whose curves are drawn in these units.
+    /// Sweep for a plot over a range of parameter values, with curves in these units.
     pub fn new(model: &Model, plot: &Plot, sweep: &Sweep, units: Vec<Unit>) -> Self {
         let own = |(curve, taken): (&program::Curve, &Taken)| match taken {
             Taken::Run(node) => *node,
@@ -104,26 +106,26 @@ impl Swept {
         Self { sweep: sweep.clone(), unit, units, rows, drawn, initial, setup: None, count, x, y, done: 0, run: None }
     }
 
-    /// Whether points are drawn, and no lines.
+    /// True if the plot shows points instead of lines.
     pub fn is_of_points(&self) -> bool {
         self.sweep.is_of_points()
     }
 
-    /// From the least to the greatest value of the parameter, in the unit of the axis.
+    /// Least to greatest value of the parameter, in the unit of the axis.
     pub fn range(&self) -> Interval {
         let last = self.sweep.values().last().unwrap_or(self.sweep.low);
         Interval::new(self.unit.from_si(self.sweep.low), self.unit.from_si(last))
     }
 
-    /// Begins again where the parameters or the method are others than before, with the values of definitions at once.
-    /// Returns whether that was so.
+    /// Restarts the sweep if parameters (except the swept one), method or step have changed; definitions are evaluated
+    /// at once. Returns true if it restarted.
     pub fn follow(&mut self, course: &Course) -> bool {
-        // A start that was set by hand and what was pressed belong to the run that is watched.
+        // A start set by hand and button presses belong to the visible run only.
         let parameters = course.parameters().to_vec();
         let setup = Setup { parameters, start: None, presses: Vec::new(), ..course.begun().clone() };
         let same = |before: &Setup| {
             let mut now = setup.parameters.clone();
-            // The parameter that is swept decides nothing.
+            // The present value of the swept parameter is irrelevant.
             if let (Some(value), Some(own)) =
                 (now.get_mut(self.sweep.parameter), before.parameters.get(self.sweep.parameter))
             {
@@ -166,18 +168,18 @@ impl Swept {
         course.state().len()
     }
 
-    /// How many runs are complete, and of how many; `None` where none are needed.
+    /// Number of complete runs and total number; `None` if no runs are needed.
     pub fn progress(&self) -> Option<(usize, usize)> {
         let runs = self.sweep.taken.iter().any(|taken| *taken != Taken::Value);
         runs.then_some((self.done, self.count))
     }
 
-    /// Whether runs are missing.
+    /// True if runs are missing.
     pub fn is_unfinished(&self) -> bool {
         self.setup.is_some() && self.progress().is_some_and(|(done, all)| done < all)
     }
 
-    /// Goes on with the runs, with no more than about the work in `left`, from which what was done is taken.
+    /// Continues the runs. `left` is the remaining work in floating-point operations and is reduced by the work done.
     pub fn proceed(&mut self, model: &Model, left: &mut u64) {
         while *left > 0 && self.is_unfinished() {
             let Some(going) = self.run.take().or_else(|| self.begin(model)) else {
@@ -190,7 +192,7 @@ impl Swept {
         }
     }
 
-    /// Starts the next run.
+    /// Starts the next run; `None` if it cannot start.
     fn begin(&mut self, model: &Model) -> Option<Going> {
         let mut setup = self.setup.clone()?;
         *setup.parameters.get_mut(self.sweep.parameter)? = self.sweep.values().nth(self.done)?;
@@ -201,7 +203,7 @@ impl Swept {
         Some(going)
     }
 
-    /// Takes from a row of a run what is drawn of it.
+    /// Takes the values to be drawn from one row of a run.
     fn take(&mut self, going: &mut Going, row: usize) {
         let history = going.run.history();
         let time = history.time(row);
@@ -221,7 +223,8 @@ impl Swept {
         going.before = Some((time, values));
     }
 
-    /// Adds a point of each curve: at a row, or as it was before an event that has fired since the row before.
+    /// Appends one point per curve: the values at this row, or, if an event has fired since the previous row, those of
+    /// that row.
     fn add_points(&mut self, going: &mut Going, time: f64, values: &[f64]) {
         let before = going.before.as_ref().map(|(_, values)| values.as_slice());
         let taken = match (self.sweep.at, before) {
@@ -240,7 +243,7 @@ impl Swept {
         going.points += 1;
     }
 
-    /// Goes on with a run to its end, or as far as the work allows.
+    /// Continues a run to its end, or until the work in `left` is used up.
     fn go_on(&mut self, mut going: Going, left: &mut u64) {
         let mut ends = true;
         while going.run.time() < self.sweep.until * (1.0 - engine::ROUNDING) {
@@ -264,19 +267,19 @@ impl Swept {
             }
         }
         let rows = going.run.history().len();
-        // Whether an event ends the run there makes no difference any more.
+        // An event that ends the run at this point has no further effect.
         let _ = going.run.finish(self.sweep.until);
         for row in rows..going.run.history().len() {
             self.take(&mut going, row);
         }
-        // What has no end has no value.
+        // A run that fails has no value.
         if ends {
             self.draw(&going);
         }
         self.done += 1;
     }
 
-    /// Computes the values of a run that is complete.
+    /// Computes the values of a complete run.
     fn draw(&mut self, going: &Going) {
         let history = going.run.history();
         let last = self.sweep.until * (1.0 + engine::ROUNDING);
@@ -294,12 +297,12 @@ impl Swept {
         }
     }
 
-    /// The parameter's value and those of the definitions at the moment shown, in the units of the axes.
+    /// Present value of the swept parameter, in the unit of the axis.
     pub fn present(&self, course: &Course) -> Option<f64> {
         course.parameters().get(self.sweep.parameter).map(|value| self.unit.from_si(*value))
     }
 
-    /// The row of the value next to the present one.
+    /// Index of the first parameter value not below the present one, limited to the last value.
     pub fn present_row(&self, course: &Course) -> usize {
         let present = self.present(course).unwrap_or(f64::NAN);
         self.x.partition_point(|value| *value < present).min(self.x.len().saturating_sub(1))

@@ -1,5 +1,5 @@
-//! Columns of numbers for the plots: every plotted expression at every row, in the unit of its axis. Rows are added as
-//! the run grows, never computed twice.
+//! Columns of numbers for the plots: every plotted expression at every row, in the unit of its axis. Rows are appended
+//! as the run grows and never recomputed.
 
 use crate::time::course::Course;
 use engine::{History, Readings};
@@ -7,7 +7,7 @@ use program::Plot;
 use program::{Model, NodeId};
 use units::Unit;
 
-/// Which columns there are and where each plot finds its own.
+/// Layout of the columns, and the column indices of each plot.
 #[derive(Clone, Debug)]
 pub(crate) struct Columns {
     readings: Readings,
@@ -16,39 +16,39 @@ pub(crate) struct Columns {
     plots: Vec<PlotColumns>,
 }
 
-/// The columns of one plot.
+/// Column indices of one plot.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlotColumns {
-    /// The abscissa of the first curve.
+    /// Column of the abscissa of the first curve.
     pub x: usize,
-    /// The number of its first curve among those of all plots.
+    /// Index of its first curve among the curves of all plots.
     pub first: usize,
-    /// Its curves.
+    /// Column indices of its curves.
     pub curves: Vec<CurveColumns>,
-    /// The unit of each axis: that of its first curve.
+    /// Unit of each axis: that of its first curve.
     pub axes: Vec<Unit>,
 }
 
 impl PlotColumns {
-    /// The unit of each curve.
+    /// Unit of each curve.
     pub fn units(&self) -> Vec<Unit> {
         self.curves.iter().filter_map(|curve| self.axes.get(curve.axis).cloned()).collect()
     }
 }
 
-/// Where a curve finds its columns.
+/// Column indices of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CurveColumns {
-    /// The abscissas.
+    /// Column of the abscissas.
     pub x: usize,
-    /// The ordinates.
+    /// Column of the ordinates.
     pub y: usize,
-    /// The number of its axis.
+    /// Index of its vertical axis.
     pub axis: usize,
 }
 
 impl Columns {
-    /// The columns that the plots need; equal ones once.
+    /// Columns required by the plots; equal columns are shared.
     pub fn new(model: &Model, plots: &[Plot]) -> Self {
         let mut columns =
             Self { readings: Readings::new(model, &[]), nodes: Vec::new(), units: Vec::new(), plots: Vec::new() };
@@ -62,7 +62,7 @@ impl Columns {
                     axes.push(unit.clone());
                     axes.len() - 1
                 });
-                // All share the horizontal axis, and with it the unit of the first.
+                // All curves share the horizontal axis and thus the unit of the first one.
                 let x = columns.add(plot.x_of(number).value.node, &plot.x.value.unit);
                 curves.push(CurveColumns { x, y: columns.add(curve.value.node, &axes[axis]), axis });
             }
@@ -82,34 +82,34 @@ impl Columns {
         })
     }
 
-    /// Where plot `index` finds its columns.
+    /// Column indices of plot `index`.
     pub fn plot(&self, index: usize) -> Option<&PlotColumns> {
         self.plots.get(index)
     }
 
-    /// The expression of each column.
+    /// Expression of each column.
     pub fn nodes(&self) -> &[NodeId] {
         &self.nodes
     }
 
-    /// Whether each plot finds its columns in the same places, in the same units.
+    /// True if both layouts have the same columns, units and indices.
     pub fn is_arranged_like(&self, other: &Self) -> bool {
         self.units == other.units && self.plots == other.plots
     }
 
-    /// How many bytes a row takes in [`Traces`].
+    /// Memory per row in [`Traces`], in bytes.
     pub fn bytes_per_row(&self) -> usize {
         self.nodes.len() * size_of::<f64>()
     }
 
-    /// The values of all columns at the moment that `course` shows.
+    /// Values of all columns at the moment shown by `course`, in the units of the columns.
     pub fn present(&mut self, course: &Course, out: &mut Vec<f64>) {
         let values = self.readings.at(course.parameters(), course.initial(), course.time(), course.state());
         out.clear();
         out.extend(values.iter().zip(&self.units).map(|(&value, unit)| unit.from_si(value)));
     }
 
-    /// Of each column whether its value at a row would be another with other parameters.
+    /// For each column, true if its value at a row would change with other parameters.
     fn jumping(&mut self, history: &History, row: usize, parameters: &[f64], columns: &[Vec<f64>]) -> Vec<bool> {
         let mut state = vec![0.0; history.states()];
         history.state(row, &mut state);
@@ -130,14 +130,15 @@ impl Columns {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Traces {
     columns: Vec<Vec<f64>>,
-    /// For each curve of all plots the rows before which its line is interrupted.
+    /// For each curve of all plots, the rows before which its line is interrupted.
     breaks: Vec<Vec<usize>>,
-    /// Recorded rows; the columns may have one value more, the tip.
+    /// Number of recorded rows. The columns may have one more value, the tip.
     rows: usize,
 }
 
 impl Traces {
-    /// Brings the columns up to the front of `course`, and lets them end in the moment of the front when that is shown.
+    /// Appends the rows up to the front of `course`. If the front is shown, the columns end with its values
+    /// (`present`).
     pub fn follow(&mut self, course: &Course, columns: &mut Columns, present: &[f64]) {
         let Some(history) = course.history() else {
             *self = Self::default();
@@ -169,7 +170,8 @@ impl Traces {
         }
     }
 
-    /// Interrupts before `row` the curves that jump because there the parameters change: the energy with the density.
+    /// Interrupts, before `row`, the curves that jump due to a change of parameters there, such as an energy with the
+    /// density.
     fn interrupt(&mut self, history: &History, row: usize, parameters: &[f64], columns: &mut Columns) {
         if history.parameters(row - 1) == parameters {
             return;
@@ -194,22 +196,22 @@ impl Traces {
         }
     }
 
-    /// One column.
+    /// Values of one column, in its unit; empty for an unknown index.
     pub fn column(&self, index: usize) -> &[f64] {
         self.columns.get(index).map_or(&[], Vec::as_slice)
     }
 
-    /// Rows before which the line of a curve is interrupted; curves are counted through all plots.
+    /// Rows before which the line of a curve is interrupted; `curve` counts the curves of all plots.
     pub fn breaks(&self, curve: usize) -> &[usize] {
         self.breaks.get(curve).map_or(&[], Vec::as_slice)
     }
 
-    /// How many recorded rows there are.
+    /// Number of recorded rows.
     pub fn rows(&self) -> usize {
         self.rows
     }
 
-    /// The rows from `first` on, about `most` of them at most, evenly thinned: a run that is only looked at.
+    /// Copy of the rows from index `first` on, evenly thinned to at most `most` rows.
     pub fn thinned(&self, first: usize, most: usize) -> Self {
         let length = self.columns.first().map_or(0, Vec::len);
         let stride = length.saturating_sub(first).div_ceil(most.max(1)).max(1);

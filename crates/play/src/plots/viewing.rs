@@ -1,4 +1,4 @@
-//! The plots: figures of what has been recorded, zoomed, panned and read by pointer or keyboard.
+//! Operations on plots: zoom, pan, and read-out by pointer or keyboard.
 
 use super::added::{AddedPlot, Points};
 use super::plot::{Content, PlotId, PlotState, PlotView};
@@ -8,7 +8,7 @@ use crate::{Play, WORK_PER_TICK, words};
 use figure::{Direction, Figure, Palette, Plot, Point, Readout, Settings, Style, View};
 
 impl Play {
-    /// The plots, in the order of the text.
+    /// All plots: those of the document in the order of the text, then added ones.
     pub fn plots(&self) -> Vec<PlotView> {
         let view = |(index, plot): (usize, &PlotState)| PlotView {
             id: PlotId(index),
@@ -22,8 +22,8 @@ impl Play {
         self.plots.iter().enumerate().map(view).collect()
     }
 
-    /// Goes on with what plots take of runs for the values of a parameter, as far as they are shown, with no more than
-    /// [`WORK_PER_TICK`]. Returns whether more is to be done.
+    /// Continues the runs of sweep plots that are shown, limited to [`WORK_PER_TICK`] per call. Returns true if work
+    /// remains.
     pub fn work_on_plots(&mut self) -> bool {
         let mut left = WORK_PER_TICK;
         let mut worked = false;
@@ -40,12 +40,12 @@ impl Play {
         self.plots.iter().any(|plot| plot.shown && plot.swept().is_some_and(Swept::is_unfinished))
     }
 
-    /// How many of the runs of a plot are complete, and of how many; `None` where it needs none or has all.
+    /// Number of complete runs of a sweep plot and total number; `None` if it needs no runs or all are complete.
     pub fn plot_progress(&self, PlotId(index): PlotId) -> Option<(usize, usize)> {
         self.plots.get(index)?.swept()?.progress().filter(|(done, all)| done < all)
     }
 
-    /// Shows a plot or not.
+    /// Shows or hides a plot.
     pub fn show_plot(&mut self, PlotId(index): PlotId, shown: bool) {
         if let Some(plot) = self.plots.get_mut(index) {
             plot.shown = shown;
@@ -60,12 +60,14 @@ impl Play {
         PlotId(self.plots.len() - 1)
     }
 
-    /// A plot that was added, to be read or changed; call [`Play::added_plot_changed`] afterwards.
+    /// Access to an added plot. Call [`Play::added_plot_changed`] after changing it; `None` if the plot is not an added
+    /// one.
     pub fn added_plot(&mut self, id: PlotId) -> Option<&mut AddedPlot> {
         self.plots.get_mut(id.0)?.added.as_mut()
     }
 
-    /// The plots are to be drawn again. With another title, what a person has zoomed was something else: all is shown.
+    /// Redraws an added plot after a change. If its title has changed, the zoom is reset because it referred to other
+    /// content.
     pub fn added_plot_changed(&mut self, id: PlotId) {
         if let Some(state) = self.plots.get_mut(id.0)
             && let Some(added) = &state.added
@@ -77,7 +79,7 @@ impl Play {
         self.revision.plots += 1;
     }
 
-    /// Puts points over the curves of a plot of the document, in the place of those that were there.
+    /// Replaces the points over the curves of a plot of the document.
     pub fn set_points(&mut self, plot: usize, points: Vec<Points>) {
         if let Some(state) = self.plots.get_mut(plot) {
             state.points = points;
@@ -85,13 +87,12 @@ impl Play {
         }
     }
 
-    /// Lays a plot out for the time shown; the figure's buffers are kept from frame to frame. `None` if there is no such
-    /// plot.
+    /// Lays out a plot for the time shown, reusing the buffers of its figure. `None` if there is no such plot.
     pub fn layout_plot(&mut self, PlotId(index): PlotId, settings: &Settings) -> Option<&Figure> {
         self.follow();
         let mut figure = std::mem::take(&mut self.plots.get_mut(index)?.figure);
         if let Some(mut plot) = self.figure_of(index) {
-            // On the page title and legend stand above the figure.
+            // The page shows title and legend above the figure.
             plot.title = "";
             plot.series.iter_mut().for_each(|series| series.label = "");
             figure::layout_into(&mut figure, &plot, settings);
@@ -101,12 +102,12 @@ impl Play {
         Some(&state.figure)
     }
 
-    /// The figure of the last [`Play::layout_plot`].
+    /// Figure of the last [`Play::layout_plot`].
     pub fn plot_figure(&self, PlotId(index): PlotId) -> Option<&Figure> {
         self.plots.get(index).map(|plot| &plot.figure)
     }
 
-    /// The plot as a figure that stands alone, with its title: what is saved.
+    /// The plot as a standalone figure with title and legend, for export.
     pub fn titled_figure(&mut self, PlotId(index): PlotId, settings: &Settings) -> Option<Figure> {
         self.follow();
         let names = self.series_names(index);
@@ -115,7 +116,7 @@ impl Play {
         if let Some(title) = &titled {
             plot.title = title;
         }
-        // One entry stands for all curves of a kept run.
+        // One legend entry stands for all curves of a kept run.
         for (series, name) in plot.series.iter_mut().zip(&names) {
             if let (Style::Run(_), 0, Some(run)) = (series.style, series.colour, &name.run) {
                 series.label = run;
@@ -126,13 +127,13 @@ impl Play {
         Some(figure::layout(&plot, settings))
     }
 
-    /// The plot as a standalone SVG file.
+    /// The plot as a standalone SVG file; empty if there is no such plot.
     pub fn plot_svg(&mut self, PlotId(index): PlotId, settings: &Settings, palette: &Palette) -> String {
         self.titled_figure(PlotId(index), settings).map_or_else(String::new, |figure| figure.svg(palette))
     }
 
-    /// What lies at a pixel of the last layout, on the present run and the kept ones, and the measured points next to it.
-    /// The keyboard's cursor moves there.
+    /// Read-out at a pixel of the last layout: values of the present and kept runs and the nearest measured points.
+    /// Moves the keyboard cursor there.
     pub fn hover_plot(&mut self, PlotId(index): PlotId, at: Point) -> Option<Readout> {
         let readout = self.plot_figure(PlotId(index))?.hover(&self.readable_plot(index)?, at);
         let first = self.series_behind(index);
@@ -145,7 +146,8 @@ impl Play {
         self.with_points(index, at, readout)
     }
 
-    /// Moves the keyboard's cursor by so many rows along the run (from the present row at first) and reads there.
+    /// Moves the keyboard cursor by `rows` rows along the run, initially from the present row, and returns the read-out
+    /// there.
     pub fn move_cursor(&mut self, PlotId(index): PlotId, rows: isize) -> Option<Readout> {
         let present = match &self.plots.get(index)?.content {
             Content::Swept(swept) => swept.present_row(&self.course),
@@ -157,7 +159,7 @@ impl Play {
         if let Some(added) = self.added(index) {
             series = added.cursor;
         } else if self.course.rows() < 2 && self.points_behind(index) > 0 {
-            // Before the run has gone anywhere the cursor goes along what was measured.
+            // Without a run, the cursor moves along the measured points.
             (series, plot) = (0, self.figure_of(index)?);
         }
         let figure = self.plot_figure(PlotId(index))?;
@@ -174,7 +176,7 @@ impl Play {
         }
     }
 
-    /// Zooms by `factor` (2 shows half as much) about a pixel; about the centre without one.
+    /// Zooms by `factor` (2 shows half as much) about a pixel, or about the centre if `at` is `None`.
     pub fn zoom_plot(&mut self, PlotId(index): PlotId, at: Option<Point>, factor: f64, direction: Direction) {
         if !(factor.is_finite() && factor > 0.0) {
             return;
@@ -190,12 +192,12 @@ impl Play {
         self.set_view(index, |figure| figure.zoom_to(one, other));
     }
 
-    /// Moves what is shown by so many pixels.
+    /// Pans by a number of pixels.
     pub fn pan_plot(&mut self, PlotId(index): PlotId, right: f64, down: f64) {
         self.set_view(index, |figure| figure.pan(right, down));
     }
 
-    /// Shows all of the data again.
+    /// Resets the zoom: shows all data.
     pub fn reset_plot(&mut self, PlotId(index): PlotId) {
         self.set_view(index, |_| View::default());
     }
@@ -207,7 +209,7 @@ impl Play {
         }
     }
 
-    /// The plot as it is read: the ghost is only looked at.
+    /// The plot with only the series that can be read out, without ghost and points.
     fn readable_plot(&self, index: usize) -> Option<Plot<'_>> {
         let mut plot = self.figure_of(index)?;
         if self.added(index).is_some() {
@@ -221,7 +223,7 @@ impl Play {
         Some(plot)
     }
 
-    /// Says of samples of kept runs which run they are of.
+    /// Completes the texts of a read-out: errors in added plots, counts in histograms, run names for kept runs.
     fn named(&self, index: usize, mut readout: Readout) -> Readout {
         if let Some(added) = self.added(index) {
             return self.with_errors(added, readout);
@@ -253,7 +255,7 @@ impl Play {
         self.plots.get(index).map_or("", |plot| &plot.labels.title)
     }
 
-    /// `t = 1.25 s`: the moment that a plot shows, where it shows no more of the run.
+    /// Text of the moment shown, `t = 1.25 s`, for a plot that shows a single moment; `None` for other plots.
     pub(super) fn moment_of(&self, index: usize) -> Option<String> {
         let of_a_moment = self.program.plots.get(index).is_some_and(|plot| plot.drawing.is_of_a_moment());
         of_a_moment.then(|| format!("{} = {}", symbol(&self.model().independent.name), self.time_text()))

@@ -1,4 +1,4 @@
-//! Answers as people type them: a number or arithmetic, with units, perhaps with an error.
+//! Parsing of answers: a number or arithmetic with units, optionally with an error.
 
 use crate::controls::calculator::names;
 use crate::controls::input::shortened;
@@ -6,27 +6,27 @@ use crate::controls::typed::candidates;
 use crate::{Play, Refusal, number};
 use units::Unit;
 
-/// An answer, SI.
+/// A parsed answer, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Answer {
     pub value: f64,
-    /// The error that was stated with it, never negative.
+    /// Stated error, SI, never negative.
     pub error: Option<f64>,
 }
 
-/// What stands between a value and its error.
+/// Separators between a value and its error.
 const PLUS_MINUS: [&str; 4] = ["±", "+/-", "+-", "+−"];
 
 impl Play {
-    /// Reads an answer: `3.76`, `15/4 s`, `2*pi/(1.672 1/s)`, `3.76 ± 0.02 s`, `(3.76 ± 0.02) s`, `3.76 s ± 1 %`. Names of the
-    /// document cannot stand in it, or `T_d` would be the answer to what T_d is.
+    /// Parses an answer: `3.76`, `15/4 s`, `2*pi/(1.672 1/s)`, `3.76 ± 0.02 s`, `(3.76 ± 0.02) s`, `3.76 s ± 1 %`.
+    /// Names of the document are refused; otherwise `T_d` would answer the question for T_d.
     pub(crate) fn read_answer(&self, typed: &str, unit: &Unit) -> Result<Answer, Refusal> {
         let parts = PLUS_MINUS.iter().find_map(|sign| typed.split_once(sign));
         let Some((value, error)) = parts else {
             return Ok(Answer { value: self.read_number(typed, unit)?, error: None });
         };
         let (mut value, mut error) = (value.trim().to_owned(), error.trim().to_owned());
-        // `(3.76 ± 0.02) s`: the unit holds for both.
+        // `(3.76 ± 0.02) s`: the unit applies to both.
         if let (Some(inner), Some((amount, after))) = (value.strip_prefix('('), error.split_once(')'))
             && !inner.contains(')')
         {
@@ -50,7 +50,7 @@ impl Play {
         Ok(Answer { value, error: Some(error.abs()) })
     }
 
-    /// A number or arithmetic, SI.
+    /// Parses a number or arithmetic and returns its value, SI.
     fn read_number(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
         let refusal = match self.read_value(typed, unit) {
             Ok(value) => return Ok(value),

@@ -1,33 +1,33 @@
-//! What a person has answered: kept with the question, whichever language it is read in, and for the next visit.
+//! The user's answers: kept with their questions across languages and stored for the next visit.
 
 use crate::name_of;
 use crate::questions::given::Answer;
 use crate::questions::grade::{Grade, Verdict};
 use crate::{Play, words};
 
-/// An answer as its question shows it.
+/// An answer, for display with its question.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AnswerView {
-    /// What stands in the field.
+    /// Text in the field.
     pub typed: String,
-    /// What it is worth, if it has been checked.
+    /// Grade, if the answer has been checked.
     pub verdict: Option<Verdict>,
-    /// Whether the right answer has been shown.
+    /// True if the right answer has been shown.
     pub revealed: bool,
 }
 
-/// The longest answer that is kept, in characters.
+/// Maximum length of a stored answer, in characters.
 const LONGEST: usize = 300;
 
 impl Play {
-    /// What has been answered to a question.
+    /// The user's answer to a question; empty if there is none.
     pub fn answer(&self, question: usize) -> AnswerView {
         let Some(answer) = self.answers.get(question) else { return AnswerView::default() };
         let verdict = |grade| Verdict { grade, text: words::grade(self.language, grade).to_owned() };
         AnswerView { typed: answer.typed.clone(), verdict: answer.grade.map(verdict), revealed: answer.revealed }
     }
 
-    /// Notes what stands in the field of a question; it has not been checked.
+    /// Stores the text in the field of a question as an unchecked answer.
     pub fn type_answer(&mut self, question: usize, text: &str) {
         self.note_answer(question, |answer| {
             answer.typed = text.replace(['\n', '\r'], " ").chars().take(LONGEST).collect();
@@ -35,24 +35,25 @@ impl Play {
         });
     }
 
-    /// Notes what the text in the field of a question is worth.
+    /// Stores the text in the field of a question together with its grade.
     pub(crate) fn note_grade(&mut self, question: usize, text: &str, grade: Grade) {
         self.type_answer(question, text);
         self.note_answer(question, |answer| answer.grade = Some(grade));
     }
 
-    /// Notes that the right answer has been shown.
+    /// Records that the right answer has been shown.
     pub(crate) fn note_revealed(&mut self, question: usize) {
         self.note_answer(question, |answer| answer.revealed = true);
     }
 
-    /// The answers for the next visit, with the names of their questions, which are the same in all languages of the document.
+    /// Answers to be stored for the next visit, with the names of their questions. The names do not depend on the
+    /// language.
     pub fn saved_answers(&self) -> Vec<(String, Answer)> {
         let given = self.question_names().into_iter().zip(self.answers.iter().cloned());
         given.filter(|(_, answer)| *answer != Answer::default()).collect()
     }
 
-    /// Brings back the answer to the question of this name. Whether there is one.
+    /// Restores the answer to the question with this name. Returns false if there is no such question.
     pub fn restore_answer(&mut self, name: &str, saved: &Answer) -> bool {
         let Some(question) = self.question_names().iter().position(|own| own == name) else { return false };
         self.type_answer(question, &saved.typed);
@@ -73,8 +74,8 @@ impl Play {
         }
     }
 
-    /// Names of the questions by their words in the document's own language, so that an answer stays with its question when
-    /// others are put before it; questions with the same words are distinguished by their order.
+    /// Names of the questions, derived from their texts in the document's own language, so that an answer stays with
+    /// its question if others are inserted before it. Questions with equal texts are numbered.
     pub(crate) fn question_names(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
         for index in 0..self.program.questions.len() {

@@ -1,32 +1,32 @@
-//! What stands in the field of a question, and what it was worth.
+//! An answer of the user, with its grade.
 
 use crate::questions::grade::Grade;
 
-/// What a person has answered to a question.
+/// The user's answer to a question.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Answer {
-    /// What stands in the field.
+    /// Text in the field.
     pub typed: String,
-    /// What it is worth, if it has been checked.
+    /// Grade, if the answer has been checked.
     pub grade: Option<Grade>,
-    /// Whether the right answer has been shown.
+    /// True if the right answer has been shown.
     pub revealed: bool,
 }
 
 impl Answer {
-    /// The same before it was checked.
+    /// Copy without grade and without the shown answer.
     pub(crate) fn unchecked(&self) -> Self {
         Self { typed: self.typed.clone(), grade: None, revealed: false }
     }
 
-    /// As three lines, the form in which the pages of single simulations store it: those carry no reader of JSON.
+    /// Three lines of text, the storage format of pages with a single simulation: these contain no JSON parser.
     pub fn lines(&self) -> String {
         let grade = self.grade.map_or("", Grade::code);
         let revealed = if self.revealed { "revealed" } else { "" };
         format!("{}\n{grade}\n{revealed}", self.typed)
     }
 
-    /// What [`Answer::lines`] has written. None where a line is missing.
+    /// Parses the output of [`Answer::lines`]; `None` if a line is missing.
     pub fn of_lines(text: &str) -> Option<Self> {
         let mut lines = text.splitn(3, '\n');
         let (typed, grade, revealed) = (lines.next()?, lines.next()?, lines.next()?);

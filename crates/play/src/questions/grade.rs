@@ -1,32 +1,32 @@
-//! What an answer is worth.
+//! Grading of answers.
 
 use program::Tolerance;
 
-/// What an answer is worth, and in words.
+/// The grade of an answer, with its text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
     /// The grade.
     pub grade: Grade,
-    /// In the chosen language.
+    /// Text in the chosen language.
     pub text: String,
 }
 
-/// The grades.
+/// Grade of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grade {
     /// Within the tolerance.
     Correct,
     /// Within five times the tolerance.
     Close,
-    /// The size is right, the sign is not.
+    /// The magnitude is right, the sign is wrong.
     WrongSign,
-    /// Right but for a power of ten: most likely the unit.
+    /// Right except for a power of ten, probably due to the unit.
     WrongScale,
-    /// Off.
+    /// None of the above.
     Wrong,
-    /// Not an answer: no number, an unknown unit, or a unit of something else.
+    /// Not an answer: no number, an unknown unit, or a unit of another dimension.
     Unreadable,
-    /// There is no answer for the present parameters: `omega_d` when overdamped.
+    /// No answer exists for the present parameters, such as `omega_d` when overdamped.
     Unanswerable,
 }
 
@@ -41,21 +41,21 @@ impl Grade {
         (Self::Unanswerable, "unanswerable"),
     ];
 
-    /// The word under which it is stored.
+    /// Code for storage.
     pub fn code(self) -> &'static str {
         Self::CODES.iter().find(|(grade, _)| *grade == self).map_or("", |(_, code)| code)
     }
 
-    /// What [`Grade::code`] has written.
+    /// Parses the output of [`Grade::code`].
     pub fn from_code(code: &str) -> Option<Self> {
         Self::CODES.iter().find(|(_, own)| *own == code).map(|(grade, _)| *grade)
     }
 }
 
-/// How many tolerances away an answer is still close.
+/// An answer within this multiple of the tolerance is close.
 const CLOSE: f64 = 5.0;
 
-/// What `given` is worth where `right` is asked for (both SI).
+/// Grade of the answer `given` if `right` is expected (both SI).
 pub(super) fn grade(given: f64, right: f64, tolerance: Tolerance) -> Grade {
     let wider = match tolerance {
         Tolerance::Relative(fraction) => Tolerance::Relative(fraction * CLOSE),

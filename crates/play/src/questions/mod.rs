@@ -1,4 +1,4 @@
-//! Questions: what was answered, and what an answer is worth.
+//! Questions: the user's answers and their grades.
 
 mod answer;
 mod answered;

@@ -1,11 +1,11 @@
-//! What a person has answered, by the words of the questions.
+//! Transfer of the user's answers to another program, by the texts of the questions.
 
 use super::names::Names;
 use crate::{Play, words};
 use program::{NodeId, Question};
 
 impl Play {
-    /// Takes over answers. Returns those whose questions are not there any more, in the chosen language.
+    /// Takes over answers. Returns those whose questions no longer exist, in the chosen language.
     pub(super) fn adopt_answers(&mut self, before: &Play, names: &Names) -> Vec<String> {
         let own = self.question_names();
         let mut lost = Vec::new();
@@ -19,7 +19,7 @@ impl Play {
                 continue;
             };
             let same = self.asks_the_same(place, before, former, names);
-            // Another answer is right now: what was typed has not been checked, and what was shown was another one.
+            // The right answer has changed: the typed text is unchecked, and the answer shown is outdated.
             let answer = if same { answer.clone() } else { answer.unchecked() };
             self.note_answer(place, |own| *own = answer);
             if same && solved {
@@ -29,7 +29,7 @@ impl Play {
         lost
     }
 
-    /// Whether the answer to a question is the same expression as that of a former question.
+    /// True if the answer to a question is the same expression as that of a former question.
     fn asks_the_same(&self, index: usize, before: &Play, former: usize, names: &Names) -> bool {
         let (Some(asked), Some(other)) = (self.program.questions.get(index), before.program.questions.get(former))
         else {
@@ -40,7 +40,7 @@ impl Play {
             setup.chain([question.answer.node]).collect()
         };
         let (mut own, mut others) = (nodes(asked), nodes(other));
-        // An initial value in an answer is what the model computes.
+        // Initial values in an answer are compared by their expressions in the model.
         for state in others.clone().into_iter().flat_map(|node| before.model().depends(node).initial) {
             let now = names.state(state as usize).and_then(|state| self.model().states.get(state));
             let (Some(now), Some(then)) = (now, before.model().states.get(state as usize)) else { return false };

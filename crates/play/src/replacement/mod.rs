@@ -1,23 +1,23 @@
-//! Another program in the place of the present one, while it runs: a document is edited, and what it was before runs on
-//! until the text is without errors again.
+//! Replacement of the program while it runs. While a document is edited, the former program runs on until the text is free of
+//! errors.
 //!
-//! | what | what becomes of it |
+//! | item | treatment |
 //! |---|---|
-//! | parameters | by name and dimension: a value that differs from the former default stays, any other is the new default |
-//! | method, step | likewise: what differs from the former document stays |
+//! | parameters | by name and dimension: a value that differs from the former default stays, any other becomes the new default |
+//! | method, step | likewise: values that differ from the former document stay |
 //! | presses of buttons | stay at their times, by the names or titles of the buttons |
-//! | curves that are drawn | stay by the names of their tables, where range and arguments are the same |
+//! | drawn curves | stay by the names of their tables, if range and arguments are equal |
 //! | start set by hand | stays if each state has a former one of its name and dimension |
-//! | the run, its time | computed again with the changes of parameters at their times, as far as the work of a link allows; kept as it is where model and values are the same |
-//! | speed, language, whether it plays | stay |
-//! | the run before it, the ghost | is the run that was given up, or stays with a run that stays; none where other curves are plotted |
-//! | kept runs | computed again, except where nothing would change; one that loses a value is dropped |
-//! | plots shown, zoomed | by title; what is zoomed while the units of the axes are the same |
-//! | answers | by the words of the question; the grade goes with the answer that the document computes |
-//! | undo, a part of the scene that is held | end: they are about what was there before |
-//! | plots that others have added | stay behind those of the document, whose number decides their [`PlotId`](crate::PlotId) |
+//! | the run, its time | recomputed with the changes of parameters at their times, up to the work limit of a link; kept as it is if model and values are equal |
+//! | speed, language, playing | stay |
+//! | ghost | the run that was replaced, or the former ghost if the run stays; none if other curves are plotted |
+//! | kept runs | recomputed, except where nothing would change; a run that loses a value is dropped |
+//! | visibility and zoom of plots | by title; zoom only if the units of the axes are equal |
+//! | answers | by the text of the question; the grade stays if the computed answer is the same expression |
+//! | undo, drag in the scene | end, because they refer to the former program |
+//! | added plots | stay after those of the document, whose number determines their [`PlotId`](crate::PlotId) |
 //!
-//! A value that equals the former default counts as not set, also where a person has set it: the two cannot be told apart.
+//! A value that equals the former default counts as not set, even if the user has set it: the two cases cannot be distinguished.
 
 mod answers;
 mod names;
@@ -33,20 +33,21 @@ use names::Names;
 use program::Program;
 
 impl Play {
-    /// Puts another program in the place of the present one; time, parameters and what else a person has chosen stay as far as
-    /// they fit, by name. What does not is named by [`Announcement::Replaced`].
+    /// Replaces the program. Time, parameters and the user's choices are kept by name as far as they fit. Dropped items
+    /// are listed in [`Announcement::Replaced`].
     pub fn replace_program(&mut self, program: Program) {
         let lost = self.replace(program);
         self.announce(Announcement::Replaced(lost));
     }
 
-    /// The same for the program of the same document with other sizes.
+    /// Replaces the program by that of the same document with other sizes. Dropped items are listed in
+    /// [`Announcement::Resized`].
     pub fn resize(&mut self, program: Program) {
         let lost = self.replace(program);
         self.announce(Announcement::Resized(lost));
     }
 
-    /// What did not fit, in the chosen language.
+    /// Replaces the program and returns what was dropped, in the chosen language.
     fn replace(&mut self, program: Program) -> Vec<String> {
         self.drag_end();
         let mut before = std::mem::replace(self, Self::open(program));
@@ -64,7 +65,7 @@ impl Play {
         lost
     }
 
-    /// Takes over the run and those kept. Returns what is lost, in the chosen language.
+    /// Takes over the present and the kept runs. Returns what was dropped, in the chosen language.
     fn adopt_runs(&mut self, before: &mut Play, names: &Names) -> Vec<String> {
         let present = before.course.recipe();
         let (recipe, mut lost) = self.translated(&present, before, names);
@@ -107,7 +108,7 @@ impl Play {
         lost
     }
 
-    /// Takes over the run as it is.
+    /// Takes over the run unchanged.
     fn adopt_course(&mut self, before: &mut Play, same_columns: bool) {
         let model = &self.program.model;
         let nothing = Course::start(model, self.defaults.clone(), 0);
@@ -121,8 +122,8 @@ impl Play {
         if same_columns {
             self.traces = std::mem::take(&mut before.traces);
         }
-        // The sizes that states have had decide how they are written; those of quantities, which may be others now, come
-        // with the next frames.
+        // The magnitudes of states determine their number format. Those of quantities may have changed and are found
+        // again in the next frames.
         let states = self.program.model.states.len();
         for (scale, former) in self.scales.iter_mut().zip(&before.scales).take(states) {
             *scale = *former;

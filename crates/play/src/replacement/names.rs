@@ -1,13 +1,13 @@
-//! Which parameters and states of one model are those of another, by name and dimension.
+//! Matches the parameters and states of two models by name and dimension.
 
 use program::{Model, Node};
 
-/// Where the names of a model stand in the one that replaces it.
+/// Maps indices of a model to indices of the model that replaces it.
 #[derive(Debug)]
 pub(super) struct Names {
     parameters: Vec<Option<usize>>,
     states: Vec<Option<usize>>,
-    /// Whether the independent variable measures the same.
+    /// True if the independent variable has the same dimension.
     pub same_time: bool,
 }
 
@@ -35,22 +35,22 @@ impl Names {
         }
     }
 
-    /// Where a parameter stands now.
+    /// New index of a parameter.
     pub fn parameter(&self, index: usize) -> Option<usize> {
         *self.parameters.get(index)?
     }
 
-    /// Where a state stands now.
+    /// New index of a state.
     pub fn state(&self, index: usize) -> Option<usize> {
         *self.states.get(index)?
     }
 
-    /// Where what is now this state stood before.
+    /// Former index of a state with this new index.
     pub fn former_state(&self, index: usize) -> Option<usize> {
         self.states.iter().position(|place| *place == Some(index))
     }
 
-    /// What an input of the former graph is now, for [`program::Graph::same`].
+    /// Node of the new graph for an input of the former one, for [`program::Graph::same`].
     pub fn input(&self, node: Node) -> Option<Node> {
         match node {
             Node::Parameter(index) => Some(Node::Parameter(self.parameter(index as usize)? as u32)),

@@ -1,10 +1,10 @@
-//! What a person has chosen for the plots, by their titles.
+//! Transfer of the user's plot settings to another program, by the titles of the plots.
 
 use crate::Play;
 use crate::plots::plot::PlotState;
 use program::{Curve, Plot};
 
-/// Whether two plots draw the same expressions in the same units; what the names in them mean may differ.
+/// True if two plots draw the same expressions in the same units. The meaning of their names may differ.
 fn same_curves(one: &Plot, other: &Plot) -> bool {
     let same =
         |(one, other): (&Curve, &Curve)| one.expression == other.expression && one.value.unit == other.value.unit;
@@ -14,14 +14,13 @@ fn same_curves(one: &Plot, other: &Plot) -> bool {
 }
 
 impl Play {
-    /// Takes over which plots are shown, what they are zoomed to, the points over their curves, and the plots that others
-    /// have added.
+    /// Takes over visibility and zoom of plots, the points over their curves, and added plots.
     pub(super) fn adopt_plots(&mut self, before: &mut Play) {
         let documents = before.program.plots.len().min(before.plots.len());
         let added = before.plots.split_off(documents);
         let mut former: Vec<Option<PlotState>> = std::mem::take(&mut before.plots).into_iter().map(Some).collect();
         for (index, (state, plot)) in self.plots.iter_mut().zip(&self.program.plots).enumerate() {
-            // Of plots with the same title the first is the first.
+            // Plots with equal titles are matched in their order.
             let titles = before.program.plots.iter().zip(&mut former).enumerate();
             let mut same_title = titles.filter(|(_, (other, state))| other.title == plot.title && state.is_some());
             let Some((place, (other, old))) = same_title.next() else { continue };
@@ -29,7 +28,7 @@ impl Play {
             let axes = |play: &Play, index: usize| play.columns.plot(index).map(|columns| columns.axes.clone());
             let own_axes = self.columns.plot(index).map(|columns| columns.axes.clone());
             if same_curves(plot, other) {
-                // What is computed for it belongs to the program.
+                // Computed content belongs to the program.
                 let content = std::mem::take(&mut state.content);
                 *state = PlotState { content, ..old };
             } else {
@@ -42,7 +41,7 @@ impl Play {
         self.plots.extend(added);
     }
 
-    /// Whether the columns of numbers for the plots are arranged as in the former program: a run of it can be drawn.
+    /// True if the columns of the plots are arranged as in the former program, so that its runs can be drawn.
     pub(super) fn has_curves_of(&self, before: &Play) -> bool {
         let (plots, former) = (&self.program.plots, &before.program.plots);
         plots.len() == former.len()
@@ -50,7 +49,7 @@ impl Play {
             && self.columns.is_arranged_like(&before.columns)
     }
 
-    /// Whether they have the same values, too, for runs with the same states.
+    /// True if the columns also compute the same values, for runs with the same states.
     pub(super) fn columns_are_those_of(&self, before: &Play) -> bool {
         let (graph, former) = (&self.model().graph, &before.model().graph);
         graph.same(self.columns.nodes(), former, before.columns.nodes(), Some)

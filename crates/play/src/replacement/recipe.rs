@@ -1,4 +1,4 @@
-//! A run of the former program as one of the new program.
+//! Conversion of a run of the former program to the new program.
 
 use super::names::Names;
 use crate::time::recipe::{Change, Recipe};
@@ -8,8 +8,8 @@ use engine::Setup;
 use std::collections::BTreeMap;
 
 impl Play {
-    /// The same run with this program, and what of it does not fit, in the chosen language. Its changes are to be found by
-    /// their times.
+    /// Converts a recipe to this program. Returns also what does not fit, in the chosen language. The changes of the
+    /// result must be located by their times.
     pub(super) fn translated(&self, recipe: &Recipe, before: &Play, names: &Names) -> (Recipe, Vec<String>) {
         let mut left = BTreeMap::new();
         let mut parameters = |values: &[f64]| self.parameters_from(values, before, names, &mut left);
@@ -33,14 +33,14 @@ impl Play {
             changes.clear();
             (front, time) = (0.0, 0.0);
         }
-        // A change of what is not there any more is none.
+        // Drops changes that no longer change anything.
         let mut now = setup.parameters.clone();
         changes.retain(|change| std::mem::replace(&mut now, change.parameters.clone()) != change.parameters);
         (Recipe { setup, changes, front, time }, lost)
     }
 
-    /// The parameters of this program for those of the former one. What does not fit is noted in `left`, by the number of the
-    /// former parameter with the last value.
+    /// Parameters (SI) of this program for those of the former one. Values that do not fit are stored in `left`, by the
+    /// former index; the last value remains.
     fn parameters_from(
         &self,
         values: &[f64],
@@ -99,8 +99,8 @@ impl Play {
         setup
     }
 
-    /// A parameter that decides an initial value of this model cannot change on the way: the value that it had last holds from
-    /// the start.
+    /// A parameter that determines an initial value of this model cannot change during the run: its last value is used
+    /// from the start.
     fn decide_start(&self, setup: &mut Setup, changes: &mut [Change]) {
         let Some(last) = changes.last().map(|change| change.parameters.clone()) else { return };
         let sets =
@@ -114,7 +114,7 @@ impl Play {
         }
     }
 
-    /// A value of the former program in this one: a text stands at another place among its texts.
+    /// Converts a value of the former program. The number of a text may have changed.
     fn same_choice(&self, before: &Play, (index, value): (usize, f64), place: usize) -> Option<f64> {
         match before.model().parameters.get(index)?.word(value, &before.model().texts) {
             Some(word) => self.model().parameters.get(place)?.chosen(word, &self.model().texts),
@@ -122,7 +122,7 @@ impl Play {
         }
     }
 
-    /// `b = 200 kg/s`
+    /// Text of a parameter value: `b = 200 kg/s`.
     fn parameter_text(&self, index: usize, value: f64) -> String {
         self.model().parameters.get(index).map_or_else(String::new, |parameter| {
             format!("{} = {}", symbol(&parameter.name), self.parameter_value_text(index, value))

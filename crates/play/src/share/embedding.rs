@@ -1,13 +1,13 @@
-//! A page that plays a simulation, inside another page: what its address asks for, and the frame that shows it there.
+//! Embedding of a page in another page: options in its address, and the HTML of the frame.
 //!
 //! | field of the query | value |
 //! |---|---|
-//! | `language` | the language of the page, such as `es` |
-//! | `hide` | parts that are left out, separated by commas: see [`PagePart`] |
-//! | `lock` | parameters, presets and initial values stay as the document or the link has them |
-//! | `height` | `content`: the page is as high as its content and tells its parent this height |
+//! | `language` | language of the page, such as `es` |
+//! | `hide` | parts to be left out, separated by commas: see [`PagePart`] |
+//! | `lock` | parameters, presets and initial values cannot be changed |
+//! | `height` | `content`: the page is as high as its content and reports this height to its parent |
 //!
-//! Other fields are left alone. The state stays in the fragment, as in every link.
+//! Other fields are ignored. The state stays in the fragment, as in every link.
 
 use units::Language;
 use units::markup::escaped;
@@ -15,7 +15,7 @@ use units::markup::escaped;
 /// A part of the page that can be left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PagePart {
-    /// The head with title, buttons and languages.
+    /// Header with title, buttons and languages.
     Head,
     /// The drawing.
     Scene,
@@ -32,11 +32,11 @@ pub enum PagePart {
 }
 
 impl PagePart {
-    /// All parts, as they stand in the page.
+    /// All parts, in the order of the page.
     pub const ALL: [Self; 7] =
         [Self::Head, Self::Scene, Self::Plots, Self::Parameters, Self::Values, Self::Activities, Self::Text];
 
-    /// Its name in addresses.
+    /// Name in addresses.
     pub fn name(self) -> &'static str {
         match self {
             Self::Head => "head",
@@ -50,21 +50,21 @@ impl PagePart {
     }
 }
 
-/// What the address of a page asks for.
+/// Options in the address of a page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Embedding {
-    /// The language.
+    /// Language of the page; `None` if not specified.
     pub language: Option<Language>,
-    /// The parts that are left out.
+    /// Parts that are left out.
     pub hidden: Vec<PagePart>,
-    /// Whether parameters, presets and initial values stay as they are.
+    /// True if parameters, presets and initial values cannot be changed.
     pub locked: bool,
-    /// Whether the page is as high as its content, and tells its parent this height.
+    /// True if the page is as high as its content and reports this height to its parent.
     pub follows_content: bool,
 }
 
 impl Embedding {
-    /// Reads the query of an address, with or without `?`. What is unknown in it is ignored.
+    /// Parses the query of an address, with or without `?`. Unknown fields are ignored.
     pub fn read(query: &str) -> Self {
         let mut read = Self::default();
         for field in query.trim_start_matches('?').split('&') {
@@ -76,7 +76,7 @@ impl Embedding {
                     let is_named = |part: &PagePart| names.split(',').any(|name| name == part.name());
                     read.hidden = PagePart::ALL.into_iter().filter(is_named).collect();
                 }
-                // Moodle and others add `=` to a field without a value.
+                // Moodle and others append `=` to a field without a value.
                 ("lock", "" | "1" | "true") => read.locked = true,
                 ("height", "content") => read.follows_content = true,
                 _ => {}
@@ -85,7 +85,7 @@ impl Embedding {
         read
     }
 
-    /// The query, with `?`; empty where nothing is asked for.
+    /// The query with `?`; empty without options.
     pub fn write(&self) -> String {
         let mut fields = Vec::new();
         if let Some(language) = self.language {
@@ -104,15 +104,15 @@ impl Embedding {
         if fields.is_empty() { String::new() } else { format!("?{}", fields.join("&")) }
     }
 
-    /// Whether a part is left out.
+    /// True if a part is left out.
     pub fn hides(&self, part: PagePart) -> bool {
         self.hidden.contains(&part)
     }
 
-    /// The HTML of a frame that shows the page at `address`, without query and fragment, in this state ([`Play::share`], may be
-    /// empty). Width and height are lengths as the attributes of `iframe` take them: `100%` or a number of pixels.
+    /// HTML of a frame that shows the page at `address` (without query and fragment) in this state ([`Play::share`],
+    /// may be empty). Width and height are lengths for the attributes of `iframe`: `100%` or a number of pixels.
     ///
-    /// Where the height follows the content, a script for the page around the frame comes after it.
+    /// If the height follows the content, a script for the surrounding page is appended.
     ///
     /// [`Play::share`]: crate::Play::share
     pub fn frame(&self, address: &str, state: &str, title: &str, [width, height]: [&str; 2]) -> String {
@@ -127,7 +127,7 @@ impl Embedding {
     }
 }
 
-/// Gives a frame the height that the page in it tells. Only a frame of this page that has sent the message is changed.
+/// Sets the height of a frame to the height reported by its page. Affects only the frame that sent the message.
 const FOLLOWER: &str = "<script>addEventListener(\"message\", ({ source, data }) => {
   const frame = [...document.querySelectorAll(\"iframe\")].find((frame) => frame.contentWindow === source);
   if (frame && data?.meniscus) frame.style.height = `${data.meniscus.height}px`;

@@ -1,13 +1,13 @@
-//! Which document a link is about. In the fragment this stands before the state of [`Play::share`], right after the
-//! version: `1&d=theories/linear.md&p=gamma:0.4&t=10`.
+//! Document part of a link. In the fragment it precedes the state of [`Play::share`] and follows the version:
+//! `1&d=theories/linear.md&p=gamma:0.4&t=10`.
 //!
 //! | key | value |
 //! |---|---|
-//! | `d` | the name of a document that the page carries |
+//! | `d` | name of a document contained in the page |
 //! | `s` | the document itself with its translations, deflated by the browser, in base64url |
-//! | `f` | the name of the file that has to be opened first, where the document is too long for a link |
+//! | `f` | name of the file to be opened first, if the document is too long for a link |
 //!
-//! Without any of these the link is about the document that the page opens with, as links of earlier versions are.
+//! Without any of these, the link refers to the document that the page opens with. Links of earlier versions have this form.
 //!
 //! [`Play::share`]: crate::Play::share
 
@@ -16,43 +16,42 @@ use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use std::fmt::Write as _;
 
-/// The longest document in a link, in characters of the link. What mail programs and chats pass on unbroken is not much
-/// longer.
+/// Maximum length of a document in a link, in characters of the link. Mail and chat programs break much longer links.
 pub const LONGEST_PACKED: usize = 8 << 10;
 
-/// The longest document that a link is unpacked to, in bytes. A link of [`LONGEST_PACKED`] could give 25 times as much.
+/// Maximum length of an unpacked document, in bytes. A link of [`LONGEST_PACKED`] could give 25 times as much.
 pub const LONGEST_UNPACKED: usize = 256 << 10;
 
-/// The longest name of a document in a link, in bytes.
+/// Maximum length of the name of a document in a link, in bytes.
 const LONGEST_NAME: usize = 200;
 
-/// What the fragment begins with.
+/// First field of the fragment: the version of the format.
 pub(super) const VERSION: &str = "1";
 
-/// Which document a link is about.
+/// Document that a link refers to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The document that the page opens with.
     Home,
-    /// A document that the page carries, by its name.
+    /// A document contained in the page, by its name.
     Library(String),
-    /// The document itself: its files as a list, deflated.
+    /// The document itself: a list of its files, deflated.
     Packed(Vec<u8>),
-    /// The document of a file of this name, which the link does not hold.
+    /// A document that the link does not contain, by its file name.
     File(String),
 }
 
-/// A link's document and state.
+/// Document and state of a link.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Link {
     /// The document.
     pub subject: Subject,
-    /// The state of it, for [`Play::restore`](crate::Play::restore); empty where the link has none.
+    /// State of the document, for [`Play::restore`](crate::Play::restore); empty if the link has none.
     pub state: String,
 }
 
 impl Link {
-    /// The fragment, without `#`; empty for the page's own document as it is.
+    /// The fragment, without `#`; empty for the page's own document in its original state.
     pub fn write(&self) -> String {
         let subject = match &self.subject {
             Subject::Home => return self.state.clone(),
@@ -64,10 +63,11 @@ impl Link {
         format!("{VERSION}&{subject}{state}")
     }
 
-    /// Reads a fragment. Anything that names no document is a state of the page's own one; whether it is a state is for
-    /// [`Play::restore`](crate::Play::restore) to say.
+    /// Parses a fragment. If it names no document, it is taken as a state of the page's own one and checked by
+    /// [`Play::restore`](crate::Play::restore).
     ///
     /// # Errors
+    ///
     /// A document or a name that is too long or damaged.
     pub fn read(fragment: &str) -> Result<Self, Refusal> {
         let fragment = fragment.trim_start_matches('#');
@@ -86,12 +86,12 @@ impl Link {
     }
 }
 
-/// How many characters of a link so many bytes take.
+/// Number of link characters for a number of bytes.
 pub fn packed_length(bytes: usize) -> usize {
     bytes.saturating_mul(4).div_ceil(3)
 }
 
-/// A name as it can stand in a fragment.
+/// Percent-encodes a name for a fragment.
 pub(super) fn encode(name: &str) -> String {
     let mut text = String::new();
     for byte in name.bytes().take(LONGEST_NAME) {
@@ -105,7 +105,7 @@ pub(super) fn encode(name: &str) -> String {
     text
 }
 
-/// What [`encode`] has written; `None` for what is no name.
+/// Decodes the output of [`encode`]; `None` for an invalid name.
 pub(super) fn decode(text: &str) -> Option<String> {
     let mut bytes = Vec::new();
     let mut rest = text.bytes();

@@ -1,4 +1,4 @@
-//! Links: which document, and which state of it; and pages inside other pages.
+//! Links to a document in a given state, and pages embedded in other pages.
 
 mod embedding;
 mod link;

@@ -1,4 +1,4 @@
-//! A state comes back from the text that [`Play::share`] has written.
+//! Restores a state from the text written by [`Play::share`].
 
 use super::link::{VERSION, decode, encode};
 use super::state::MOST_CHANGES;
@@ -12,27 +12,29 @@ use engine::Method;
 use figure::{Interval, View};
 use units::number::compact as exact;
 
-/// The work that all runs together may take that are computed again, in floating-point operations: a link may come from a
-/// stranger, and the page stands still meanwhile, on a slow phone for about a second.
+/// Maximum work for all recomputed runs together, in floating-point operations. A link may come from a stranger, and
+/// the page is blocked meanwhile: about a second on a slow phone.
 pub(crate) const MOST_WORK: u64 = 50_000_000;
 
-/// No run of a link has more rows: recording each takes some work.
+/// Maximum number of rows of a run in a link, because recording a row takes time.
 const MOST_ROWS: usize = 2_500_000;
 
-/// The most parts of a link that a refusal names one by one.
+/// Maximum number of omitted parts that a refusal names individually.
 const MOST_NAMED: usize = 12;
 
 impl Play {
-    /// Brings back a state. What does not fit the document is left out and named in the refusal; the rest is applied.
+    /// Restores a state. Parts that do not fit the document are omitted and named in the refusal; the rest is applied.
     ///
     /// # Errors
-    /// A text that is no state, or parts that do not fit: an unknown key, a value out of range, a kept run too many, a run
-    /// that takes more than the work that a link may cost.
+    ///
+    /// A text that is not a state, or parts that do not fit: an unknown key, a value out of range, too many kept runs,
+    /// a run that exceeds the work limit of a link.
     pub fn restore(&mut self, fragment: &str) -> Result<(), Refusal> {
         self.restore_within(fragment, &mut { MOST_WORK })
     }
 
-    /// The same with no more than about the work in `work` for all runs together; what is left of it stays there.
+    /// Restores a state with the work limit `work` for all runs together, in floating-point operations; it is reduced
+    /// by the work done.
     fn restore_within(&mut self, fragment: &str, work: &mut u64) -> Result<(), Refusal> {
         let fragment = fragment.trim_start_matches('#');
         if fragment.is_empty() {
@@ -52,7 +54,7 @@ impl Play {
         let fields: Vec<&str> = fields.collect();
         let mut sections = fields.split(|field| *field == "k");
         let present = reader.recipe(sections.next().unwrap_or_default());
-        // Counted before anything is computed: a link can name far more runs than can be kept.
+        // Limited before anything is computed: a link can name far more runs than can be kept.
         let kept: Vec<Recipe> = sections.by_ref().take(MOST_KEPT).map(|section| reader.recipe(section)).collect();
         let mut left_out = reader.left_out;
         left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
@@ -83,7 +85,7 @@ impl Play {
     }
 }
 
-/// Reads fields; what does not fit is collected.
+/// Parser of fields; collects the parts that do not fit.
 struct Reader<'a> {
     play: &'a mut Play,
     left_out: Vec<String>,
@@ -105,7 +107,7 @@ impl Reader<'_> {
         recipe
     }
 
-    /// Takes one field into the recipe or the state; `None` if it does not fit.
+    /// Applies one field to the recipe or the state; `None` if it does not fit.
     fn field(&mut self, key: &str, value: &str, recipe: &mut Recipe) -> Option<()> {
         match key {
             "p" if value.is_empty() => return None,
@@ -113,7 +115,7 @@ impl Reader<'_> {
                 let parameters = self.parameters(value.split(','), &recipe.setup.parameters);
                 recipe.setup.parameters = parameters;
             }
-            // Sizes are part of the program: they are restored where the page has built it with them.
+            // Sizes are part of the program: they match if the page has built it with them.
             "n" => {
                 let is_so = |pair: &str| {
                     let (name, value) = pair.split_once(':')?;
@@ -147,7 +149,7 @@ impl Reader<'_> {
                     return None;
                 }
                 let parameters = self.parameters(values.split(','), recipe.last_parameters());
-                // Without events, which the run will show.
+                // Ignores the rows of events: they are known only once the run is computed.
                 let after = (row - 1) as f64 * recipe.setup.step;
                 recipe.changes.push(Change { row, after, parameters });
             }
@@ -174,7 +176,7 @@ impl Reader<'_> {
         Some(())
     }
 
-    /// `before` with some parameters replaced; those that do not fit are collected.
+    /// Copy of `before` (SI) with some parameters replaced; values that do not fit are collected.
     fn parameters<'t>(&mut self, values: impl Iterator<Item = &'t str>, before: &[f64]) -> Vec<f64> {
         let mut parameters = before.to_vec();
         for text in values {
@@ -195,7 +197,7 @@ impl Reader<'_> {
         parameters
     }
 
-    /// Notes a part that does not fit; a link of megabytes gets no list of megabytes.
+    /// Records a part that does not fit. The list stays short even for a link of megabytes.
     fn leave_out(&mut self, part: &str) {
         if self.left_out.len() <= MOST_NAMED {
             self.left_out.push(part.chars().take(40).collect());
@@ -203,7 +205,7 @@ impl Reader<'_> {
     }
 }
 
-/// The limits of a zoomed plot, if every interval has a length.
+/// Limits of a zoomed plot; `None` if an interval is empty.
 fn view(limits: &str) -> Option<View> {
     let ends = |limits: &str| {
         let (low, high) = limits.split_once(':')?;
@@ -230,7 +232,7 @@ mod tests {
         Play::open(document::open(source, &[]).document.unwrap().program)
     }
 
-    /// The work of restoring a link, and how many parts are named as left out.
+    /// Work used to restore a link, in floating-point operations, and number of parts named as omitted.
     fn cost(link: &str) -> (u64, usize) {
         let (mut play, mut left) = (opened(), MOST_WORK);
         let left_out = match play.restore_within(link, &mut left) {
@@ -244,7 +246,7 @@ mod tests {
 
     #[test]
     fn kept_runs_beyond_the_most_cost_nothing() {
-        // Each run of 20 s takes twice the work of one of 10 s.
+        // A run of 20 s takes twice the work of one of 10 s.
         let (ten, all) = (cost("1&t=10").0, 1 + 2 * MOST_KEPT as u64);
         assert!(ten > 1000, "more than an operation for each of 1000 steps: {ten}");
         assert_eq!(cost(&format!("1&t=10{}", "&k&t=20".repeat(MOST_KEPT))), (ten * all, 0));

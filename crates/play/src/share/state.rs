@@ -1,24 +1,24 @@
-//! A state of the laboratory as a short text, for links and for the next visit.
+//! State of the laboratory as a short text, for links and for the next visit.
 //!
-//! The text begins with its version and has fields `key=value` separated by `&`; every character may stand in the
-//! fragment of a URL. Numbers are SI and in the shortest form that reads back exactly.
+//! The text begins with its version and has fields `key=value` separated by `&`. All characters are allowed in the fragment of
+//! a URL. Numbers are SI, in the shortest form that reads back exactly.
 //!
 //! | key | value |
 //! |---|---|
 //! | `p` | parameters at the start that differ from the document's: `b:200,h_l:3.5` |
 //! | `n` | sizes of families that differ from the document's: `N:50` |
-//! | `y` | a start state set by hand, one value for each state: `0.5,0` |
+//! | `y` | a start state set by hand, one value per state: `0.5,0` |
 //! | `m`, `h` | method and step, if they differ |
-//! | `a` | a curve that is drawn, once for each: the table and the levels of its points, 12 bits for each in base64url |
+//! | `a` | a drawn curve, once for each: the table and the levels of its points, 12 bits per point in base64url |
 //! | `b` | presses of buttons, by name or title with their times: `kick:3.2:4.1,stop:5` |
-//! | `c` | a change on the way, once for each: the first row it holds for, and the parameters: `100,b:300` |
-//! | `e` | how far the run goes, if further than `t` |
+//! | `c` | a change during the run, once for each: the first row it applies to, and the parameters: `100,b:300` |
+//! | `e` | greatest time reached, if greater than `t` |
 //! | `t` | the time shown |
-//! | `k` | (no value) a kept run: the fields up to the next `k` describe it and not the present one |
+//! | `k` | (no value) a kept run: the fields up to the next `k` describe it instead of the present one |
 //! | `x` | the speed |
 //! | `w` | (no value) the values that questions hide are shown |
 //! | `v` | plots not shown: `0,2` |
-//! | `z` | what a plot is zoomed to, once for each: the plot, then the limits of the horizontal axis (empty if automatic) and of each vertical one: `0,1:2.5,-3:3` |
+//! | `z` | zoom of a plot, once for each: the plot, then the limits of the horizontal axis (empty if automatic) and of each vertical one: `0,1:2.5,-3:3` |
 
 use super::link::{VERSION, encode};
 use crate::Play;
@@ -30,11 +30,11 @@ use engine::Setup;
 use figure::{Interval, View};
 use units::number::compact as exact;
 
-/// More changes of parameters than this do not fit into a link: its run begins at the state shown.
+/// Maximum number of parameter changes in a link. With more, the run of the link begins at the state shown.
 pub(super) const MOST_CHANGES: usize = 300;
 
 impl Play {
-    /// What differs from the freshly opened document, safe in the fragment of a URL; empty if nothing does.
+    /// Differences from the freshly opened document, as text for the fragment of a URL; empty if there are none.
     pub fn share(&self) -> String {
         let mut fields: Vec<String> = Vec::new();
         let mut recipe = self.course.recipe();
@@ -66,7 +66,7 @@ impl Play {
             let hidden: Vec<String> = hidden.iter().map(usize::to_string).collect();
             fields.push(format!("v={}", hidden.join(",")));
         }
-        // Plots of what is measured come and go with the records, which are not in a link.
+        // Plots of measurements come and go with the records, which a link does not contain.
         for (index, plot) in self.plots.iter().enumerate().take(self.program.plots.len()) {
             if !plot.view.is_automatic() {
                 fields.push(format!("z={index},{}", limits(&plot.view)));
@@ -79,7 +79,7 @@ impl Play {
         if fields.is_empty() { String::new() } else { format!("{VERSION}&{}", fields.join("&")) }
     }
 
-    /// What of the state a link does not hold, in the chosen language.
+    /// Parts of the state that a link does not contain, in the chosen language.
     pub fn missing_in_link(&self) -> Vec<&'static str> {
         let pick = |english, spanish| self.language.pick(english, spanish);
         [
@@ -128,7 +128,7 @@ impl Play {
         }
     }
 
-    /// `b:200` for each parameter that differs.
+    /// Entries such as `b:200` for each parameter that differs.
     fn differing(&self, from: &[f64], to: &[f64]) -> Vec<String> {
         let values = self.model().parameters.iter().zip(from.iter().zip(to));
         let differing = values.filter(|(_, (from, to))| from.to_bits() != to.to_bits());
@@ -141,7 +141,7 @@ impl Play {
     }
 }
 
-/// `1:2.5,-3:3`, or `,-3:3` where the horizontal axis is automatic.
+/// Limits of a zoomed plot: `1:2.5,-3:3`, or `,-3:3` if the horizontal axis is automatic.
 fn limits(view: &View) -> String {
     let ends = |limits: &Interval| format!("{}:{}", exact(limits.low), exact(limits.high));
     let horizontal = view.x.as_ref().map_or_else(String::new, ends);

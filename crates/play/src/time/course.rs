@@ -1,44 +1,44 @@
-//! The course of one run: what is computed, what of it has been reached, and which moment of it is shown.
+//! A run as it is played: the computed rows, the time reached, and the moment shown.
 //!
-//! The run is computed a little ahead: the time shown lies inside the last step or on its end. What lies behind the
-//! *front*, the greatest time reached, can be shown again; what lies before it is not shown yet.
+//! The run is computed slightly ahead: the time shown lies inside the last step or at its end. The *front* is the
+//! greatest time reached. Moments up to the front can be shown again; rows beyond it are not shown yet.
 
 use engine::{Advance, CAPACITY, History, Notice, ROUNDING, Run, RunError, Setup};
 use program::Model;
 
-/// How far [`Course::proceed`] got.
+/// Result of [`Course::proceed`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
-    /// Where it was to go.
+    /// The target time was reached.
     Reached,
-    /// As far as the work allowed; so much is missing (SI).
+    /// The work limit was reached; the remaining time to the target (SI).
     Behind(f64),
-    /// As far as the memory allowed.
+    /// The memory limit was reached.
     Full,
-    /// As far as the equations allow.
+    /// The run failed or ended.
     Failed,
 }
 
-/// One run, and which moment of it is shown.
+/// One run, and the moment of it that is shown.
 #[derive(Debug)]
 pub struct Course {
-    /// The run, whose history is the record of all changes of parameters; what it was to start with, if it could not.
+    /// The run, whose history records all changes of parameters; or, if it could not start, its settings.
     run: Result<Run, Setup>,
     error: Option<RunError>,
     time: f64,
     front: f64,
     state: Vec<f64>,
-    /// What the plots keep for each row, in bytes.
+    /// Memory that the plots need per row, in bytes.
     overhead: usize,
 }
 
 impl Course {
-    /// For other plots, which keep so many bytes for each row.
+    /// Sets the memory that the plots need per row, in bytes.
     pub fn set_overhead(&mut self, overhead: usize) {
         self.overhead = overhead;
     }
 
-    /// Starts a run; a failure is kept as [`Course::error`].
+    /// Starts a run; a failure is available as [`Course::error`].
     pub fn start(model: &Model, setup: Setup, overhead: usize) -> Self {
         let (run, error) = match Run::start(model, setup.clone()) {
             Ok(run) => (Ok(run), None),
@@ -50,7 +50,7 @@ impl Course {
         course
     }
 
-    /// What it was started with.
+    /// Settings with which the run was started.
     pub fn begun(&self) -> &Setup {
         match &self.run {
             Ok(run) => run.setup(),
@@ -58,12 +58,12 @@ impl Course {
         }
     }
 
-    /// Why it cannot start or go on.
+    /// Reason why it cannot start or continue.
     pub fn error(&self) -> Option<&RunError> {
         self.error.as_ref()
     }
 
-    /// Goes on beyond an event that has ended the run. Only from the front.
+    /// Continues beyond an event that ended the run. Call only at the front.
     pub fn go_on(&mut self) {
         if let Ok(run) = &mut self.run
             && self.error.take_if(|error| error.is_end()).is_some()
@@ -72,57 +72,58 @@ impl Course {
         }
     }
 
-    /// Whether an event has ended the run.
+    /// True if an event has ended the run.
     pub fn has_ended(&self) -> bool {
         self.error.as_ref().is_some_and(RunError::is_end)
     }
 
-    /// What the run cannot promise.
+    /// Warnings of the run.
     pub fn notices(&self) -> Vec<Notice> {
         self.run.as_ref().map(Run::notices).unwrap_or_default()
     }
 
-    /// The recorded rows; absent when it could not start.
+    /// Recorded rows; `None` if the run could not start.
     pub fn history(&self) -> Option<&History> {
         self.run.as_ref().ok().map(Run::history)
     }
 
-    /// How many rows lie at or behind the front.
+    /// Number of rows up to the front.
     pub fn rows(&self) -> usize {
         self.history().map_or(0, |history| history.row_at(self.front) + 1)
     }
 
-    /// How many rows lie at or before the moment shown.
+    /// Number of rows up to the moment shown.
     pub fn rows_until_shown(&self) -> usize {
         self.history().map_or(0, |history| history.row_at(self.time) + 1)
     }
 
-    /// The time shown.
+    /// Time shown (SI).
     pub fn time(&self) -> f64 {
         self.time
     }
 
-    /// The greatest time reached.
+    /// Greatest time reached (SI).
     pub fn front(&self) -> f64 {
         self.front
     }
 
-    /// The state at the time shown.
+    /// State at the time shown, SI, one value per state.
     pub fn state(&self) -> &[f64] {
         &self.state
     }
 
-    /// The state at the start, what `y(0)` is; not numbers when it could not start.
+    /// Initial state, SI: `y(0)` and so on. NaN if the run could not start.
     pub fn initial(&self) -> &[f64] {
         self.run.as_ref().map_or(&self.state, Run::initial)
     }
 
-    /// Whether an earlier moment than the front is shown.
+    /// True if a moment before the front is shown.
     pub fn is_scrubbed(&self) -> bool {
         self.time < self.front
     }
 
-    /// The parameters in force at the time shown: those of the step it lies in, at the front those of the next step.
+    /// Parameters (SI) in force at the time shown: those of the step that contains it; at the front, those of the next
+    /// step.
     pub fn parameters(&self) -> &[f64] {
         match &self.run {
             Err(setup) => &setup.parameters,
@@ -131,7 +132,8 @@ impl Course {
         }
     }
 
-    /// The state at a time behind the front, and the parameters that were in force there.
+    /// Writes the state (SI) at a time (SI) up to the front into `out`. Returns the parameters (SI) in force there;
+    /// `None` if the run could not start.
     pub fn state_at(&mut self, time: f64, out: &mut [f64]) -> Option<Vec<f64>> {
         let run = self.run.as_mut().ok()?;
         run.interpolate(time, out);
@@ -139,14 +141,14 @@ impl Course {
         Some(history.parameters((history.row_at(time) + 1).min(history.len() - 1)).to_vec())
     }
 
-    /// The state at a time behind the front.
+    /// Writes the state (SI) at a time (SI) up to the front into `out`.
     pub fn interpolate(&mut self, time: f64, out: &mut [f64]) {
         if let Ok(run) = &mut self.run {
             run.interpolate(time, out);
         }
     }
 
-    /// Shows a moment between the start and the front.
+    /// Shows a moment (SI) between the start and the front.
     pub fn show(&mut self, time: f64) {
         self.time = if time.is_finite() { time.clamp(0.0, self.front) } else { self.front };
         if let Ok(run) = &mut self.run {
@@ -154,8 +156,8 @@ impl Course {
         }
     }
 
-    /// Goes on to `to` with no more than about the work in `left`, from which what was done is taken, and shows that moment.
-    /// Only from the front: see [`Course::resume`].
+    /// Continues to the time `to` (SI) and shows that moment. `left` is the remaining work in floating-point operations
+    /// and is reduced by the work done. Call only at the front: see [`Course::resume`].
     pub fn proceed(&mut self, to: f64, left: &mut u64) -> Outcome {
         let mut outcome = Outcome::Reached;
         while self.is_behind(to) {
@@ -179,14 +181,14 @@ impl Course {
         if outcome == Outcome::Reached && !self.finish(to) {
             outcome = Outcome::Failed;
         }
-        // What happens there can lie behind it by rounding.
+        // Rounding can place the rows of these events slightly after `to`.
         let reached = if self.rows_computed() > rows { to * (1.0 + ROUNDING) } else { to };
         self.front = self.front.max(reached.min(self.last_time()));
         self.show(self.front);
         outcome
     }
 
-    /// Lets what happens at a time happen, where the last row stands there; false where that ends the run.
+    /// Performs the events at a time (SI) if the last row lies there. Returns false if one ends the run.
     fn finish(&mut self, time: f64) -> bool {
         let Ok(run) = &mut self.run else { return true };
         match run.finish(time) {
@@ -198,23 +200,24 @@ impl Course {
         }
     }
 
-    /// The grid time after the one shown; one so near that a step to it would not be seen does not count.
+    /// Next grid time (SI) after the one shown. A grid time too close to be noticed as a step is skipped.
     pub fn next_grid_time(&self) -> f64 {
         self.grid_time((self.time / self.begun().step + SEEN).floor() + 1.0)
     }
 
-    /// The grid time before the one shown, likewise; 0 at the start.
+    /// Previous grid time (SI) before the one shown, likewise; 0 at the start.
     pub fn previous_grid_time(&self) -> f64 {
         self.grid_time((self.time / self.begun().step - SEEN).ceil() - 1.0).max(0.0)
     }
 
-    /// The row at which the run goes on from an earlier moment: the end of the step that the moment lies in.
+    /// Row from which the run continues after an earlier moment: the end of the step that contains the moment. `None`
+    /// at the front.
     pub fn resume_row(&self) -> Option<usize> {
         let run = self.run.as_ref().ok()?;
         self.is_scrubbed().then(|| self.row_ahead(run))
     }
 
-    /// Gives up the rows after the step that the moment shown lies in, so that the run goes on from there with the
+    /// Discards the rows after the step that contains the moment shown. The run continues from there with the
     /// parameters then in force.
     pub fn resume(&mut self) {
         let Some(row) = self.resume_row() else { return };
@@ -225,23 +228,23 @@ impl Course {
         }
     }
 
-    /// Changes the parameters from the next step on; at the very start, from the start on. None of them may decide an
-    /// initial value.
+    /// Changes the parameters (SI) from the next step on, or from the start if there is only one row. None of them may
+    /// determine an initial value.
     pub fn set_parameters(&mut self, model: &Model, parameters: Vec<f64>) {
         self.error = None;
         match &mut self.run {
-            // This gives up what is only partly a step, with the rows in it.
+            // Discards an incomplete step with the rows in it.
             Ok(run) if run.history().len() > 1 => run.set_parameters(parameters),
             _ => *self = Self::start(model, Setup { parameters, ..self.begun().clone() }, self.overhead),
         }
     }
 
-    /// Presses a button at the moment shown, which is the front. Presses after it are given up.
+    /// Presses a button at the moment shown, which must be the front. Later presses are discarded.
     pub fn press(&mut self, button: usize) {
         self.press_or_none(Some(button));
     }
 
-    /// Gives up the presses after the moment shown, which is the front: something else happens there now.
+    /// Discards the presses after the moment shown, which must be the front.
     pub fn give_up_presses(&mut self) {
         if self.begun().presses.iter().any(|press| press.time > self.time) {
             self.press_or_none(None);
@@ -255,19 +258,20 @@ impl Course {
         self.error = None;
         self.catch_up(&mut { PRESS });
         if let Ok(run) = &mut self.run {
-            // Those that wait for the next step go on waiting.
+            // Changes that wait for the next step stay pending.
             run.set_parameters(parameters);
         }
     }
 
-    /// Computes what has been given up before the front, with about the work in `left`, and what is pressed there.
+    /// Recomputes the rows discarded before the front, with the presses there. `left` is the remaining work in
+    /// floating-point operations.
     fn catch_up(&mut self, left: &mut u64) {
         let front = self.front;
         while *left > 0 && self.is_behind(front) {
             match self.advance(left) {
                 Some(Advance::Full) => break,
                 Some(_) => {}
-                // What was gone on with beyond its end is here, too.
+                // The run had been continued beyond its end.
                 None if self.has_ended() && self.is_behind(front) => self.go_on(),
                 None => break,
             }
@@ -276,7 +280,7 @@ impl Course {
         self.show(self.front);
     }
 
-    /// To the next row, or as far as the work in `left` allows; `None` when it fails.
+    /// Computes the next row, or as much of it as the work in `left` allows; `None` if the run fails or ends.
     pub(super) fn advance(&mut self, left: &mut u64) -> Option<Advance> {
         let run = self.run.as_mut().ok()?;
         let history = run.history();
@@ -296,22 +300,22 @@ impl Course {
         }
     }
 
-    /// How many rows are computed, beyond the front, too.
+    /// Number of computed rows, including those beyond the front.
     pub(super) fn rows_computed(&self) -> usize {
         self.history().map_or(0, History::len)
     }
 
-    /// Whether the row at a time of the grid is computed.
+    /// True if the row at a grid time (SI) is computed.
     pub(super) fn has_computed(&self, time: f64) -> bool {
         self.last_time() >= time - NEAR * self.begun().step
     }
 
-    /// Whether something up to a time is not computed yet, or a press has not acted.
+    /// True if the run is not computed up to a time (SI), or a press before it has not taken effect.
     pub(super) fn is_behind(&self, time: f64) -> bool {
         self.last_time() < time || self.run.as_ref().is_ok_and(|run| run.has_press_before(time))
     }
 
-    /// The time of the last row computed.
+    /// Time (SI) of the last computed row.
     pub(super) fn last_time(&self) -> f64 {
         self.history().and_then(|history| history.times().last().copied()).unwrap_or(0.0)
     }
@@ -320,8 +324,8 @@ impl Course {
         index * self.begun().step
     }
 
-    /// The last row at the first grid time at or after the time shown. Rows off the grid (events) are passed over: the
-    /// rest of their step belongs to them.
+    /// Last row at the first grid time at or after the time shown. Rows off the grid (events) are skipped: they belong
+    /// to the rest of their step.
     fn row_ahead(&self, run: &Run) -> usize {
         let times = run.history().times();
         let step = self.begun().step;
@@ -335,12 +339,12 @@ impl Course {
     }
 }
 
-/// The work that may be done when a button is pressed, in floating-point operations: less than half a second.
+/// Maximum work for pressing a button, in floating-point operations: less than half a second.
 const PRESS: u64 = 50_000_000;
-/// The work of recording a row and its values, in floating-point operations.
+/// Work for recording a row and each of its values, in floating-point operations.
 const ROW: u64 = 20;
 const VALUE: u64 = 4;
-/// A step to a grid time nearer than this part of a step would look as if the button did nothing.
+/// A step to a grid time closer than this fraction of a step would be unnoticeable.
 const SEEN: f64 = 0.25;
-/// Grid times closer than this part of a step are the same: quotients of times are rounded.
+/// Grid times closer than this fraction of a step are equal, because quotients of times are rounded.
 const NEAR: f64 = 1e-6;

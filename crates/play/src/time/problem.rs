@@ -1,25 +1,25 @@
-//! Why a run cannot start or go on, in the chosen language.
+//! Texts for a run that cannot start or continue.
 
 use crate::{Play, Status};
 use engine::Subject;
 use units::number;
 
-/// Significant digits of the moment at which a run ends.
+/// Significant digits of the time at which a run ends.
 const DIGITS: usize = 3;
 
-/// Why the run cannot go on, in the chosen language.
+/// A problem of the run, in the chosen language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
-    /// A stable name.
+    /// Stable identifier.
     pub code: &'static str,
-    /// What is wrong, a sentence.
+    /// Description, a sentence.
     pub message: String,
-    /// What to do; may be empty.
+    /// Advice; may be empty.
     pub hint: String,
 }
 
 impl Play {
-    /// Why the run cannot go on; only while the moment where it stopped is shown.
+    /// Reason why the run cannot continue; `None` unless the moment at which it stopped is shown.
     pub fn problem(&self) -> Option<Problem> {
         let error = self.course.error().filter(|_| !self.course.is_scrubbed())?;
         let message = error.message_in(self.model(), |title| self.text(title).to_owned());
@@ -32,7 +32,8 @@ impl Play {
 }
 
 impl Play {
-    /// Where the run has come to the end that the document gives it, and through which event; none while it has not.
+    /// Text for a run that has reached the end set by the document or an event: the time and the event; `None` in any
+    /// other status.
     pub fn ending(&self) -> Option<String> {
         if self.status() != Status::Ended {
             return None;
@@ -52,7 +53,7 @@ impl Play {
         })
     }
 
-    /// What the run cannot promise up to the front, if there is anything; it goes on.
+    /// First warning of the run up to the front, if any; the run continues.
     pub fn notice(&self) -> Option<Problem> {
         let notice = self.course.notices().into_iter().find(|notice| notice.time <= self.course.front())?;
         Some(Problem {
@@ -63,7 +64,7 @@ impl Play {
     }
 }
 
-/// With a full stop, and with a capital letter unless it begins with a name.
+/// Text as a sentence: with a full stop, and with a capital letter unless it begins with a name.
 fn sentence(text: &str, named: bool) -> String {
     let mut characters = text.chars();
     match characters.next() {

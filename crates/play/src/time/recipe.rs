@@ -1,60 +1,60 @@
-//! How to make a run again: what it starts with, and what was changed on the way.
+//! Data from which a run can be recomputed: its settings and the changes during the run.
 
 use crate::time::course::{Course, Outcome};
 use engine::{Advance, Setup};
 use program::Model;
 
-/// The same run again: from these values, with these changes of parameters on the way.
+/// Settings of a run and the changes of parameters during it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recipe {
-    /// What it starts with.
+    /// Initial settings.
     pub setup: Setup,
-    /// In the order of time.
+    /// Changes in the order of time.
     pub changes: Vec<Change>,
-    /// How far it goes (SI).
+    /// Greatest time reached (SI).
     pub front: f64,
-    /// Which moment is shown (SI).
+    /// Time shown (SI).
     pub time: f64,
 }
 
-/// A change of parameters on the way.
+/// A change of parameters during the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
-    /// The first row they hold for.
+    /// First row to which the parameters apply.
     pub row: usize,
-    /// The time of the row before (SI), which is that of the change. Unlike the row it does not depend on the step, nor on the
-    /// rows that events leave.
+    /// Time of the previous row (SI), at which the change was made. Unlike the row, it depends neither on the step nor
+    /// on the rows of events.
     pub after: f64,
     /// All parameters from then on, SI.
     pub parameters: Vec<f64>,
 }
 
-/// What tells the moment of a [`Change`].
+/// Property that determines the moment of a [`Change`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moments {
-    /// Its row: for the model that the recipe was made with.
+    /// The row: for the model with which the recipe was made.
     Rows,
-    /// Its time: for another model.
+    /// The time: for another model.
     Times,
 }
 
 impl Recipe {
-    /// The parameters at the end.
+    /// Parameters at the end, SI.
     pub fn last_parameters(&self) -> &[f64] {
         self.changes.last().map_or(&self.setup.parameters, |change| &change.parameters)
     }
 
-    /// All sets of parameters, in the order of time.
+    /// All parameter sets (SI), in the order of time.
     pub fn parameter_sets(&self) -> impl Iterator<Item = &[f64]> {
         std::iter::once(&self.setup.parameters[..]).chain(self.changes.iter().map(|change| &change.parameters[..]))
     }
 }
 
 impl Course {
-    /// How to make this run again.
+    /// Recipe of this run.
     pub fn recipe(&self) -> Recipe {
         let changes = self.history().into_iter().flat_map(|history| {
-            // The first set is what the run was started with.
+            // The first set is that of the start.
             history.parameter_sets().iter().skip(1).map(|(row, parameters)| Change {
                 row: *row,
                 after: history.time(row - 1),
@@ -64,8 +64,8 @@ impl Course {
         Recipe { setup: self.begun().clone(), changes: changes.collect(), front: self.front(), time: self.time() }
     }
 
-    /// Runs a recipe with no more than about the work in `left` ([`engine::Run::work`]), from which what was done is taken.
-    /// Returns whether it could be followed to its end.
+    /// Recomputes a recipe. `left` is the remaining work in floating-point operations ([`engine::Run::work`]) and is
+    /// reduced by the work done. Returns true if the recipe could be followed to its end.
     pub fn replay(model: &Model, recipe: &Recipe, moments: Moments, overhead: usize, left: &mut u64) -> (Self, bool) {
         let mut course = Self::start(model, recipe.setup.clone(), overhead);
         for change in &recipe.changes {
@@ -74,7 +74,7 @@ impl Course {
                 Moments::Times => course.has_computed(change.after),
             };
             while !is_due(&course) && *left > 0 {
-                // What was gone on with beyond its end is here, too.
+                // The run had been continued beyond its end.
                 course.go_on();
                 if matches!(course.advance(left), None | Some(Advance::Full)) {
                     break;

@@ -4,40 +4,40 @@ use crate::time::course::Outcome;
 use crate::{Announcement, Play, number};
 use engine::Setup;
 
-/// What the run is doing.
+/// Status of the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// Standing still.
+    /// Paused.
     Paused,
-    /// Going on with the clock.
+    /// Playing: the run follows the clock.
     Playing,
-    /// Standing still because the history is full; back to the start, or scrub back, to go on.
+    /// Paused because the recording is full; go back to the start or scrub back to continue.
     Full,
-    /// Standing still because the run cannot go on; [`Play::problem`] says why.
+    /// Paused because the run failed; [`Play::problem`] gives the reason.
     Failed,
-    /// Standing still where the document or an event of it ends the run; [`Play::play`] goes on beyond it.
+    /// Paused at the end set by the document or an event; [`Play::play`] continues beyond it.
     Ended,
 }
 
-/// The speeds that are offered, as multiples of the one that the document begins with ([`program::Speed`]).
+/// Available speeds, as multiples of the speed of the document ([`program::Speed`]).
 pub const SPEEDS: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 
-/// The longest gap between ticks, in seconds, that the run makes up. Browsers wake a hidden page about once a second, at
-/// worst once a minute: its run goes on with the clock. A longer gap is a machine that slept, and its run slept too.
+/// Longest gap between ticks, in seconds, for which the run catches up. Browsers wake a hidden page about once a
+/// second, at worst once a minute. A longer gap means that the computer slept; the run then skips it.
 pub const LONGEST_GAP: f64 = 60.0;
 
-/// The work done in one tick, in floating-point operations: some milliseconds. What is missing then is
+/// Maximum work in one tick, in floating-point operations: some milliseconds. The resulting delay is
 /// [`Play::slippage`].
 pub const WORK_PER_TICK: u64 = 1_000_000;
 
-/// The work done when a person asks for one step: less than half a second.
+/// Maximum work for a single step by the user: less than half a second.
 const WORK_PER_STEP: u64 = 50_000_000;
 
-/// The time line, and a plot against the independent variable, begin with room for so many steps.
+/// Initial length, in steps, of the time line and of plots against the independent variable.
 const STEPS_AT_FIRST: f64 = 200.0;
 
 impl Play {
-    /// Lets `seconds` of wall time pass. Returns whether anything that is shown has changed.
+    /// Advances by `seconds` of wall time. Returns true if anything shown has changed.
     pub fn tick(&mut self, seconds: f64) -> bool {
         if !self.playing || !seconds.is_finite() || seconds <= 0.0 || seconds > LONGEST_GAP {
             return false;
@@ -52,7 +52,7 @@ impl Play {
         true
     }
 
-    /// Goes on from the time shown. After scrubbing the rows after it are given up and stay as a ghost.
+    /// Plays from the time shown. After scrubbing, the later rows are discarded and become the ghost.
     pub fn play(&mut self) {
         if self.playing {
             return;
@@ -72,7 +72,7 @@ impl Play {
         });
     }
 
-    /// Stands still.
+    /// Pauses the run.
     pub fn pause(&mut self) {
         if self.playing {
             self.stop();
@@ -80,7 +80,7 @@ impl Play {
         }
     }
 
-    /// Plays if paused, pauses if playing.
+    /// Toggles between playing and paused.
     pub fn toggle(&mut self) {
         if self.playing {
             self.pause();
@@ -89,7 +89,7 @@ impl Play {
         }
     }
 
-    /// Pauses and goes to the next time of the grid. After scrubbing the run goes on from the time shown, as with
+    /// Pauses and advances to the next grid time. After scrubbing, the run continues from the time shown, as with
     /// [`Play::play`].
     pub fn step_forward(&mut self) {
         self.stop();
@@ -100,15 +100,15 @@ impl Play {
         self.announce(Announcement::Stepped(self.course.time()));
     }
 
-    /// Pauses and shows the previous time of the grid.
+    /// Pauses and shows the previous grid time.
     pub fn step_back(&mut self) {
         self.stop();
         self.show(self.course.previous_grid_time());
         self.announce(Announcement::Stepped(self.course.time()));
     }
 
-    /// Back to time 0 with the present parameters; paused. A start set by hand stays the start
-    /// ([`Play::restore_defaults`] gives it up); the ghost is removed.
+    /// Restarts at time 0 with the present parameters, paused. A start set by hand stays ([`Play::restore_defaults`]
+    /// discards it); the ghost is removed.
     pub fn back_to_start(&mut self) {
         self.stop();
         self.hold = None;
@@ -119,15 +119,16 @@ impl Play {
         self.announce(Announcement::BackAtStart);
     }
 
-    /// Pauses and shows an earlier time (clamped to what is recorded).
+    /// Pauses and shows a recorded time (SI), clamped to the recording.
     pub fn scrub(&mut self, time: f64) {
         self.stop();
         self.show(time);
         self.announce(Announcement::Scrubbed(self.course.time()));
     }
 
-    /// Computes on towards a time by one step of the grid, from the end of what is recorded and without an announcement: something
-    /// beside the run, such as a film, leads. Whether there is more to compute; not while the run plays.
+    /// Computes one grid step towards a time (SI), from the end of the recording and without an announcement. Used when
+    /// something other than the transport, such as a film, controls the time. Returns true if more remains to be
+    /// computed; false while the run plays.
     pub fn compute_on(&mut self, until: f64) -> bool {
         let before = self.course.front();
         if self.playing || self.full || before >= until || self.course.error().is_some() {
@@ -140,7 +141,7 @@ impl Play {
         self.course.front() > before
     }
 
-    /// Shows a time of what is recorded without an announcement, unless the run plays.
+    /// Shows a recorded time (SI) without an announcement, unless the run plays.
     pub fn show_time(&mut self, time: f64) {
         let time = time.clamp(0.0, self.course.front());
         if !self.playing && self.course.time() != time {
@@ -148,17 +149,18 @@ impl Play {
         }
     }
 
-    /// How many times as fast the run is watched as the document says.
+    /// Playback speed, as a multiple of the document's speed.
     pub fn speed(&self) -> f64 {
         self.speed
     }
 
-    /// How fast a run is watched at one of [`SPEEDS`]: `2 ×` in real time, else with its unit, `2 d/s`.
+    /// Text of a playback speed, a multiple of the document's speed: `2 ×` in real time, otherwise with its unit,
+    /// `2 d/s`.
     pub fn speed_text(&self, speed: f64) -> String {
         self.pace.text(speed, self.style)
     }
 
-    /// Sets the speed to the nearest of [`SPEEDS`].
+    /// Sets the playback speed to the nearest of [`SPEEDS`].
     pub fn set_speed(&mut self, speed: f64) {
         let distance = |offered: &f64| (libm::log2(*offered) - libm::log2(speed.max(f64::MIN_POSITIVE))).abs();
         let nearest = SPEEDS.into_iter().min_by(|one, other| distance(one).total_cmp(&distance(other)));
@@ -169,7 +171,7 @@ impl Play {
         }
     }
 
-    /// What the run is doing.
+    /// Status of the run.
     pub fn status(&self) -> Status {
         if self.playing {
             Status::Playing
@@ -188,28 +190,28 @@ impl Play {
         }
     }
 
-    /// Where the document ends the run (SI), if that is still ahead.
+    /// End of the run set by the document (SI), if it is still ahead.
     fn end_ahead(&self) -> Option<f64> {
         self.program.until.filter(|end| *end > self.course.time())
     }
 
-    /// Whether the run goes on with the clock.
+    /// True while the run is playing.
     pub fn is_playing(&self) -> bool {
         self.playing
     }
 
-    /// The time shown (SI).
+    /// Time shown (SI).
     pub fn time(&self) -> f64 {
         self.course.time()
     }
 
-    /// The last time that can be scrubbed to (SI): how far the run has come.
+    /// Greatest time reached (SI), the upper limit for scrubbing.
     pub fn end(&self) -> f64 {
         self.course.front()
     }
 
-    /// The end of the time line (SI): as long as a plot against time at first, and twice as long whenever the run gets
-    /// there, but no longer than the document's run. So the line shows how far the run has come and does not stretch in
+    /// End of the time line (SI). It starts with the length of a plot against time and doubles whenever the run reaches
+    /// it, limited by the end set by the document. So the line shows the progress of the run without stretching in
     /// every frame.
     pub fn horizon(&self) -> f64 {
         let mut horizon = self.step() * STEPS_AT_FIRST;
@@ -222,23 +224,23 @@ impl Play {
             .map_or(horizon, |end| horizon.min(end))
     }
 
-    /// What a plot against the independent variable shows at least (SI).
+    /// Initial length of plots against the independent variable (SI).
     pub(crate) fn first_part(&self) -> f64 {
         let first = self.step() * STEPS_AT_FIRST;
         self.program.until.map_or(first, |end| first.min(end))
     }
 
-    /// Whether an earlier time than [`Play::end`] is shown.
+    /// True if a time before [`Play::end`] is shown.
     pub fn is_scrubbed(&self) -> bool {
         self.course.is_scrubbed()
     }
 
-    /// `12,35 s`: the time shown, with as many decimals as the step has, at least two.
+    /// Text of the time shown, `12,35 s`, with as many decimals as the step has, at least two.
     pub fn time_text(&self) -> String {
         self.time_words(self.course.time())
     }
 
-    /// Any time in the same way, for the ends of the time line and for `aria-valuetext`.
+    /// Text of any time (SI) in the same format, for the ends of the time line and for `aria-valuetext`.
     pub fn time_words(&self, time: f64) -> String {
         if let Some(group) = self.small_times() {
             return group.quantity(time);
@@ -248,8 +250,8 @@ impl Play {
         if unit.text.is_empty() { number } else { format!("{number} {}", number::unit_text(&unit.text)) }
     }
 
-    /// How times are written that would need more than six decimals, or are all short of a tenth of their unit: in a unit with a
-    /// prefix.
+    /// Format with a prefixed unit for times that would need more than six decimals or are all below a tenth of their
+    /// unit; `None` if the unit fits.
     pub(crate) fn small_times(&self) -> Option<number::Group> {
         let longest = self.program.until.unwrap_or_else(|| self.horizon());
         let unit = &self.model().independent.unit;
@@ -257,12 +259,12 @@ impl Play {
         is_small.then(|| number::Group::of_scale(unit, longest, 4, self.style))
     }
 
-    /// As many decimals of a time as the step has, from two to six.
+    /// Number of decimals of a time: that of the step, from two to six.
     pub(crate) fn time_decimals(&self) -> usize {
         self.step_decimals().clamp(2, 6)
     }
 
-    /// As many decimals as the step needs for three digits.
+    /// Number of decimals that the step needs for three digits.
     fn step_decimals(&self) -> usize {
         number::decimals(self.model().independent.unit.from_si(self.step()), 3)
     }
@@ -275,8 +277,8 @@ impl Play {
         number::fixed(unit.from_si(time), self.time_decimals(), self.style)
     }
 
-    /// Wall seconds by which the run has fallen behind the clock since it was last started or taken back to the start,
-    /// because no more than [`WORK_PER_TICK`] is done in each tick.
+    /// Delay of the run behind the clock, in seconds of wall time, since it was last started or reset. It arises
+    /// because each tick is limited to [`WORK_PER_TICK`].
     pub fn slippage(&self) -> f64 {
         self.slippage
     }
@@ -296,7 +298,7 @@ impl Play {
         self.frame_changed();
     }
 
-    /// Makes the moment shown the front of the run: what was recorded after it becomes the ghost.
+    /// Makes the moment shown the front of the run; rows recorded after it become the ghost.
     pub(crate) fn branch(&mut self) {
         if !self.course.is_scrubbed() {
             return;
@@ -311,7 +313,7 @@ impl Play {
         self.frame_changed();
     }
 
-    /// Begins again with these parameters (SI) and the model's own start, computes the run up to a time and shows its
+    /// Restarts with these parameters (SI) and the model's own start, computes the run up to a time (SI) and shows its
     /// beginning.
     pub fn run_through(&mut self, parameters: Vec<f64>, to: f64) {
         self.stop();
@@ -345,7 +347,7 @@ impl Play {
     }
 }
 
-/// True if a time is `end` but for rounding, as that of an event at the end can be.
+/// True if a time equals `end` up to rounding, which occurs for an event at the end.
 fn is_at(time: f64, end: f64) -> bool {
     (end..=end * (1.0 + engine::ROUNDING)).contains(&time)
 }

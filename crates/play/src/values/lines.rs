@@ -1,6 +1,6 @@
-//! Which values stand in one line: the components of a vector together, and of a family the member that the reader chooses.
+//! Grouping of values into lines: the components of a vector together; for a family, the member selected by the reader.
 
-/// A name in its parts: `u[1,2]'` is u with the indices 1 and 2 and a prime, `r.y` the second component of r.
+/// A name split into parts: `u[1,2]'` is u with the indices 1 and 2 and a prime, `r.y` is the second component of r.
 #[derive(Debug, PartialEq, Eq)]
 struct Parts<'a> {
     stem: &'a str,
@@ -24,34 +24,34 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// A line: one thing, or a family of which one member is shown.
+/// A line: a single item, or a family of which one member is shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Line<T> {
-    /// The name without index, component and primes.
+    /// Name without index, component and primes.
     pub stem: String,
-    /// The component, `.x`, where components do not stand together.
+    /// Component such as `.x`, if components have separate lines; otherwise empty.
     component: &'static str,
-    /// Its primes.
+    /// Primes of the name.
     pub primes: String,
-    /// In the order of their indices.
+    /// Members in the order of their indices.
     pub members: Vec<Member<T>>,
-    /// The indices of the member that is shown until the reader chooses: the first one of the text.
+    /// Indices of the member shown initially: the first one of the text.
     first: Vec<i64>,
 }
 
-/// A member of a family, or all that there is.
+/// A member of a family, or a single item.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Member<T> {
-    /// Of one that is no member, none.
+    /// Indices of the member; empty for a single item.
     pub indices: Vec<i64>,
-    /// What it consists of: components, or one number, text or truth value.
+    /// Contents: the components of a vector, or one number, text or truth value.
     pub parts: Vec<T>,
-    /// Whether these are components of a vector.
+    /// True if the parts are components of a vector.
     pub is_vector: bool,
 }
 
-/// Things with their names and units, in lines. What belongs to a family stands where its first member does; components stand
-/// together if `joined` and in one unit.
+/// Groups items (item, name, unit) into lines. A family stands at the place of its first member. Components form one
+/// line if `joined` and if their units are equal.
 pub(crate) fn in_lines<T>(things: impl Iterator<Item = (T, String, String)>, joined: bool) -> Vec<Line<T>> {
     let mut lines: Vec<Line<T>> = Vec::new();
     let mut places = std::collections::HashMap::new();
@@ -77,23 +77,23 @@ pub(crate) fn in_lines<T>(things: impl Iterator<Item = (T, String, String)>, joi
     lines
 }
 
-/// How far two lists of indices are from each other: the first one counts first.
+/// Distance of two lists of indices, ordered lexicographically: the first index has priority.
 fn distance(one: &[i64], other: &[i64]) -> Vec<u64> {
     one.iter().zip(other).map(|(one, other)| one.abs_diff(*other)).collect()
 }
 
 impl<T> Line<T> {
-    /// The name without index: `x'`, `r.x`.
+    /// Name without index: `x'`, `r.x`.
     pub fn name(&self) -> String {
         [self.stem.as_str(), self.component, &self.primes].concat()
     }
 
-    /// Whether there are members to choose from.
+    /// True if there are several members.
     pub fn is_family(&self) -> bool {
         self.members.len() > 1
     }
 
-    /// The member with these indices, or else the nearest one.
+    /// Member with these indices, or the nearest one.
     pub fn member(&self, chosen: Option<&[i64]>) -> Option<&Member<T>> {
         let wanted = chosen.filter(|chosen| chosen.len() == self.first.len()).unwrap_or(&self.first);
         match self.members.binary_search_by(|member| member.indices.as_slice().cmp(wanted)) {
@@ -102,21 +102,21 @@ impl<T> Line<T> {
         }
     }
 
-    /// The least and greatest value that the index at `place` can have beside those before it.
+    /// Least and greatest value of the index at position `place`, for the given values of the preceding indices.
     pub fn range(&self, indices: &[i64], place: usize) -> (i64, i64) {
         let beside = self.members.iter().filter(|member| member.indices.get(..place) == indices.get(..place));
         let values = beside.filter_map(|member| member.indices.get(place).copied());
         values.fold((i64::MAX, i64::MIN), |(least, greatest), value| (least.min(value), greatest.max(value)))
     }
 
-    /// The indices of the member that is shown when the index at `place` of another one is given this value. Where there is none,
-    /// the next one in the direction of the change.
+    /// Indices of the member shown after setting the index at position `place` to `value`. If there is none, the next
+    /// one in the direction of the change.
     pub fn moved(&self, indices: &[i64], place: usize, value: i64) -> Option<Vec<i64>> {
         let now = *indices.get(place)?;
         let beside = self.members.iter().filter(|member| member.indices.get(..place) == indices.get(..place));
         let further = |member: &&Member<T>| {
             let &own = member.indices.get(place)?;
-            // What lies behind is the answer only where nothing lies ahead.
+            // A member on the other side is chosen only if none lies ahead.
             let behind = if value >= now { own < value } else { own > value };
             Some((behind, own.abs_diff(value), distance(&member.indices, indices)))
         };

@@ -1,48 +1,48 @@
-//! What stands in lines, and the member of each family that the reader has chosen. The choice lasts as long as the page is open.
+//! Lines of values, and the member selected in each family. The selection lasts as long as the page is open.
 
 use super::lines::{Line, in_lines};
 use program::{Model, Role};
 use std::collections::BTreeMap;
 
-/// What a readout shows.
+/// Kind of value shown by a readout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReadoutKind {
-    /// The independent variable.
+    /// Independent variable.
     Independent,
-    /// State of this number.
+    /// State with this index.
     State(usize),
-    /// Quantity of this number.
+    /// Quantity with this index.
     Quantity(usize),
 }
 
-/// A family in a line, and which of its members is shown.
+/// A family in a line, and the member shown.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Members {
-    /// The family with its primes, `x'`: what [`Play::choose_member`] takes.
+    /// Name of the family with its primes, `x'`: the argument of [`Play::choose_member`].
     pub name: String,
-    /// The indices of the member shown; one or more.
+    /// Indices of the member shown; at least one.
     pub indices: Vec<Index>,
 }
 
-/// An index of the member shown.
+/// One index of the member shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Index {
-    /// Its value.
+    /// Present value.
     pub value: i64,
-    /// The least that it can be beside the indices before it.
+    /// Least value for the given preceding indices.
     pub least: i64,
-    /// The greatest.
+    /// Greatest value for the given preceding indices.
     pub greatest: i64,
 }
 
-/// What stands in lines, and which member of a family is shown in its line.
+/// All lines, and the selected member of each family.
 #[derive(Debug, Default)]
 pub(crate) struct Lines {
-    /// Of everything that can be read off, without the independent variable.
+    /// Lines of all readouts except the independent variable.
     pub readouts: Vec<Line<ReadoutKind>>,
-    /// Of the states, which are set one by one.
+    /// Lines of the states, which are set individually.
     pub states: Vec<Line<usize>>,
-    /// The indices chosen, by the name of the family without primes: x[3] and x[3]' belong to one body.
+    /// Selected indices by the name of the family without primes: x[3] and x[3]' belong to one body.
     pub chosen: BTreeMap<String, Vec<i64>>,
 }
 
@@ -60,17 +60,17 @@ impl Lines {
         Self { readouts: in_lines(readouts, true), states: in_lines(states, false), chosen: BTreeMap::new() }
     }
 
-    /// Takes over what was chosen in another program.
+    /// Takes over the selection from another program.
     pub fn choose_as(&mut self, former: Self) {
         self.chosen = former.chosen;
     }
 
-    /// The indices that were chosen for the family of a line.
+    /// Selected indices for the family of a line; `None` if nothing has been selected.
     pub fn chosen_of<T>(&self, line: &Line<T>) -> Option<&[i64]> {
         self.chosen.get(&line.stem).map(Vec::as_slice)
     }
 
-    /// The family of a line as the page shows it; `None` where there is nothing to choose.
+    /// Family of a line for display; `None` for a line with a single member.
     pub fn family<T>(&self, line: &Line<T>) -> Option<Members> {
         let member = line.member(self.chosen_of(line)).filter(|_| line.is_family())?;
         let index = |(place, &value): (usize, &i64)| {
@@ -80,7 +80,7 @@ impl Lines {
         Some(Members { name: line.name(), indices: member.indices.iter().enumerate().map(index).collect() })
     }
 
-    /// The indices of the member that is shown when one index of the present one is given this value.
+    /// Indices of the member shown after setting the index at position `place` of the present one to `value`.
     pub fn moved<T>(&self, line: &Line<T>, place: usize, value: i64) -> Option<Vec<i64>> {
         let member = line.member(self.chosen_of(line))?;
         line.moved(&member.indices, place, value)

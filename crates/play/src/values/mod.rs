@@ -1,4 +1,4 @@
-//! Numbers for people: readouts, the scene's values, the table of rows.
+//! Formatted numbers: readouts, values of the scene, table of rows.
 
 pub(crate) mod lines;
 mod members;

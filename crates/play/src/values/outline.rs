@@ -1,23 +1,23 @@
-//! A second drawing of the scene, with values that others give: the level that was measured beside the one computed.
+//! A second drawing of the scene with other values, such as the measured level beside the computed one.
 
-/// What a value of the scene follows.
+/// Source that a value of the scene depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Follows {
-    /// Nothing that moves by itself: parameters, the time.
+    /// Neither measured nor computed motion: parameters, the time.
     Nothing,
-    /// What is measured.
+    /// Measured values.
     Measured,
-    /// What is only computed, perhaps beside what is measured.
+    /// Computed values, possibly together with measured ones.
     Computed,
 }
 
 /// The scene with other values.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
-    /// What each value of the scene follows.
+    /// Source of each value of the scene.
     pub follows: Vec<Follows>,
-    /// Where the values come from, for the legend.
+    /// Names of the data sources, for the legend.
     pub sources: Vec<String>,
-    /// The values at the time shown; none where there are none at this time.
+    /// Values at the time shown; `None` if there are none at this time.
     pub values: Option<Vec<f64>>,
 }

@@ -1,4 +1,4 @@
-//! What is read off: time, states and quantities with their units; the pitch.
+//! Readouts: time, states and quantities with their units; and the pitch.
 
 use super::lines::{Line, Member};
 use super::members::{Members, ReadoutKind};
@@ -11,37 +11,37 @@ use units::number::Group;
 /// One value with its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Readout {
-    /// What it is.
+    /// Kind of the value.
     pub kind: ReadoutKind,
-    /// The ASCII name, `omega_0`, `y'`, `x[3]`; of a vector the name without component.
+    /// ASCII name: `omega_0`, `y'`, `x[3]`; for a vector, the name without component.
     pub name: String,
-    /// The label in the chosen language; empty where the author gave none.
+    /// Label in the chosen language; empty if the author gave none.
     pub label: String,
-    /// The name as MathML, of a member of a family without its index. Empty where it is a word of the author's language that
-    /// says no more than the label.
+    /// Name as MathML; for a member of a family, without its index. Empty if it is an ordinary word that repeats the
+    /// label.
     pub symbol: String,
-    /// The family of whose members this one is shown.
+    /// Family of the displayed member; `None` for a value that stands alone.
     pub members: Option<Members>,
-    /// The value in the unit; a dash when it is not finite; a text in the chosen language.
+    /// Value in `unit`, a dash if it is not finite, or a text in the chosen language.
     pub value: String,
-    /// The unit for people; empty for a pure number, a text or a truth value.
+    /// Unit as displayed; empty for a pure number, a text or a truth value.
     pub unit: String,
-    /// Whether it changes while the parameters do not.
+    /// True if it changes while the parameters are constant.
     pub varies: bool,
-    /// Whether a question hides the value; a word stands in its place.
+    /// True if a question hides the value; a placeholder is shown instead.
     pub hidden: bool,
 }
 
-/// Significant digits of a value that moves.
+/// Significant digits of a changing value.
 pub(crate) const MOVING_DIGITS: usize = 4;
 
-/// Digits of a count; beyond these it is not exact.
+/// Maximum digits of a count; beyond these it is not exact in double precision.
 const COUNT_DIGITS: usize = 15;
 
-/// One value of a line, before it is written.
+/// One value of a line, before formatting.
 struct Part<'a> {
     value: f64,
-    /// The greatest size that it has had in this run, SI.
+    /// Greatest magnitude in this run, SI.
     scale: f64,
     node: Option<NodeId>,
     unit: &'a Unit,
@@ -49,13 +49,13 @@ struct Part<'a> {
     label: Option<&'a str>,
     varies: bool,
     hidden: bool,
-    /// A text or truth value as such.
+    /// Expression of a text or truth value; `None` for a number.
     word: Option<&'a Compiled>,
 }
 
 impl Play {
-    /// Everything that can be read off at the time shown: the independent variable, the states, the quantities. A vector is one
-    /// value, and of a family the member that is chosen is shown ([`Play::choose_member`]).
+    /// All readouts at the time shown: the independent variable, the states, the quantities. A vector is one readout; a
+    /// family shows the selected member ([`Play::choose_member`]).
     pub fn readouts(&mut self) -> Vec<Readout> {
         let values = self.quantity_values();
         let mut readouts = vec![self.time_readout()];
@@ -98,7 +98,7 @@ impl Play {
         };
         let members = self.lines.family(line);
         let label_of = |member: &Member<ReadoutKind>| self.line_label(&member.parts, member.is_vector);
-        // The first member that has a label tells what the family is.
+        // The first labelled member names the family.
         let label = label_of(member).or_else(|| line.members.iter().find_map(label_of)).unwrap_or_default();
         let own = if member.is_vector || members.is_some() { line.name() } else { first.name.clone() };
         let shows_symbol = label.is_empty()
@@ -115,7 +115,7 @@ impl Play {
         Some(Readout { kind, name, label, symbol, members, value, unit, varies, hidden })
     }
 
-    /// A value with what is needed to write it.
+    /// A value with the data needed to format it.
     fn part(&self, kind: ReadoutKind, values: &[f64]) -> Option<Part<'_>> {
         let model = &self.program.model;
         Some(match kind {
@@ -158,8 +158,7 @@ impl Play {
         }
     }
 
-    /// The author's label of what stands in a line, in the chosen language: of a vector what those of its components have in
-    /// common.
+    /// Label of a line in the chosen language; for a vector, the words common to the labels of its components.
     fn line_label(&self, parts: &[ReadoutKind], is_vector: bool) -> Option<String> {
         let model = &self.program.model;
         let label = |kind: &ReadoutKind| match *kind {
@@ -173,7 +172,7 @@ impl Play {
         Some(second.map_or_else(|| first.to_owned(), |second| common_words(first, second)))
     }
 
-    /// The components of a vector in one unit, with the same decimals.
+    /// Formats the components of a vector in one unit with equal decimals: (text, unit).
     fn vector(&self, parts: &[Part], unit: &Unit) -> (String, String) {
         let style = self.style;
         let greatest =
@@ -194,7 +193,7 @@ impl Play {
         (written(&number), number::unit_text(&unit.text))
     }
 
-    /// Whether each dry friction holds or slides.
+    /// Readouts that show whether each dry friction sticks or slips.
     fn friction_readouts(&self) -> impl Iterator<Item = Readout> {
         let states = self.program.model.states.iter().zip(self.course.state()).enumerate();
         let frictions = states.filter(|(_, (state, _))| state.role == Role::Friction);
@@ -215,8 +214,8 @@ impl Play {
         })
     }
 
-    /// The number and the unit of a value that has had the size `scale` in this run, both SI. What is nothing beside it is
-    /// zero.
+    /// Number and unit of a changing value; `scale` is its greatest magnitude in this run, both SI. A value negligible
+    /// relative to the scale is shown as zero.
     fn moving(&self, value: f64, scale: f64, node: Option<NodeId>, unit: &Unit) -> (String, String) {
         if node.is_some_and(|node| self.is_count(node, unit)) {
             return (self.count(value), number::unit_text(&unit.text));
@@ -225,7 +224,7 @@ impl Play {
         (group.number(value), group.unit_text())
     }
 
-    /// The same of a value that stands still.
+    /// Number and unit of a constant value (SI).
     fn constant(&self, value: f64, node: Option<NodeId>, unit: &Unit) -> (String, String) {
         if node.is_some_and(|node| self.is_count(node, unit)) {
             return (self.count(value), number::unit_text(&unit.text));
@@ -234,8 +233,8 @@ impl Play {
         (number::plain(unit.from_si(value), MOVING_DIGITS, self.style), number::unit_text(&unit.text))
     }
 
-    /// The pitch in hertz at which the first state sounds while the run is playing or held: 440 Hz at 0, an octave up or
-    /// down at the greatest value it has had in this run. `None` while there is nothing to hear.
+    /// Pitch in hertz of the first state while the run is playing or a part is dragged: 440 Hz at 0, one octave up or
+    /// down at its greatest magnitude in this run. `None` if there is nothing to hear.
     pub fn pitch(&self) -> Option<f64> {
         let (&value, &scale) = (self.course.state().first()?, self.scales.first()?);
         let sounding = (self.playing || self.hold.is_some()) && value.is_finite() && scale > 0.0;
@@ -255,12 +254,12 @@ impl Play {
         values.to_vec()
     }
 
-    /// Whether a value is a whole number and shown as such.
+    /// True if a value is an integer and displayed as such.
     pub(crate) fn is_count(&self, node: NodeId, unit: &Unit) -> bool {
         unit.text.is_empty() && self.whole.get(node.0 as usize).is_some_and(|whole| *whole)
     }
 
-    /// A whole number, all of its digits.
+    /// An integer with all its digits.
     pub(crate) fn count(&self, value: f64) -> String {
         number::plain(value, COUNT_DIGITS, self.style)
     }
@@ -279,14 +278,14 @@ impl Play {
     }
 }
 
-/// `r[2]'` for its component `r[2].x'`.
+/// Name of the vector of a component: `r[2]'` for `r[2].x'`.
 fn vector_name(component: &str) -> String {
     let (name, primes) = component.split_at(component.trim_end_matches('\'').len());
     let vector = name.rsplit_once('.').map_or(name, |(vector, _)| vector);
     [vector, primes].concat()
 }
 
-/// "Position" for "Position x" and "Position y": without the words in which two labels differ.
+/// Words that two labels have in common: "Position" for "Position x" and "Position y".
 fn common_words(one: &str, other: &str) -> String {
     let words = one.split(' ').zip(other.split(' '));
     let common: Vec<&str> = words.filter(|(one, other)| one == other).map(|(one, _)| one).collect();

@@ -1,4 +1,4 @@
-//! The values of the scene, and of the outline that is drawn over it.
+//! Values of the scene, and of the outline drawn over it.
 
 use super::outline::Outline;
 use super::readout::MOVING_DIGITS;
@@ -7,7 +7,7 @@ use program::Kind;
 use units::number::Group;
 
 impl Play {
-    /// The values of [`program::Scene::values`] at the time shown, SI, for attributes. Computed once for each time.
+    /// Values of [`program::Scene::values`] at the time shown, SI, for attributes. Computed once per frame.
     pub fn scene_values(&mut self) -> &[f64] {
         let frame = (self.revision.frame, self.revision.parameters);
         if self.evaluators.scene_frame != Some(frame) {
@@ -26,7 +26,8 @@ impl Play {
         &self.evaluators.scene_values
     }
 
-    /// Writes the path of a trail of the scene up to the time shown, in units of the drawing: a line, or dots of no length.
+    /// Writes the path of a trail up to the time shown into `path`, in scene units: a line, or dots (segments of length
+    /// zero).
     pub fn scene_trail(&mut self, number: usize, path: &mut String) {
         path.clear();
         self.scene_values();
@@ -41,7 +42,7 @@ impl Play {
         }
     }
 
-    /// Value `index` of the scene at the time shown, for people, with its unit.
+    /// Value `index` of the scene at the time shown, formatted with its unit; empty for an unknown index.
     pub fn scene_text(&mut self, index: usize, decimals: Option<u8>) -> String {
         let Some(&value) = self.scene_values().get(index) else {
             return String::new();
@@ -66,17 +67,17 @@ impl Play {
         }
     }
 
-    /// The outline that is drawn over the scene.
+    /// Outline drawn over the scene.
     pub fn outline(&self) -> Option<&Outline> {
         self.outline.as_ref()
     }
 
-    /// Draws another outline, or none.
+    /// Sets or removes the outline.
     pub fn set_outline(&mut self, outline: Option<Outline>) {
         self.outline = outline;
     }
 
-    /// Gives the outline the values that hold at the time shown.
+    /// Sets the values of the outline for the time shown.
     pub fn set_outline_values(&mut self, values: Option<&[f64]>) {
         let Some(outline) = &mut self.outline else { return };
         match (values, &mut outline.values) {

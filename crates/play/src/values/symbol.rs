@@ -1,13 +1,13 @@
-//! Names as plain text writes them: `omega_0` as ω₀, `y''` as y″, `e[j]` as e_j.
+//! Names in plain text: `omega_0` as ω₀, `y''` as y″, `e[j]` as e_j.
 
 use units::alphabet::greek_letter;
 use units::mathml::is_word;
 
-/// A name, or every name in a short expression, with Greek letters, lowered digits and primes as characters.
+/// Formats a name, or all names in a short expression, with Greek letters, subscript digits and primes.
 pub fn symbol(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
-    // The name to which an index or a component may belong.
+    // Name that a following index or component belongs to.
     let mut bearer = None;
     while let Some(first) = rest.chars().next() {
         let length = if first.is_ascii_alphabetic() {
@@ -43,7 +43,7 @@ pub fn symbol(text: &str) -> String {
     out
 }
 
-/// How long the numbers of a member of a family are, with their brackets: `[3]`, `[1,2]`.
+/// Length in bytes of the numeric index of a family member, with brackets: `[3]`, `[1,2]`; `None` if there is none.
 fn member(text: &str) -> Option<usize> {
     let (numbers, _) = text.strip_prefix('[')?.split_once(']')?;
     let is_number = |number: &str| {
@@ -53,21 +53,21 @@ fn member(text: &str) -> Option<usize> {
     numbers.split(',').all(is_number).then_some(numbers.len() + 2)
 }
 
-/// How long the index of a member of a family is, with its brackets, where that is a name: `[j]`.
+/// Length in bytes of the index of a family member, with brackets, if the index is a name: `[j]`.
 fn named_member(text: &str) -> Option<usize> {
     let (index, _) = text.strip_prefix('[')?.split_once(']')?;
     let is_name = index.starts_with(|letter: char| letter.is_ascii_alphabetic());
     (is_name && index.bytes().all(|byte| byte.is_ascii_alphanumeric())).then_some(index.len() + 2)
 }
 
-/// Whether a text begins with a component of a vector: `.x`.
+/// True if a text begins with a component of a vector: `.x`.
 fn is_component(text: &str) -> bool {
     let mut letters = text.chars().skip(1);
     let is_axis = letters.next().is_some_and(|axis| ('x'..='z').contains(&axis));
     is_axis && !letters.next().is_some_and(|next| next.is_alphanumeric() || next == '_')
 }
 
-/// The lowered form of a digit; of brackets none.
+/// Subscript form of a digit; `None` for brackets.
 fn lowered(character: char) -> Option<char> {
     match character {
         '-' => Some('₋'),
@@ -88,7 +88,7 @@ fn primes(count: usize) -> String {
 fn name(piece: &str) -> String {
     let (stem, index) = piece.split_once('_').unwrap_or((piece, ""));
     let stem = greek_letter(stem).map_or_else(|| stem.to_owned(), String::from);
-    // Only the digits have lowered forms in every font.
+    // Only digits have subscript forms in every font.
     if !index.is_empty() && index.bytes().all(|byte| byte.is_ascii_digit()) {
         return stem + &index.chars().filter_map(lowered).collect::<String>();
     }

@@ -8,22 +8,22 @@ use program::Node;
 use std::ops::Range;
 use units::number::Layout;
 
-/// Significant digits of the greatest number of a column.
+/// Significant digits of the number with the greatest magnitude in a column.
 const DIGITS: usize = 6;
 
-/// Significant digits of numbers that would be 0 with the decimals of their column.
+/// Significant digits of numbers that would be rounded to 0 with the decimals of their column.
 const SMALL_DIGITS: usize = 3;
 
-/// How the cells of a column are written.
+/// Format of the cells of a column.
 enum ColumnLayout {
     Number(Layout),
     Count,
-    /// A question hides them.
+    /// Hidden by a question.
     Hidden,
 }
 
 impl Play {
-    /// `t [s]`, `y [m]`, ...: the heads of the columns.
+    /// Column headings: `t [s]`, `y [m]`, ...
     pub fn table_header(&self) -> Vec<String> {
         let table = Table::new(self.model());
         let head = |column: &engine::table::Column| {
@@ -36,12 +36,12 @@ impl Play {
         table.columns().iter().map(head).collect()
     }
 
-    /// How many rows are recorded.
+    /// Number of recorded rows.
     pub fn table_length(&self) -> usize {
         self.course.rows()
     }
 
-    /// Some rows, their cells in the chosen language. What lies beyond the last row is left out.
+    /// Cells of a range of rows, in the chosen language. Rows beyond the last one are omitted.
     pub fn table_rows(&self, rows: Range<usize>) -> Vec<Vec<String>> {
         let Some(history) = self.course.history() else {
             return Vec::new();
@@ -53,7 +53,7 @@ impl Play {
             (_, ColumnLayout::Hidden) => words::hidden(self.language).to_owned(),
             (Cell::Number(value), ColumnLayout::Number(layout)) => {
                 let text = layout.number(*value, self.style);
-                // What is small beside the greatest is not 0.
+                // A small number beside the greatest one must not appear as 0.
                 let is_lost = *value != 0.0 && !text.contains(|digit: char| ('1'..='9').contains(&digit));
                 if is_lost { number::plain(*value, SMALL_DIGITS, self.style) } else { text }
             }
@@ -62,8 +62,8 @@ impl Play {
         rows.map(|row| table.row(history, row).iter().zip(&layouts).map(text).collect()).collect()
     }
 
-    /// How the numbers of each column are written: with the same decimals, which are those of the greatest number that the
-    /// column has had in this run; times with those of the step.
+    /// Format of each column: equal decimals, chosen for the greatest magnitude of the column in this run; for times,
+    /// those of the step.
     fn column_layouts(&self, table: &Table) -> Vec<ColumnLayout> {
         let model = self.model();
         let shown = |quantity: &program::Quantity| quantity.varies && !quantity.remembered;
@@ -71,7 +71,7 @@ impl Play {
         let of_author = (0..model.states.len()).filter(|index| model.states[*index].role != program::Role::Remembered);
         let states = of_author.map(|index| (index, model.graph.find(Node::State(index as u32))));
         let others = varying.map(|(index, quantity)| (model.states.len() + index, Some(quantity.value.node)));
-        // An event happens between two steps, and an adaptive method ends its steps where it likes.
+        // Events occur between steps, and an adaptive method ends its steps at arbitrary times.
         let off_grid = !model.events.is_empty() || self.course.begun().method.adaptive();
         let time = Layout::of_decimals(self.time_decimals().max(if off_grid { 4 } else { 0 }));
         let scaled = states.chain(others).zip(table.columns().iter().skip(1)).map(|((place, node), column)| {
@@ -87,18 +87,18 @@ impl Play {
         std::iter::once(ColumnLayout::Number(time)).chain(scaled).collect()
     }
 
-    /// The last row at or before the time shown.
+    /// Index of the last row at or before the time shown.
     pub fn table_row_now(&self) -> usize {
         self.course.rows_until_shown().saturating_sub(1)
     }
 
-    /// The whole run as CSV: the same bytes as the command line writes for the same run, or where the language has decimal
-    /// commas, what a spreadsheet opens correctly there. All digits are those of the run in either form.
+    /// The whole run as CSV with all digits: byte-identical to the output of the command line, or, for languages with
+    /// decimal commas, in the form that spreadsheets of these languages open correctly.
     pub fn csv(&self) -> String {
         let mut out = String::new();
         let mut table = Table::new(self.model());
         let dialect = if self.style.decimal_comma { Dialect::Semicolons } else { Dialect::Lines };
-        // Writing to a string does not fail.
+        // Writing to a string cannot fail.
         let _ = table.write_head(dialect, &mut out);
         if let Some(history) = self.course.history() {
             for row in 0..self.course.rows() {

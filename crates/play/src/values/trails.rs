@@ -1,16 +1,16 @@
-//! The trails of the scene: where points of it have been, read off the rows of the run. Nothing is kept from frame to frame,
-//! so a trail is right after any scrub, and its memory is bounded.
+//! Trails of the scene: past positions of points, read from the rows of the run. Nothing is stored between frames, so a
+//! trail is correct after any scrub, and its memory is bounded.
 
 use crate::time::course::Course;
 use engine::Readings;
 use program::{Model, NodeId, Scene};
 use std::fmt::Write;
 
-/// A line has at most twice so many points, and no more dots are drawn than this.
+/// A line has at most twice this number of points; `DOTS` is the maximum number of dots.
 const POINTS: usize = 500;
 const DOTS: u32 = 500;
 
-/// What evaluates the places of the trails of a scene: two values for each.
+/// Evaluates the positions of the trails of a scene: two values per trail.
 #[derive(Debug)]
 pub(crate) struct Trails {
     places: Readings,
@@ -18,7 +18,7 @@ pub(crate) struct Trails {
 }
 
 impl Trails {
-    /// Those of a scene.
+    /// Trails of a scene.
     pub fn new(model: &Model, scene: Option<&Scene>) -> Self {
         let node = |scene: &Scene, index: usize| scene.values.get(index).map(|value| value.node);
         let nodes: Vec<NodeId> = scene.map_or_else(Vec::new, |scene| {
@@ -28,16 +28,16 @@ impl Trails {
     }
 }
 
-/// The place of a trail among the values of all.
+/// Position of a trail, from the values of all trails.
 fn place(values: &[f64], number: usize) -> (f64, f64) {
     let value = |index: usize| values.get(index).copied().unwrap_or(f64::NAN);
     (value(2 * number), value(2 * number + 1))
 }
 
-/// Adds a point of a path; what is not a number leaves a gap.
+/// Appends a point to a path; a position that is not finite leaves a gap.
 fn write(path: &mut String, command: &mut char, (x, y): (f64, f64)) {
     if x.is_finite() && y.is_finite() {
-        // Writing to a string does not fail. A hundredth of a unit of the drawing is not seen.
+        // Writing to a string cannot fail. A hundredth of a scene unit is invisible.
         let _ = write!(path, "{command}{x:.2} {y:.2}");
         *command = 'L';
     } else {
@@ -46,8 +46,8 @@ fn write(path: &mut String, command: &mut char, (x, y): (f64, f64)) {
 }
 
 impl Trails {
-    /// The rows from a time on, evenly thinned, and the place at the time shown. The same rows are drawn from frame to
-    /// frame: others would make the line tremble.
+    /// Writes the positions at the rows from a time (SI) on, evenly thinned, and at the time shown. The choice of rows
+    /// is stable from frame to frame; otherwise the line would flicker.
     pub fn write_line(&mut self, course: &Course, number: usize, from: f64, path: &mut String) {
         let places = &mut self.places;
         let rows = course.rows_until_shown();
@@ -61,7 +61,7 @@ impl Trails {
             let mut before: Option<(f64, (f64, f64))> = None;
             for row in (first.next_multiple_of(stride)..rows).step_by(stride) {
                 let (time, here) = (history.time(row), place(places.at_row(history, row), number));
-                // An event that moves the point itself leaves a gap.
+                // An event that moves the point leaves a gap.
                 if before.is_some_and(|(earlier, there)| earlier == time && there != here) {
                     command = 'M';
                 }
@@ -73,7 +73,7 @@ impl Trails {
         write(path, &mut command, place(here, number));
     }
 
-    /// A dot at each multiple of `every`, the last ones if there are very many.
+    /// Writes a dot at each multiple of `every` (SI), only the last ones if there are too many.
     pub fn write_dots(&mut self, course: &mut Course, number: usize, (from, every): (f64, f64), path: &mut String) {
         let time = course.time();
         let (least, most) = ((from / every).ceil(), (time / every + 1e-9).floor());
@@ -81,7 +81,7 @@ impl Trails {
             return;
         }
         let first = least.max(most - f64::from(DOTS - 1)).max(0.0);
-        // Counted, since adding 1 leaves a very large number as it is.
+        // Counts separately, because adding 1 to a very large number does not change it.
         for multiple in (0..DOTS).map(|number| first + f64::from(number)).take_while(|multiple| *multiple <= most) {
             let at = (multiple * every).min(time);
             let Some(parameters) = course.state_at(at, &mut self.state) else { return };

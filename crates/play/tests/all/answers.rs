@@ -1,4 +1,4 @@
-//! Answers to questions as people type and keep them, and values that questions hide.
+//! Answers to questions: parsing and storage; values hidden by questions.
 
 use crate::support::{UTUBE, utube};
 use play::{Answer, Grade, Play};
@@ -189,17 +189,17 @@ fn values_are_hidden_until_their_questions_are_answered() {
     assert!(play.hides_values());
     let all = |play: &mut Play| ["T_0", "f_0", "omega_0"].map(|name| value(play, name));
     assert_eq!(all(&mut play), ["hidden", "hidden", "hidden"]);
-    // Its column in the table, too.
+    // Its column in the table is hidden, too.
     let place = play.table_header().iter().position(|head| head.starts_with("E ")).unwrap();
     assert_eq!(play.table_rows(0..1)[0][place], "hidden");
-    // Wrong answers open nothing; a right one opens what no other open question hides.
+    // A wrong answer reveals no value. A right answer reveals the values that no other open question hides.
     play.check_answer(0, "1");
     assert_eq!(all(&mut play), ["hidden", "hidden", "hidden"]);
     play.check_answer(0, "3.755 s");
     assert_eq!(all(&mut play), ["3.755", "hidden", "hidden"]);
     assert_ne!(play.table_rows(0..1)[0][place], "hidden");
     let link = play.share();
-    // A teacher shows everything, and a link says so.
+    // In the teacher's view all values are shown, and the link contains this choice.
     play.show_hidden(true);
     assert_eq!(all(&mut play), ["3.755", "0.2663", "1.673"]);
     let open = play.share();
@@ -212,7 +212,7 @@ fn values_are_hidden_until_their_questions_are_answered() {
     other.restore(&open).unwrap();
     assert!(other.shows_hidden());
     assert_eq!(value(&mut other, "omega_0"), "1.673");
-    // Who asks for the answer sees the value.
+    // Showing the right answer reveals the value.
     play.reveal_answer(1);
     assert_eq!(all(&mut play), ["3,755", "0,2663", "1,673"]);
 }
@@ -246,7 +246,7 @@ fn questions_appear_when_those_before_are_answered() {
     assert_eq!(awaited(&play)[1], [0], "a wrong answer opens nothing");
     play.check_answer(0, "2");
     assert_eq!(awaited(&play), [vec![], vec![], vec![1], vec![]]);
-    // What was opened is open at the next visit, and a wrong attempt later closes nothing.
+    // A solved question stays solved after a wrong attempt and at the next visit.
     play.check_answer(0, "3");
     assert!(awaited(&play)[1].is_empty());
     play.check_answer(0, "2");
@@ -274,7 +274,7 @@ fn answers_stay_with_their_questions() {
     let answer = play.answer(0);
     assert_eq!(answer.verdict.map(|verdict| verdict.text).as_deref(), Some("Todavía no."));
     assert_eq!((answer.typed.as_str(), answer.revealed), ("123456", false));
-    // Another question in front of them, and a later visit in Spanish.
+    // Another question is inserted before them, and the next visit is in Spanish.
     let source =
         UTUBE.replacen("```question\n", "```question\nWhat is g?\nanswer: g within 1 %\n```\n\n```question\n", 1);
     let mut later = crate::support::open(&source, &[]);
@@ -287,7 +287,7 @@ fn answers_stay_with_their_questions() {
     assert_eq!(later.answer(2), play.answer(1));
     assert_eq!(later.answer(2).verdict.map(|verdict| verdict.grade), Some(play::Grade::Correct));
     assert!(later.answer(2).revealed);
-    // Typing takes the verdict away; nonsense in the storage changes nothing.
+    // Typing removes the verdict. Invalid stored data change nothing.
     later.type_answer(2, "2\n3");
     assert_eq!((later.answer(2).typed.as_str(), later.answer(2).verdict), ("2 3", None));
     let before = later.saved_answers();

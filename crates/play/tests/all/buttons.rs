@@ -1,4 +1,4 @@
-//! Buttons of the document: pressed, gone back over, kept and shared.
+//! Buttons of the document: pressing, scrubbing back over presses, kept runs and links.
 
 use crate::support::{bits, go_on, open, readout, set, state};
 use play::{Announcement, Play, Refusal, Status};
@@ -50,7 +50,7 @@ fn x(kicks: &[f64], time: f64) -> f64 {
     0.3 * libm::cos(2.0 * time) + kicks.iter().map(kick).sum::<f64>()
 }
 
-/// The same run by its link.
+/// The run restored from its link.
 fn by_link(play: &Play) -> Play {
     let mut other = kicked();
     other.restore(&play.share()).unwrap_or_else(|refusal| panic!("{}: {refusal:?}", play.share()));
@@ -145,7 +145,7 @@ fn a_press_in_the_past_gives_up_what_followed() {
     assert!(play.has_ghost(), "the rows after it stay behind");
     go_on(&mut play, [2.0]);
     assert!((state(&play)[0] - x(&[0.52], 2.52)).abs() < 1e-4, "the later press is gone");
-    // So does a change of a parameter.
+    // A change of a parameter also discards later presses.
     play.scrub(0.2);
     set(&mut play, "w", 3.0);
     assert!(play.share().starts_with("1&c="), "{}", play.share());

@@ -1,4 +1,4 @@
-//! Claims of the author: known on demand only, with the values of the document, and without touching the visitor's run.
+//! Claims of the author: judged on demand only, with the values of the document, independently of the visitor's run.
 use crate::support::{UTUBE, UTUBE_ES, bits, go_on, open, set};
 use play::{ClaimView, Play};
 
@@ -46,7 +46,7 @@ fn claims_are_in_the_language_of_the_page_with_what_they_suppose() {
     assert!(claims(&play)[1].outcome.contains("se espera"), "{:?}", claims(&play));
 }
 
-/// Where a claim is wrong in a known way the plot shows that: y grows as t, and is claimed to grow as 2t and as 3t.
+/// The deviation plot for claims with a known error: y grows as t and is claimed to grow as 2t and as 3t.
 #[test]
 fn the_present_run_is_compared_with_what_is_claimed_of_all_of_it() {
     let text = "---\nstep: 0.01 [s]\n---\n```model\nparameter a = 1 [m/s]\ny' = a\ny(0) = 0 [m]\n```\n\n```check\n\

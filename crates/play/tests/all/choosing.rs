@@ -1,4 +1,4 @@
-//! Switches and choices: what their controls show, links, undo and a document that replaces another.
+//! Switches and choices: their controls, links, undo, and replacement of the document.
 
 use crate::support::{open, parameter, readout, set};
 

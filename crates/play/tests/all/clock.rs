@@ -1,14 +1,14 @@
-//! Model time is wall time, whatever the frame rate.
+//! Model time follows wall time at any frame rate.
 
 use crate::support::{bits, go_on, open, set, state, utube};
 use play::{Announcement, Play, SPEEDS, Status};
 
-/// Frames that last `seconds` in all.
+/// Frames with a total duration of `seconds`.
 fn frames(rate: f64, seconds: f64) -> Vec<f64> {
     vec![1.0 / rate; (rate * seconds).round() as usize]
 }
 
-/// Frames of uneven length that last 10 s in all.
+/// Frames of unequal duration with a total of 10 s.
 fn irregular() -> Vec<f64> {
     let mut frames = Vec::new();
     let mut left = 10.0;
@@ -34,7 +34,7 @@ fn model_time_is_wall_time_at_any_frame_rate() {
         let mut play = utube();
         go_on(&mut play, frames);
         assert!((play.time() - 10.0).abs() < 1e-9, "{}", play.time());
-        // The rows are the same bits; the moment shown lies within the rounding of the sum of the frames.
+        // The rows are bit-identical. The moment shown deviates by the rounding of the sum of the frames.
         play.scrub(9.99);
         let mut other = utube();
         go_on(&mut other, [10.0]);
@@ -82,7 +82,7 @@ fn speeds_multiply() {
     assert_eq!(play.speed(), 8.0);
 }
 
-/// Days that pass in seconds, and an end at 1 d that is no multiple of the step.
+/// Days that pass in seconds, and an end at 1 d that is not a multiple of the step.
 fn days() -> Play {
     open(
         "---\nstep: 0.3 [d]\nuntil: 1 [d]\nspeed: 0.5 [d]\n---\n```model\nindependent t in [d]\nx' = 1 [1/d]\nx(0) = 0\n```\n",
@@ -124,7 +124,7 @@ fn a_run_pauses_at_its_end_and_can_be_continued() {
     play.play();
     play.tick(1.0);
     assert_eq!((play.time(), play.is_playing()), (1.5 * day, true));
-    // Back before the end it is ahead again.
+    // After scrubbing back, the end is ahead again.
     play.scrub(0.5 * day);
     assert_eq!(play.status(), Status::Paused);
     go_on(&mut play, [60.0]);
@@ -166,7 +166,7 @@ fn what_cannot_be_computed_in_time_is_visible() {
     let computed = play.time();
     assert!((1e-3..0.05).contains(&computed), "{computed}");
     assert!((play.slippage() - (0.1 - computed)).abs() < 1e-12);
-    // What is missed is not made up for: the next tick is as short as the first.
+    // The delay is not made up for: the next tick advances by its own duration only.
     play.tick(0.001);
     assert!((play.time() - computed - 0.001).abs() < 1e-12);
 }
@@ -214,7 +214,7 @@ fn a_run_that_fails_says_so_and_shows_the_last_good_moment() {
     assert!(told.contains(&Announcement::Failed), "{told:?}");
     play.set_language("es");
     assert_eq!(play.problem().unwrap().message, "y supera el mayor número representable después de t = 0,55 s.");
-    // Back, and on with a value that holds.
+    // Scrub back and continue with a value that works.
     play.scrub(0.2);
     assert_eq!((play.status(), play.problem()), (Status::Paused, None));
     set(&mut play, "k", 0.0);

@@ -154,7 +154,7 @@ fn the_state_is_set_by_hand_while_paused() {
     assert_eq!(play.set_state(0, 0.1), Err(Refusal::NotPaused));
     play.tick(0.5);
     play.pause();
-    // Restarting drops it.
+    // The restart discards the state set by hand.
     set(&mut play, "h_l", 4.0);
     assert_eq!(state(&play), [1.0, 0.0]);
     assert!(play.set_state(0, f64::INFINITY).is_err());
@@ -172,7 +172,7 @@ fn methods_and_steps_are_chosen() {
     for method in methods {
         play.set_method(method.name).unwrap();
         go_on(&mut play, [1.0]);
-        // y = 0.5 cos(omega t) but for a little damping and, with Euler's method, a little error.
+        // y = 0.5 cos(omega t) except for a little damping and, with Euler's method, a small error.
         assert!((state(&play)[0] - 0.5 * libm::cos(2.8_f64.sqrt())).abs() < 0.06, "{}", method.name);
     }
     assert!(play.set_method("leapfrog").is_err());

@@ -1,4 +1,4 @@
-//! Models whose independent variable counts.
+//! Models whose independent variable is a counter.
 
 use crate::support::{bits, go_on, open, state};
 use play::Status;
@@ -11,7 +11,7 @@ fn document(front: &str) -> String {
     )
 }
 
-/// A run is watched for 5 to 20 s, whether it says where it ends or not.
+/// A run is watched for 5 to 20 s, with or without a stated end.
 #[test]
 fn a_run_takes_5_to_20_seconds_to_watch() {
     for (front, end) in [("", 100.0), ("until: 40\n", 40.0), ("until: 3000\n", 3000.0)] {
@@ -32,7 +32,7 @@ fn a_run_takes_5_to_20_seconds_to_watch() {
     assert_eq!(bits(&play).lines().count(), 14, "a heading and one row for each count: {}", bits(&play));
 }
 
-/// A parameter that is changed on the way is part of the link; the step is not.
+/// A parameter changed during the run is part of the link; the step is not.
 #[test]
 fn a_link_repeats_the_run() {
     let mut play = open(&document("speed: 10\n"), &[]);
@@ -46,7 +46,7 @@ fn a_link_repeats_the_run() {
     assert!(!link.contains("&h="), "{link}");
 }
 
-/// Another seed restarts the run with other draws; the first one gives the first run again, and so does the link.
+/// Another seed restarts the run with other draws. The first seed and the link reproduce the first run.
 #[test]
 fn a_seed_decides_the_run() {
     let source = "---\ntitle: A walk\nspeed: 10\n---\n\n```model\nindependent k by 1\nrandom seed = 1 in 1..9999 \"Seed\"\n\

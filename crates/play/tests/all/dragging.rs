@@ -1,4 +1,4 @@
-//! Parts of the scene that are dragged.
+//! Dragging parts of the scene.
 
 use crate::support::{bits, go_on, parameter, set, state, utube};
 use play::{Announcement, Play};
@@ -28,7 +28,7 @@ fn the_liquid_follows_the_pointer_and_is_let_go() {
     assert_eq!(state(&play)[1], 0.0, "what is held is at rest");
     play.drag_move(0.0, -4.0);
     assert!((state(&play)[0] - (held - 0.1)).abs() < 1e-12);
-    // Never further than the scene is high.
+    // Limited to the height of the scene.
     play.drag_move(0.0, 1e9);
     assert!((state(&play)[0] - (held + 300.0 * 0.025)).abs() < 1e-9);
     play.drag_move(f64::NAN, 1.0);
@@ -60,14 +60,14 @@ fn the_liquid_goes_no_further_than_the_drawing() {
     assert_eq!(told, Some(Announcement::StateSet(0, -4.5)));
 }
 
-/// `y(0) = (h_l - h_r)/2` with room in the ranges: one column rises by as much as the other falls.
+/// `y(0) = (h_l - h_r)/2` with room in the ranges: one height rises by as much as the other falls.
 #[test]
 fn a_drag_at_the_start_sets_the_parameters_that_decide_it() {
     let source = crate::support::UTUBE.replace("in 2..9", "in 0..9");
     let mut play = crate::support::open(&source, &[]);
     let drag = handle(&play);
     let heights = |play: &Play| ["h_l", "h_r"].map(|name| play.parameter_values()[parameter(play, name)]);
-    // 0.025 m for a unit of the scene.
+    // One scene unit is 0.025 m.
     for (up, y, h_l, h_r) in
         [(12.0, 0.8, 3.3, 1.7), (-12.0, 0.5, 3.0, 2.0), (-20.0, 0.0, 2.5, 2.5), (-24.0, -0.6, 1.9, 3.1)]
     {
@@ -83,7 +83,7 @@ fn a_drag_at_the_start_sets_the_parameters_that_decide_it() {
     let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
     let text = play.announcement_text(&told);
     assert_eq!(text, "Displacement: -0.6 m; Left height: 1.9 m, Right height: 3.1 m".replace('-', "−"));
-    // Played and taken back, the run starts there again; the document's values come back on request.
+    // After playing and going back, the run starts there again. The document's values return on request.
     go_on(&mut play, [1.0]);
     play.back_to_start();
     assert!((state(&play)[0] + 0.6).abs() < 1e-12);
@@ -101,7 +101,7 @@ fn a_drag_at_the_start_leaves_the_other_initial_values() {
     assert!((state(&play)[0] - 0.2).abs() < 1e-12);
     play.drag_end();
     assert_eq!(state(&play)[1], 2.0);
-    // Any other moment is one of the hand, which holds still what it holds.
+    // At any later moment the drag sets a start by hand, with the dragged variable at rest.
     go_on(&mut play, [0.5]);
     play.drag_begin(&drag);
     play.drag_move(0.0, -12.0);
@@ -110,8 +110,8 @@ fn a_drag_at_the_start_leaves_the_other_initial_values() {
     assert!(play.is_started_by_hand());
 }
 
-/// Where a range ends, or no parameter decides, the state itself is the start: it is played from, gone back to, shared,
-/// and given up with a word.
+/// If a range ends or no parameter determines the value, the state itself becomes the start: it is played from,
+/// restored by going back, shared, and discarded with an announcement.
 #[test]
 fn what_no_parameter_can_follow_is_kept_as_the_start() {
     let literal = crate::support::UTUBE.replace("y(0)  = (h_l - h_r)/2 ", "y(0)  = 0.5 [m] ");
@@ -139,7 +139,7 @@ fn what_no_parameter_can_follow_is_kept_as_the_start() {
         let told = std::iter::from_fn(|| play.take_announcement()).last();
         assert_eq!(told, Some(Announcement::DefaultsRestored));
     }
-    // A parameter that decides the start gives it up too, and says so although no time has passed.
+    // A parameter that determines the start discards it, too, and announces this even at time 0.
     let mut play = utube();
     play.set_state(0, 0.7).unwrap();
     set(&mut play, "h_l", 4.0);
@@ -147,7 +147,7 @@ fn what_no_parameter_can_follow_is_kept_as_the_start() {
     assert!(told.contains(&Announcement::Restarted(parameter(&play, "h_l"))), "{told:?}");
 }
 
-/// A start that is no linear function of its parameters, one without a range among them.
+/// A start that is a nonlinear function of its parameters, one of which has no range.
 #[test]
 fn a_curved_start_is_met_exactly() {
     let source = "---\ntitle: Ball\n---\n```model\nparameter v = 3 [m/s] in 0..20\nparameter c = 2 [s^2/m]\n\

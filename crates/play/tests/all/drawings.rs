@@ -1,4 +1,4 @@
-//! Curves that the reader draws.
+//! Curves drawn by the reader.
 
 use crate::support::{bits, go_on, open, set, state};
 use play::{Announcement, DrawingView, Play, Refusal};
@@ -44,7 +44,7 @@ fn curve(play: &Play, index: usize) -> DrawingView {
     play.drawn_curve(index).unwrap()
 }
 
-/// Draws the same height everywhere.
+/// Draws a constant height.
 fn level(play: &mut Play, index: usize, height: f64) {
     let heights = vec![height; curve(play, index).heights.len()];
     play.draw(index, &heights).unwrap();
@@ -84,7 +84,7 @@ fn a_constant_push_gives_the_parabola() {
     assert_eq!(std::iter::from_fn(|| play.take_announcement()).last(), Some(Announcement::Drawn(0)));
     go_on(&mut play, [4.0]);
     assert!((state(&play)[0] - 2.5 * 16.0 / 2.0).abs() < 1e-9);
-    // What is shown of it as well: the acceleration is 5 N / 2 kg.
+    // The displayed value follows, too: the acceleration is 5 N / 2 kg.
     assert_eq!(crate::support::readout(&mut play, "a"), "2.500");
     by_link(&play);
 }
@@ -122,7 +122,7 @@ fn kept_runs_and_the_ghost_keep_theirs() {
     let other = by_link(&play);
     assert_eq!(other.kept().len(), 1);
     assert_ne!(play.csv(), kept);
-    // Both kept runs draw the same.
+    // Both kept runs draw the same curve.
     play.clear_ghost();
     let drawn = |mut play: Play| play.plot_csv(play::PlotId::at(0));
     assert_eq!(drawn(play), drawn(other));

@@ -1,4 +1,4 @@
-//! Events that end a run, and what a run remembers.
+//! Events that end a run, and remembered values.
 
 use crate::support::{bits, go_on, open, readout};
 use play::{Play, Status};
@@ -28,7 +28,7 @@ fn a_run_ends_at_an_event_and_goes_on_when_asked() {
     assert_eq!(play.ending().as_deref(), Some("La serie termina en t = 1 s: The stone has landed."));
     play.set_language("en");
     assert!(readout(&mut play, "T").starts_with('1'), "{}", readout(&mut play, "T"));
-    // A link to the end leads to the end, and one beyond it beyond it.
+    // A link restores the time at the end, and also a time beyond it.
     for more in [0.0, 1.0] {
         if more > 0.0 {
             go_on(&mut play, [more]);
@@ -38,7 +38,7 @@ fn a_run_ends_at_an_event_and_goes_on_when_asked() {
         other.restore(&play.share()).expect("the link holds");
         assert_eq!((other.time(), bits(&other)), (play.time(), bits(&play)));
     }
-    // Back before the end it ends again.
+    // After scrubbing back before the end, the run ends again.
     play.scrub(0.5);
     assert!(play.problem().is_none() && play.ending().is_none());
     go_on(&mut play, [2.0]);

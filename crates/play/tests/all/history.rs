@@ -1,4 +1,4 @@
-//! Scrubbing, going on, changing parameters on the way, and what stays behind.
+//! Scrubbing, continuing, changing parameters during the run, and the ghost.
 
 use crate::support::{bits, go_on, open, parameter, set, state, utube};
 use play::{Announcement, MOST_KEPT, PlotId, Refusal};
@@ -49,7 +49,7 @@ fn a_change_of_damping_takes_effect_at_once_without_a_jump() {
     assert_eq!(state(&play), before);
     assert!(!play.has_ghost(), "the run goes on");
     let length = play.table_length();
-    // Nothing of the past has changed, and the next steps are those of a strongly damped liquid.
+    // The past is unchanged, and the next steps are those of a strongly damped liquid.
     let mut other = utube();
     go_on(&mut other, [1.025]);
     assert_eq!(bits(&play), bits(&other));
@@ -79,7 +79,7 @@ fn parameters_then_in_force_come_back() {
     assert_eq!(at(&mut play, 2.5), 700.0);
     assert_eq!(at(&mut play, 3.0), 700.0);
     assert_eq!(bits(&play), straight);
-    // Going on from 1.5 goes on with 300.
+    // Continuing from 1.5 s uses b = 300 kg/s.
     play.scrub(1.5);
     go_on(&mut play, [1.5]);
     assert_eq!(play.parameter_values()[b], 300.0);
@@ -114,7 +114,7 @@ fn a_parameter_that_decides_an_initial_value_restarts_the_run() {
     assert!(play.has_ghost());
     let expected = [Announcement::Restarted(h_l), Announcement::ParameterSet(h_l, 4.0)];
     assert_eq!(told(&mut play), expected);
-    // While it is playing it goes on playing.
+    // A playing run continues to play after the restart.
     play.play();
     play.tick(1.0);
     set(&mut play, "v_0", 2.0);
@@ -157,7 +157,7 @@ fn back_to_start_keeps_parameters_and_start_and_restoring_defaults_neither() {
     play.restore_defaults();
     assert!(!play.is_started_by_hand());
     assert_eq!((play.time(), state(&play), play.parameter_values()[b]), (0.0, vec![0.5, 0.0], 50.0));
-    // Without a start set by hand, a run in progress goes on.
+    // Without a start set by hand, a run in progress continues.
     set(&mut play, "b", 0.0);
     go_on(&mut play, [1.0]);
     play.restore_defaults();

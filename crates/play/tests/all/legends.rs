@@ -18,7 +18,7 @@ fn kept_runs_are_named_in_legend_csv_and_figure_and_left_out_of_pins() {
     let head = csv.lines().next().unwrap();
     assert!(head.starts_with("t (initial settings) [s],y (initial settings) [m],"), "{head}");
     assert!(head.ends_with(",t [s],y [m],t [s],y′ [m/s]"), "{head}");
-    // The kept run is the shorter one; the last row has the present one alone.
+    // The kept run is shorter: the last row contains the present run alone.
     assert!(csv.trim_end().lines().last().unwrap().starts_with(",,,,"), "{csv}");
     assert!(play.plot_svg(PlotId::at(0), &Settings::default(), &figure::Palette::LIGHT).contains(">initial settings<"));
     let panel = play.layout_plot(PlotId::at(0), &Settings::default()).unwrap().panel;
@@ -39,7 +39,7 @@ fn a_label_that_the_plot_gives_stands_in_the_legend() {
     assert_eq!(labels(&play), ["x", "Speed", "2·x"]);
     let svg = play.plot_svg(PlotId::at(0), &Settings::default(), &figure::Palette::LIGHT);
     assert!(svg.contains(">Speed<") && svg.contains(">x<"), "{svg}");
-    // Readings and columns have the name.
+    // Read-outs and columns use the name.
     assert!(play.plot_csv(PlotId::at(0)).starts_with("t [s],x [m],t [s],x′ [m/s],"));
     play.set_language("es");
     assert_eq!(labels(&play), ["x", "Velocidad", "2·x"]);
@@ -47,7 +47,7 @@ fn a_label_that_the_plot_gives_stands_in_the_legend() {
 
 #[test]
 fn a_length_in_the_drawing_is_that_of_its_handles() {
-    // 40 units of the drawing are a metre.
+    // 40 scene units are 1 m.
     assert_eq!(utube().scene_length(40.0).as_deref(), Some("1 m"));
 }
 

@@ -1,4 +1,4 @@
-//! Tests of playing without a screen; one program, since linking many takes longer than they do.
+//! Tests of playing without a screen, in a single program because linking many takes longer than running them.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 

@@ -1,4 +1,4 @@
-//! A family stands in one line, with a picker for its member; a vector, too.
+//! A family stands in one line with a picker for its member; likewise a vector.
 
 use crate::support::{go_on, open};
 use play::{Index, Play, Readout};
@@ -76,21 +76,21 @@ fn a_member_is_chosen_for_all_lines_of_its_family() {
     assert_eq!(shown(&mut play, "x").value, "3.000");
     assert_eq!(shown(&mut play, "x'").value, "0.3000");
     assert_eq!(play.state_lines()[0].text, "3.000");
-    // The walls are members, too; they have no velocity, so the nearest one is shown there.
+    // The walls are members of the family, too. They have no velocity, so the nearest member is shown there.
     play.choose_member("x", 0, 0);
     let wall = shown(&mut play, "x");
     assert_eq!((wall.label.as_str(), wall.value.as_str()), ("Wall", "0"));
     assert_eq!(shown(&mut play, "x'").members.unwrap().indices, [Index { value: 1, least: 1, greatest: 4 }]);
     play.choose_member("x", 0, 99);
     assert_eq!(shown(&mut play, "x").members.unwrap().indices, [Index { value: 5, least: 0, greatest: 5 }]);
-    // Two indices: what the second can be depends on the first.
+    // Two indices: the range of the second depends on the first.
     play.choose_member("u", 1, 3);
     play.choose_member("u", 0, 3);
     let heat = shown(&mut play, "u");
     assert_eq!(heat.value, "33.00");
     let index = |value, least, greatest| Index { value, least, greatest };
     assert_eq!(heat.members.unwrap().indices, [index(3, 1, 3), index(3, 3, 3)]);
-    // What is no family changes nothing.
+    // A name that is not a family changes nothing.
     let before = play.revision();
     for (name, place) in [("c", 0), ("nothing", 0), ("x", 7), ("", 0)] {
         play.choose_member(name, place, 2);
@@ -108,13 +108,13 @@ fn the_member_shown_can_be_set_and_the_choice_is_no_part_of_a_link() {
     assert_eq!(shown(&mut play, "x").value, "7.500");
     let second = play.states().into_iter().find(|state| state.name == "x[2]").unwrap();
     assert_eq!(second.value, 7.5);
-    // Another program with this family keeps the choice.
+    // Another program with this family keeps the selection.
     let program = play.program().clone();
     play.replace_program(program);
     assert_eq!(shown(&mut play, "x").members.unwrap().indices[0].value, 2);
     go_on(&mut play, [0.1]);
     assert_eq!(shown(&mut play, "x").name, "x[2]");
-    // Files have each member in a column of its own, and vectors that are defined, too.
+    // Files have one column per member, also for defined vectors.
     let head = play.csv().lines().next().unwrap_or_default().to_owned();
     for column in ["x[1] [m]", "x[4] [m]", "\"u[1,2]\"", "r[2].y [m]", "c.x [cm]", "E[3]"] {
         assert!(head.split(',').any(|one| one == column) || head.contains(column), "{column} in {head}");

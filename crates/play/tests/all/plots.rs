@@ -1,10 +1,10 @@
-//! What a document can draw: several paths in one plot, and what is said of them.
+//! Plots of a document: several paths in one plot, legends and descriptions.
 
 use crate::support::{go_on, open, set};
 use figure::{Point, Settings};
 use play::{Play, PlotId};
 
-/// Two bodies on circles about one another, with equal axes.
+/// Two bodies on circles about each other, with equal axes.
 fn bodies() -> Play {
     open(
         "```model\nparameter omega = 2 [rad/s]\nx_1 = cos(omega*t)\ny_1 = sin(omega*t)\nx_2 = -2*x_1\n\
@@ -67,7 +67,7 @@ fn resonance() -> Play {
     )
 }
 
-/// The cells of a plot's CSV without the line of names.
+/// The cells of a plot's CSV without the heading.
 fn cells(play: &mut Play, plot: usize) -> Vec<Vec<f64>> {
     let csv = play.plot_csv(PlotId::at(plot));
     csv.lines().skip(1).map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect()
@@ -90,10 +90,10 @@ fn a_definition_is_drawn_over_the_values_of_a_parameter_and_follows_the_others()
         }
     }
     assert_eq!(play.plot_progress(PlotId::at(0)), None);
-    // The axis ends where the sweep does, from 1 to 12, and no number beyond stands at it.
+    // The axis ends with the sweep, from 1 to 12, and has no tick label beyond.
     let svg = play.plot_svg(PlotId::at(0), &SETTINGS, &figure::Palette::LIGHT);
     assert!(svg.contains(">12<") && !svg.contains(">14<") && !svg.contains(">15<"), "{svg}");
-    // The parameter that is swept moves the mark and nothing else.
+    // The swept parameter moves the mark only.
     let before = cells(&mut play, 0);
     set(&mut play, "omega", 7.0);
     assert_eq!(cells(&mut play, 0), before);
@@ -122,7 +122,7 @@ fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
         assert!((row[1] / expected - 1.0).abs() < 3e-3, "{row:?}");
         assert!((row[7] / (expected * expected / 2.0) - 1.0).abs() < 0.03, "{row:?}");
     }
-    // Bits do not depend on how the work is divided.
+    // The result is bit-identical however the work is divided.
     let mut other = resonance();
     other.play();
     for _ in 0..slices + 50 {
@@ -130,7 +130,7 @@ fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
         other.work_on_plots();
     }
     assert_eq!(cells(&mut other, 1), rows);
-    // Another parameter starts them again, the swept one does not.
+    // Another parameter restarts the runs, the swept one does not.
     set(&mut play, "omega", 7.0);
     assert!(!play.work_on_plots());
     set(&mut play, "gamma", 2.0);
@@ -139,7 +139,7 @@ fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
     assert!(done < 61 && all == 61);
     while play.work_on_plots() {}
     assert!(cells(&mut play, 1).iter().all(|row| (row[1] / amplitude(row[0], 2.0) - 1.0).abs() < 3e-3));
-    // What is not shown is not computed.
+    // Hidden plots are not computed.
     play.show_plot(PlotId::at(1), false);
     set(&mut play, "gamma", 1.0);
     assert!(!play.work_on_plots());
@@ -178,7 +178,7 @@ fn points_of_a_map_over_the_values_of_a_parameter() {
     }
 }
 
-/// At the whole periods of the drive a linear oscillator is where the textbook's phase has it.
+/// At whole periods of the drive, a linear oscillator has the phase given by the textbook.
 #[test]
 fn points_at_an_event_over_the_values_of_a_parameter() {
     let mut play = open(
@@ -222,7 +222,7 @@ fn a_section_has_a_point_at_each_multiple_of_the_period() {
         assert!((row[0] - time).abs() < 1e-12 && (row[1] - libm::cos(3.0 * time)).abs() < 1e-6, "{row:?}");
     }
     assert_eq!(quarters.len(), 18);
-    // Rows that are given up take their points with them, and come back with the same ones.
+    // Discarded rows take their points with them. Recomputed rows have the same points.
     play.scrub(5.0);
     play.play();
     assert_eq!(cells(&mut play, 0).len(), 2);

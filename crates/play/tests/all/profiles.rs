@@ -1,4 +1,4 @@
-//! Plots of one moment, and points at the firings of an event.
+//! Plots of a single moment, and points at the firings of an event.
 
 use crate::support::{go_on, open, set};
 use figure::{Item, Palette, Point, Settings};
@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 const SETTINGS: Settings = Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false };
 
-/// A chain in its second mode, of so many masses.
+/// A chain with this number of masses in its second mode.
 fn chain(masses: usize) -> Play {
     open(
         &format!(
@@ -24,7 +24,7 @@ fn chain(masses: usize) -> Play {
     )
 }
 
-/// The lines of a plot's CSV as numbers, after the line of names.
+/// The lines of a plot's CSV as numbers, without the heading.
 fn table(play: &mut Play, plot: usize) -> (String, Vec<Vec<f64>>) {
     let csv = play.plot_csv(PlotId::at(plot));
     let mut lines = csv.lines();
@@ -62,7 +62,7 @@ fn the_axes_of_a_profile_grow_with_the_run_and_stay_while_it_is_scrubbed() {
     let mut play = chain(11);
     let top = |play: &mut Play| {
         let figure = play.layout_plot(PlotId::at(0), &SETTINGS).unwrap();
-        // Where 0 cm and 50 cm stand does not change while the axis does not.
+        // The pixels of 0 cm and 50 cm are fixed while the axis is.
         (figure.place(0, 0.0, 0.0), figure.place(0, 12.0, 50.0))
     };
     let start = top(&mut play);
@@ -73,7 +73,7 @@ fn the_axes_of_a_profile_grow_with_the_run_and_stay_while_it_is_scrubbed() {
         play.scrub(time);
         assert_eq!(top(&mut play), all, "{time} s");
     }
-    // A run with a longer chain has axes of its own.
+    // A run with a longer chain has its own axes.
     set(&mut play, "a", 2.0);
     play.back_to_start();
     assert_ne!(top(&mut play), all);
@@ -136,7 +136,7 @@ fn points_are_drawn_at_the_firings_of_an_event() {
     let (_, rows) = table(&mut play, 0);
     assert!(rows.len() >= 4, "10 s hold 4 periods of 2.09 s: {rows:?}");
     assert!(rows.iter().all(|row| (row[0] - 1.0).abs() < 1e-6 && row[1].abs() < 1e-5), "{rows:?}");
-    // The velocity is that before the ball bounces: sqrt(2 g h) downwards each time.
+    // The velocity is that before the bounce: sqrt(2 g h) downwards each time.
     let (_, rows) = table(&mut play, 1);
     let speed = libm::sqrt(2.0 * 9.8);
     for (number, row) in rows.iter().enumerate() {

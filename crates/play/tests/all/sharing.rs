@@ -89,7 +89,7 @@ fn everything_comes_back_with_the_same_bits() {
     assert_eq!(other.kept(), play.kept());
 }
 
-/// What an adaptive method does next depends on the steps behind it, also where the run went on from an earlier moment.
+/// The next step of an adaptive method depends on the previous ones, also if the run continued from an earlier moment.
 #[test]
 fn a_run_that_goes_on_from_an_earlier_moment_comes_back_with_the_same_bits() {
     for method in ["rk4", "dormand-prince", "rosenbrock"] {
@@ -214,7 +214,7 @@ fn restoring_replaces_what_was_there() {
     assert_eq!(play.share(), "1&p=b:7&t=2");
 }
 
-/// More than three plots would each be too small; the others are a click away, and a link remembers what was chosen.
+/// More than three plots would be too small. The others are hidden at first, and a link stores the selection.
 #[test]
 fn the_first_three_plots_are_shown_at_first() {
     let plots: String = (0..5).map(|number| format!("\"Plot {number}\": {number} + x against t\n")).collect();

@@ -1,4 +1,4 @@
-//! The documents that come with the laboratory, as a person uses them.
+//! The documents supplied with the laboratory, in typical use.
 
 use crate::support::{bits, go_on, open, state};
 use play::figure::Settings;
@@ -12,7 +12,7 @@ fn utube() -> Play {
     crate::support::open(UTUBE, &[UTUBE_ES])
 }
 
-/// The first handle below an element.
+/// The first handle among the descendants of an element.
 fn handle(element: &Element) -> Option<&Drag> {
     element.drag.as_ref().or_else(|| {
         element.children.iter().find_map(|child| match child {

@@ -1,4 +1,5 @@
-//! Another size of a family is another program: it runs as if the document stated that size, and a link carries it.
+//! Changing the size of a family replaces the program by one that runs as if the document stated that size. A link
+//! contains it.
 
 use crate::support::{bits, go_on, open, set};
 use document::{Document, resized};
@@ -33,7 +34,7 @@ fn another_size_runs_as_the_document_that_states_it() {
     assert_eq!(play.take_announcement(), Some(Announcement::Resized(Vec::new())));
     assert!(play.is_playing());
     play.pause();
-    // The same bits as the text with this size.
+    // Bit-identical to the text with this size.
     let mut stated = open(&CHAIN.replace("size N = 5", "size N = 12"), &[SPANISH]);
     set(&mut stated, "k", 9.0);
     go_on(&mut stated, [0.5]);
@@ -49,7 +50,7 @@ fn another_size_runs_as_the_document_that_states_it() {
     assert_eq!((view.label.as_str(), view.value, view.is_default), ("Number of masses", 12, false));
     play.set_language("es");
     assert_eq!(play.sizes().remove(0).label, "Número de masas");
-    // Back again, nothing is left of it.
+    // After changing the size back, no trace is left.
     play.resize(document.program.clone());
     assert!(play.sizes().iter().all(|size| size.is_default));
     assert!(!play.share().contains("n="), "{}", play.share());
@@ -63,7 +64,7 @@ fn a_link_carries_sizes_and_names_those_that_the_page_cannot_build() {
     go_on(&mut play, [0.3]);
     let link = play.share();
     assert!(link.contains("&n=N:12,M:2&"), "{link}");
-    // What holds no parser can only say that it does not fit.
+    // Without a parser, the size can only be reported as not fitting.
     let mut other = Play::open(document.program.clone());
     assert!(
         matches!(other.restore(&link), Err(play::Refusal::PartlyRestored { left_out }) if left_out == ["n=N:12,M:2"])
@@ -74,7 +75,7 @@ fn a_link_carries_sizes_and_names_those_that_the_page_cannot_build() {
     let mut same = Play::open(large.program.clone());
     assert_eq!(same.restore(&link), Ok(()));
     assert_eq!(bits(&same), bits(&play));
-    // A link without sizes is about the sizes that the document states.
+    // A link without sizes refers to the sizes stated in the document.
     assert_eq!(play.sizes_for("1&t=1"), [("N".to_owned(), 5), ("M".to_owned(), 3)]);
 }
 

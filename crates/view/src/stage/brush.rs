@@ -1,5 +1,5 @@
-//! The brush: a part of the time that something is limited to, such as the part of a record that is fitted. In the plots
-//! against time it lies between two lines that can be dragged; what is outside of it is faint.
+//! The brush: a selected part of the time axis, such as the part of a record to be fitted. In plots against time it
+//! lies between two draggable lines; the rest is faint.
 
 use crate::colours::Colours;
 use figure::{Figure, Ink};
@@ -7,24 +7,24 @@ use js_sys::Array;
 use units::Unit;
 use web_sys::CanvasRenderingContext2d;
 
-/// Where a part begins and where it ends, SI; open where there is no end.
+/// Begin and end of a selected part, SI; `None` for an open end.
 pub type Part = [Option<f64>; 2];
 
-/// The half of the length of a grip in CSS pixels.
+/// Half of the length of a grip, in CSS pixels.
 const GRIP: f64 = 14.0;
 
-/// A part in a figure against time.
+/// A selected part in a figure against time.
 pub struct Brush<'a> {
-    /// The part.
+    /// The selected part.
     pub part: Part,
     /// The figure.
     pub figure: &'a Figure,
-    /// The unit of its horizontal axis.
+    /// Unit of its horizontal axis.
     pub unit: &'a Unit,
 }
 
 impl Brush<'_> {
-    /// The pixels of the two ends. An open end lies at the edge of the panel, and so does one beyond it.
+    /// Pixels of the two ends. An open end, or one outside the panel, lies at the edge of the panel.
     fn ends(&self) -> [f64; 2] {
         let edges = self.edges();
         let place = |end: usize| {
@@ -40,16 +40,16 @@ impl Brush<'_> {
         [f64::from(panel.x), f64::from(panel.x + panel.width)]
     }
 
-    /// The end that is grabbed at `x` by a pointer that reaches so many pixels.
+    /// Index of the end grabbed at pixel `x`, within `reach` pixels; `None` if neither is.
     pub fn grabbed(&self, x: f64, reach: f64) -> Option<usize> {
         let [begin, end] = self.ends().map(|pixel| (pixel - x).abs());
-        // Where they lie together, the one that has room to go.
+        // If both ends coincide, the one that has room to move.
         let nearer = usize::from(end < begin || (end == begin && x > self.ends()[1]));
         (begin.min(end) <= reach).then_some(nearer)
     }
 
-    /// The part with this end at pixel `x`, written as finely as pixels are. At the edge of the panel it is open; the ends do not
-    /// pass each other.
+    /// The part with one end moved to pixel `x`, rounded to the resolution of a pixel. At the edge of the panel the end
+    /// is open; the ends cannot pass each other.
     pub fn with_end(&self, end: usize, x: f64) -> Part {
         let ([left, right], ends) = (self.edges(), self.ends());
         let at_edge = if end == 0 { x <= left } else { x >= right };
@@ -58,7 +58,7 @@ impl Brush<'_> {
         part[end] = match self.figure.x_scale() {
             Some(scale) if !at_edge => {
                 let pixel = (scale.value(x + 1.0) - scale.value(x)).abs();
-                // Divided by a power of ten, a whole number gives the nearest to a short decimal.
+                // An integer divided by a power of ten is the double nearest to a short decimal.
                 let fineness = libm::pow(10.0, -libm::floor(libm::log10(pixel)));
                 Some(self.unit.to_si((scale.value(x) * fineness).round() / fineness)).filter(|value| value.is_finite())
             }
@@ -67,7 +67,7 @@ impl Brush<'_> {
         part
     }
 
-    /// Draws it over the figure.
+    /// Draws the brush over the figure.
     pub fn paint(&self, context: &CanvasRenderingContext2d, colours: &Colours) {
         let (panel, [begin, end], [left, right]) = (self.figure.panel, self.ends(), self.edges());
         let (top, height) = (f64::from(panel.y), f64::from(panel.height));

@@ -1,4 +1,4 @@
-//! Paints a figure's display list on a canvas.
+//! Paints the display list of a figure on a canvas.
 
 use crate::colours::Colours;
 use figure::{Anchor, Dash, Figure, Ink, Item, Point, Readout, Stroke};
@@ -6,10 +6,10 @@ use js_sys::Array;
 use units::alphabet::with_indices;
 use web_sys::CanvasRenderingContext2d;
 
-/// The face of the figures' texts.
+/// Font family of the figures.
 const FACE: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Noto Sans', sans-serif";
 
-/// Paints the whole figure; `scale` is how many pixels of the canvas make one of the figure.
+/// Paints the whole figure; `scale` is the number of canvas pixels per figure pixel.
 pub fn paint(context: &CanvasRenderingContext2d, figure: &Figure, colours: &Colours, scale: f64) {
     let _ = context.set_transform(scale, 0.0, 0.0, scale, 0.0, 0.0);
     context.set_line_join("round");
@@ -20,7 +20,7 @@ pub fn paint(context: &CanvasRenderingContext2d, figure: &Figure, colours: &Colo
     }
 }
 
-/// Rings about what is read off.
+/// Paints rings around the samples of a read-out.
 pub fn paint_readout(context: &CanvasRenderingContext2d, readout: &Readout, figure: &Figure, colours: &Colours) {
     context.set_line_width(2.0);
     let _ = context.set_line_dash(&Array::new());
@@ -47,7 +47,7 @@ pub fn paint_readout(context: &CanvasRenderingContext2d, readout: &Readout, figu
     }
 }
 
-/// A pinned read-out: rings about its samples, and a line with its letter.
+/// Paints a pinned read-out: rings around its samples, and a line with its letter.
 pub fn paint_pin(context: &CanvasRenderingContext2d, pin: &Readout, letter: &str, figure: &Figure, colours: &Colours) {
     let places = pin.samples.iter().filter_map(|sample| figure.place(sample.axis, sample.x, sample.y));
     let places: Vec<figure::Point> = places.collect();
@@ -75,7 +75,7 @@ pub fn paint_pin(context: &CanvasRenderingContext2d, pin: &Readout, letter: &str
     let _ = context.fill_text(letter, x + 4.0, f64::from(panel.y) + 12.0);
 }
 
-/// The rectangle that is being drawn for zooming.
+/// Paints the zoom rectangle.
 pub fn paint_box(context: &CanvasRenderingContext2d, from: (f64, f64), to: (f64, f64), colours: &Colours) {
     let (x, y) = (from.0.min(to.0), from.1.min(to.1));
     let (width, height) = ((from.0 - to.0).abs(), (from.1 - to.1).abs());
@@ -89,7 +89,7 @@ pub fn paint_box(context: &CanvasRenderingContext2d, from: (f64, f64), to: (f64,
     context.set_global_alpha(1.0);
 }
 
-/// A context and what it was last set to: setting a font or a colour costs more than drawing a line with it.
+/// A canvas context with its last settings: setting a font or colour costs more than drawing a line.
 struct Brush<'a> {
     context: &'a CanvasRenderingContext2d,
     colours: &'a Colours,
@@ -144,7 +144,7 @@ impl Brush<'_> {
                 context.begin_path();
                 for bar in bars.chunks_exact(3) {
                     context.move_to(bar[0].into(), bar[1].into());
-                    // A line without length would not be drawn.
+                    // A line of length zero would not be drawn.
                     context.line_to(bar[0].into(), bar[2].max(bar[1] + 0.01).into());
                 }
                 context.stroke();
@@ -163,7 +163,7 @@ impl Brush<'_> {
         }
     }
 
-    /// A text whose indices are smaller and below the line, piece by piece.
+    /// Draws a text piece by piece, with smaller, lowered indices.
     fn text_with_indices(&mut self, text: &str, at: Point, anchor: Anchor, (size, strong): (f32, bool)) {
         let context = self.context;
         let mut pieces = Vec::new();

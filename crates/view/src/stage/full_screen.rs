@@ -1,19 +1,19 @@
-//! The full screen, for the stage and for single plots. Some browsers offer none.
+//! Full-screen mode for the stage and for single plots. Some browsers do not support it.
 
 use crate::views::document;
 use web_sys::Element;
 
-/// Whether the browser can fill the screen with a part of the page.
+/// True if the browser supports full-screen mode.
 pub fn is_offered() -> bool {
     document().fullscreen_enabled()
 }
 
-/// Fills the screen with an element, or gives the screen back.
+/// Switches full-screen mode of an element on, or leaves it.
 pub fn toggle(element: &Element) {
     if document().fullscreen_element().is_some() {
         document().exit_fullscreen();
     } else {
-        // A refusal leaves the page as it is.
+        // If refused, the page stays as it is.
         let _ = element.request_fullscreen();
     }
 }

@@ -1,19 +1,19 @@
-//! What pointers are doing on a plot.
+//! State of the pointers on a plot.
 
-/// The pointers that are down on a canvas.
+/// Pointers pressed on a canvas.
 #[derive(Default)]
 pub struct Gesture {
     pub(super) fingers: Vec<(i32, f64, f64)>,
-    /// Where a zoom rectangle began and where it is now.
+    /// Start and present corner of the zoom rectangle, in pixels.
     pub(super) rectangle: Option<((f64, f64), (f64, f64))>,
-    /// Where a single pointer went down, as long as it may become a press: a mouse that moves pans, a finger reads.
+    /// Start position of a single pointer while it may still become a press: a mouse that moves pans, a finger reads.
     pub(super) pressed: Option<(f64, f64)>,
-    /// The end of the brush that is being dragged.
+    /// Index of the brush end that is being dragged.
     pub(super) end: Option<usize>,
 }
 
 impl Gesture {
-    /// The zoom rectangle that is being drawn.
+    /// Zoom rectangle being drawn: start and present corner, in pixels.
     pub fn rectangle(&self) -> Option<((f64, f64), (f64, f64))> {
         self.rectangle
     }

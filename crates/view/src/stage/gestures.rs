@@ -1,6 +1,6 @@
-//! Pointer, wheel and keys on a plot. A mouse reads by hovering, pans by dragging and zooms into a rectangle with Shift;
-//! one finger reads, two fingers pan and zoom. A press, or a finger that lifts, pins what is read. The wheel zooms only in a plot that has the focus, or with Ctrl, so that
-//! it scrolls the page otherwise.
+//! Pointer, wheel and keyboard on a plot. A mouse reads by hovering, pans by dragging and zooms into a rectangle with
+//! Shift. One finger reads, two fingers pan and zoom. A press, or lifting the finger, pins the read-out. The wheel
+//! zooms only in a focused plot or with Ctrl; otherwise it scrolls the page.
 
 use super::pins;
 use crate::app::App;
@@ -10,15 +10,15 @@ use play::PlotId;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement, KeyboardEvent, PointerEvent, WheelEvent};
 
-/// So near to an end of the brush a mouse, or a finger, takes hold of it, in CSS pixels.
+/// Distance within which a mouse, or a finger, grabs an end of the brush, in CSS pixels.
 const REACH: f64 = 6.0;
 const REACH_OF_FINGER: f64 = 20.0;
-/// A rectangle smaller than this in CSS pixels is a click.
+/// A smaller rectangle, in CSS pixels, is treated as a click.
 const SMALLEST: f64 = 6.0;
-/// A mouse that has moved less than this in CSS pixels has pressed and not dragged.
+/// A mouse that has moved less, in CSS pixels, has clicked and not dragged.
 const STILL: f64 = 4.0;
 
-/// What a pointer's move means.
+/// Effect of a pointer move.
 enum Motion {
     Read,
     Pan(f64, f64),
@@ -38,7 +38,7 @@ fn is_touch(event: &PointerEvent) -> bool {
     event.pointer_type() == "touch"
 }
 
-/// The end of the brush that a pointer takes hold of.
+/// Index of the brush end grabbed by a pointer.
 fn grabbed(app: App, id: PlotId, event: &PointerEvent) -> Option<usize> {
     let part = app.host().part()?;
     let reach = if is_touch(event) { REACH_OF_FINGER } else { REACH };
@@ -54,7 +54,7 @@ fn brush_to(app: App, id: PlotId, end: usize, event: &PointerEvent) {
     }
 }
 
-/// A pointer went down.
+/// Handles a pressed pointer.
 pub fn down(app: App, id: PlotId, event: &PointerEvent) {
     if event.button() != 0 {
         return;
@@ -79,7 +79,7 @@ pub fn down(app: App, id: PlotId, event: &PointerEvent) {
     app.wake();
 }
 
-/// A pointer moved, whether down or not.
+/// Handles a moved pointer, pressed or not.
 pub fn moved(app: App, id: PlotId, event: &PointerEvent) {
     let (at, pointer, touch) = (place(event), event.pointer_id(), is_touch(event));
     if let Some(end) = with_plot(app, id, |plot| plot.gesture.end).flatten() {
@@ -147,7 +147,7 @@ pub fn moved(app: App, id: PlotId, event: &PointerEvent) {
     }
 }
 
-/// A pointer went up: what was read stays.
+/// Handles a released pointer: pins or unpins the read-out, or zooms to the rectangle.
 pub fn up(app: App, id: PlotId, event: &PointerEvent) {
     let ended = with_plot(app, id, |plot| {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
@@ -167,7 +167,7 @@ pub fn up(app: App, id: PlotId, event: &PointerEvent) {
     app.wake();
 }
 
-/// The browser has taken the pointer, to scroll the page.
+/// Handles a pointer cancelled by the browser, which scrolls the page.
 pub fn cancelled(app: App, id: PlotId, event: &PointerEvent) {
     with_plot(app, id, |plot| {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
@@ -177,13 +177,13 @@ pub fn cancelled(app: App, id: PlotId, event: &PointerEvent) {
     app.wake();
 }
 
-/// The pointer left the canvas.
+/// Handles a pointer that leaves the canvas.
 pub fn left(app: App, id: PlotId) {
     with_plot(app, id, |plot| plot.pointer = None);
     app.wake();
 }
 
-/// The wheel turned.
+/// Handles the wheel.
 pub fn wheel(app: App, id: PlotId, event: &WheelEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let focused = target.is_some() && target == crate::views::document().active_element();
@@ -198,7 +198,7 @@ pub fn wheel(app: App, id: PlotId, event: &WheelEvent) {
     app.act(|play| play.zoom_plot(id, Some(at), factor, direction));
 }
 
-/// A key was pressed on the canvas.
+/// Handles a key pressed on the canvas.
 pub fn key(app: App, id: PlotId, event: &KeyboardEvent) {
     if event.alt_key() || event.meta_key() {
         return;
@@ -228,7 +228,7 @@ pub fn key(app: App, id: PlotId, event: &KeyboardEvent) {
     event.stop_propagation();
 }
 
-/// Moves the cursor and says what it reads.
+/// Moves the keyboard cursor by a number of rows and speaks the read-out.
 fn read(app: App, id: PlotId, rows: isize) {
     let Some(readout) = app.act(|play| play.move_cursor(id, rows)) else { return };
     let mut words = vec![readout.heading.clone()];
@@ -242,7 +242,7 @@ fn read(app: App, id: PlotId, rows: isize) {
     app.wake();
 }
 
-/// The focus left the canvas.
+/// Handles the loss of the focus.
 pub fn blurred(app: App, id: PlotId) {
     with_plot(app, id, |plot| plot.cursor = None);
     app.wake();

@@ -1,4 +1,4 @@
-//! The legend in a plot's title line.
+//! Legend in the title line of a plot.
 
 use crate::app::App;
 use crate::symbols::with_indices;
@@ -7,7 +7,7 @@ use figure::{Dash, Style};
 use play::{LegendEntry, PlotId};
 use sycamore_web::SvgGlobalAttributes;
 
-/// The legend of a plot; nothing where there is but one series.
+/// Legend of a plot; empty if there is only one series.
 pub fn view(app: App, id: PlotId) -> View {
     let entries = memo(move || {
         app.changes.runs.track();
@@ -28,7 +28,8 @@ pub fn view(app: App, id: PlotId) -> View {
     })
 }
 
-/// The label of an entry. The name of a run, and that of a record in parentheses, are a person's own: an underscore in them is no index.
+/// Label of an entry. The name of a run, and that of a record in parentheses, come from the user: an underscore in them
+/// is not an index.
 fn name(entry: &LegendEntry) -> HtmlSpan {
     let of_model = match entry.style {
         Style::Run(_) => 0,
@@ -39,7 +40,7 @@ fn name(entry: &LegendEntry) -> HtmlSpan {
     with_indices(of_model).child(own.to_owned())
 }
 
-/// A piece of the line, or a point, in the colour that it has in the plots.
+/// Sample of a line or a point in its colour and style.
 pub fn sample(style: Style, colour: u8) -> SvgSvg {
     let ink = match style {
         Style::Run(_) => format!("color:var(--run-{})", usize::from(colour) % figure::RUN_COLOURS),

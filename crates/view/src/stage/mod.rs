@@ -25,7 +25,7 @@ use crate::{icons, transport};
 use play::PagePart;
 use sycamore_reactive::untrack;
 
-/// The stage, which is built again for another program.
+/// The stage, rebuilt for another program.
 pub fn view(app: App) -> View {
     changing(move || {
         app.changes.program.track();
@@ -69,7 +69,7 @@ fn scene(app: App) -> HtmlSection {
         .maybe((!exists).then(|| note(words.no_scene).class("no-scene")))
 }
 
-/// The instruments that lie on the scene, and the buttons that take them there.
+/// Instruments on the scene, and the buttons that show them.
 fn instruments(app: App, has_scene: bool) -> HtmlDiv {
     let words = app.words();
     let (watch, rules) = (create_signal(false), create_signal(false));
@@ -103,7 +103,7 @@ fn instruments(app: App, has_scene: bool) -> HtmlDiv {
         .child(changing(move || if watch.get() { stopwatch::view(app).into() } else { View::new() }))
 }
 
-/// What the dashed outline in the scene is; nothing while there is none.
+/// Legend of the dashed outline in the scene; empty without outline.
 fn outline_legend(app: App) -> View {
     app.changes.plots.track();
     let records = app.read(|play| play.outline().map_or_else(Vec::new, |outline| outline.sources.clone()));
@@ -117,7 +117,7 @@ fn outline_legend(app: App) -> View {
         .into()
 }
 
-/// How to drag, for the device in hand: who has no keyboard does not read of keys.
+/// Instructions for dragging that suit the device: keys are mentioned only if there is a keyboard.
 fn drag_hint(app: App) -> HtmlP {
     let words = app.words();
     let keys = span().class("for-keys").child(words.drag_hint);

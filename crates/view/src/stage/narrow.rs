@@ -1,4 +1,4 @@
-//! Which windows have room for one plot only.
+//! Media query for narrow windows.
 
-/// A window with room for the scene and one plot: a phone, or a tablet held upright.
+/// A window with room for the scene and one plot: a phone, or a tablet in portrait orientation.
 pub const NARROW: &str = "(max-width: 1099px) and (orientation: portrait), (max-width: 719px), (max-height: 500px)";

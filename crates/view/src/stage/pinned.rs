@@ -1,13 +1,13 @@
-//! What the pins of a plot read.
+//! Texts of the pins of a plot.
 
-/// What the pins are called in the plot.
+/// Names of the pins in the plot.
 pub const LETTERS: [&str; 2] = ["A", "B"];
 
-/// The words of a plot's pins.
+/// Texts of the pins of a plot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pinned {
-    /// What each of them reads.
+    /// Read-out of each pin.
     pub(super) readings: Vec<String>,
-    /// How far the second is from the first.
+    /// Difference of the second pin from the first.
     pub(super) difference: String,
 }

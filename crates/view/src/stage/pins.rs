@@ -1,4 +1,4 @@
-//! Pinned read-outs: they stay when the pointer leaves or the finger lifts, and two of them are compared.
+//! Pinned read-outs: they stay when the pointer leaves, and two of them are compared.
 
 use super::pinned::{LETTERS, Pinned};
 use super::plot::with_plot;
@@ -7,10 +7,10 @@ use crate::views::*;
 use figure::{Point, Readout};
 use play::PlotId;
 
-/// So near to a pin, in CSS pixels, another press takes it away.
+/// Distance from a pin within which another press removes it, in CSS pixels.
 const NEAR: f32 = 12.0;
 
-/// Pins what lies at a pixel, or takes away the pin that is there.
+/// Pins the read-out at a pixel, or removes the pin that is there.
 pub fn press(app: App, id: PlotId, at: Point) {
     let near = |pin: &Readout| {
         app.read(|play| {
@@ -31,7 +31,7 @@ pub fn press(app: App, id: PlotId, at: Point) {
     }
 }
 
-/// Pins a read-out; of three the oldest goes.
+/// Pins a read-out. If the maximum is reached, the oldest pin is removed.
 pub fn pin(app: App, id: PlotId, readout: Readout) {
     let Some(readout) = app.read(|play| Some(play.own_samples(id, readout))) else { return };
     if readout.samples.is_empty() {
@@ -46,7 +46,7 @@ pub fn pin(app: App, id: PlotId, readout: Readout) {
     tell(app, id);
 }
 
-/// Takes all pins of a plot away. Whether there were any.
+/// Removes all pins of a plot. Returns true if there were any.
 pub fn clear(app: App, id: PlotId) -> bool {
     let any = with_plot(app, id, |plot| !std::mem::take(&mut plot.pins).is_empty()).unwrap_or_default();
     if any {
@@ -55,7 +55,7 @@ pub fn clear(app: App, id: PlotId) -> bool {
     any
 }
 
-/// Writes and says what the pins read.
+/// Updates and speaks the texts of the pins.
 fn tell(app: App, id: PlotId) {
     let Some((pins, pinned)) = with_plot(app, id, |plot| (plot.pins.clone(), plot.pinned)) else { return };
     let lines = |pin: &Readout| {
@@ -80,7 +80,7 @@ fn tell(app: App, id: PlotId) {
     app.wake();
 }
 
-/// The line below a plot with what is pinned in it.
+/// The line below a plot with its pinned read-outs.
 pub fn view(app: App, id: PlotId, pinned: Signal<Pinned>) -> View {
     changing(move || {
         let now = pinned.get_clone();

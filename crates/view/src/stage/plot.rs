@@ -1,4 +1,4 @@
-//! A plot's canvas: drawn when something in it has changed, in the size that its box has.
+//! Canvas of a plot: redrawn when its content has changed, in the size of its box.
 
 use super::brush::{Brush, Part};
 use super::canvas;
@@ -14,7 +14,7 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, ResizeObserver};
 
-/// A plot's canvas and what is drawn over the figure.
+/// Canvas of a plot, and overlays of the figure.
 pub struct PlotNodes {
     canvas: HtmlCanvasElement,
     context: CanvasRenderingContext2d,
@@ -23,31 +23,31 @@ pub struct PlotNodes {
     size: (f64, f64),
     scale: f64,
     decimal_comma: bool,
-    /// Whether it is in sight; what is not is drawn once, for those who print the page.
+    /// True if it is in sight. A plot out of sight is drawn only once, for printing.
     pub visible: bool,
-    /// Whether something other than the simulation has changed.
+    /// True if anything outside the simulation has changed.
     stale: bool,
     drawn: Option<play::Revision>,
-    /// The part of the time that was shown.
+    /// Selected part of the time axis when it was drawn last.
     part: Option<Part>,
-    /// Where the pointer reads.
+    /// Position of the read-out by pointer.
     pub pointer: Option<Point>,
-    /// What the keyboard's cursor reads.
+    /// Read-out of the keyboard cursor.
     pub cursor: Option<Readout>,
-    /// Read-outs that stay.
+    /// Pinned read-outs.
     pub pins: Vec<Readout>,
-    /// What is shown of them.
+    /// Texts of the pins.
     pub pinned: Signal<Pinned>,
-    /// What the pointers on the canvas are about.
+    /// State of the pointers on the canvas.
     pub gesture: Gesture,
     sight: Option<Sight>,
     observer: Option<ResizeObserver>,
-    /// Kept as long as the observer calls it.
+    /// Kept alive for the observer.
     _resized: Closure<dyn FnMut(js_sys::Array)>,
 }
 
 impl PlotNodes {
-    /// Draws again in the next frame, whether or not the simulation has changed.
+    /// Redraws in the next frame, even if the simulation is unchanged.
     pub fn invalidate(&mut self) {
         self.stale = true;
     }
@@ -57,7 +57,7 @@ impl PlotNodes {
         Settings { width, height, font_size, decimal_comma: self.decimal_comma }
     }
 
-    /// Takes the size of its box.
+    /// Adapts to the size of its box.
     fn fit(&mut self) {
         let (width, height) = (f64::from(self.canvas.client_width()), f64::from(self.canvas.client_height()));
         let scale = window().device_pixel_ratio().clamp(1.0, 4.0);
@@ -65,12 +65,12 @@ impl PlotNodes {
             (self.size, self.scale) = ((width, height), scale);
             self.canvas.set_width((width * scale).round() as u32);
             self.canvas.set_height((height * scale).round() as u32);
-            // That has emptied it.
+            // Resizing has cleared the canvas.
             self.drawn = None;
         }
     }
 
-    /// Draws the figure if anything in it has changed. Whether a further frame is to go on with it.
+    /// Draws the figure if its content has changed. Returns true if another frame is needed to complete it.
     pub fn draw(&mut self, id: PlotId, play: &mut Play, part: Option<Part>, colours: &Colours, font_size: f64) -> bool {
         let revision = play.revision();
         self.stale |= std::mem::replace(&mut self.part, part) != part;
@@ -105,7 +105,7 @@ impl PlotNodes {
         self.stale
     }
 
-    /// Shows what is read beside its place, above everything: a tip that lies in its card would be cropped by it.
+    /// Shows the read-out in a tooltip above everything else; inside the card it would be cropped.
     fn show_tip(&mut self, readout: Option<&Readout>) {
         let Some(readout) = readout.filter(|readout| !readout.samples.is_empty()) else {
             if std::mem::take(&mut self.tip_shown) {
@@ -123,7 +123,7 @@ impl PlotNodes {
         let canvas = self.canvas.get_bounding_client_rect();
         let (wide, high) = (f64::from(self.tip.offset_width()), f64::from(self.tip.offset_height()));
         let inner = |length: Result<JsValue, JsValue>| length.ok().and_then(|length| length.as_f64()).unwrap_or(0.0);
-        // On the side of the point where there is more room, and within the window.
+        // On the side of the point with more room, and within the window.
         let beside = if f64::from(at.x) > self.size.0 / 2.0 { -14.0 - wide } else { 14.0 };
         let left = (canvas.left() + f64::from(at.x) + beside)
             .clamp(4.0, (inner(window().inner_width()) - wide - 4.0).max(4.0));
@@ -142,12 +142,12 @@ impl Drop for PlotNodes {
     }
 }
 
-/// The brush of a plot, where the part is to be shown and the plot is one against time.
+/// Brush of a plot; `None` unless a part is selected and the abscissa is the independent variable.
 pub fn brush(play: &Play, id: PlotId, part: Option<Part>) -> Option<Brush<'_>> {
     Some(Brush { part: part?, figure: play.plot_figure(id)?, unit: play.unit_of_time_axis(id)? })
 }
 
-/// Tells the page which time is read at a pixel of a plot against time.
+/// Reports to the page the time at a pixel of a plot against time.
 pub fn look_at(app: App, id: PlotId, at: Point) {
     app.host().look_at(&mut || {
         app.read(|play| {
@@ -157,7 +157,7 @@ pub fn look_at(app: App, id: PlotId, at: Point) {
     });
 }
 
-/// Takes a canvas that has come into the page.
+/// Registers a canvas that has been added to the page.
 pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElement, pinned: Signal<Pinned>) {
     let Some(context) = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok()) else {
         return;
@@ -188,7 +188,7 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
         observer: observer.clone(),
         _resized: resized,
     };
-    // The observer tells the size when the page has been laid out; asking now would lay it out twice.
+    // The observer reports the size after layout; reading it now would force an extra layout.
     app.nodes(|all| {
         let plots = &mut all.plots;
         let place = id.place();
@@ -208,7 +208,7 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
     app.wake();
 }
 
-/// Works on a plot's nodes; it is drawn again afterwards.
+/// Calls `work` with the nodes of a plot, which is redrawn afterwards.
 pub fn with_plot<T>(app: App, id: PlotId, work: impl FnOnce(&mut PlotNodes) -> T) -> Option<T> {
     app.nodes(|nodes| {
         let plot = nodes.plots.get_mut(id.place())?.as_mut()?;

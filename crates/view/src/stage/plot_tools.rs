@@ -1,4 +1,4 @@
-//! A plot's toolbar: zoom, and a menu with what is saved of it and the full screen.
+//! Toolbar of a plot: zoom, and a menu with downloads and full screen.
 
 use super::{canvas, full_screen};
 use crate::app::App;
@@ -10,12 +10,12 @@ use play::PlotId;
 use wasm_bindgen::JsCast;
 use web_sys::{CanvasRenderingContext2d, Element, FocusEvent, HtmlCanvasElement, KeyboardEvent, Node};
 
-/// The size of a downloaded figure, in CSS pixels.
+/// Size of a downloaded figure, in CSS pixels.
 const SAVED: Settings = Settings { width: 960.0, height: 540.0, font_size: 16.0, decimal_comma: false };
-/// How many pixels of a downloaded PNG make one of those.
+/// Pixels of a downloaded PNG per CSS pixel.
 const SAVED_SCALE: f64 = 2.0;
 
-/// The toolbar of the plot that `figure` shows.
+/// Toolbar of the plot shown by the element `figure`.
 pub fn view(app: App, id: PlotId, figure: Element) -> HtmlDiv {
     let words = app.words();
     let automatic = move || app.plot(id).is_none_or(|plot| plot.automatic);
@@ -92,7 +92,7 @@ fn saved(app: App) -> Settings {
     Settings { decimal_comma: app.language.get_untracked().style().decimal_comma, ..SAVED }
 }
 
-/// `Phase portrait` as `phase-portrait`.
+/// File name from the title of a plot: `phase-portrait` for `Phase portrait`.
 fn file_name(app: App, id: PlotId, ending: &str) -> String {
     let title = app.plot(id).map(|plot| plot.title).unwrap_or_default();
     let title = String::from(js_sys::JsString::from(title).to_lower_case());
@@ -102,7 +102,7 @@ fn file_name(app: App, id: PlotId, ending: &str) -> String {
 
 fn save_svg(app: App, id: PlotId) {
     let settings = saved(app);
-    // On paper, whatever the theme of the screen is.
+    // Colours for paper, independent of the theme of the screen.
     let svg = app.read(|play| play.plot_svg(id, &settings, &figure::Palette::LIGHT));
     browser::save_text(&file_name(app, id, "svg"), "image/svg+xml", &svg);
 }

@@ -1,4 +1,4 @@
-//! The plots, and which of them are shown.
+//! The plots, with buttons to show and hide them.
 
 use super::pinned::Pinned;
 use super::pins;
@@ -8,7 +8,7 @@ use crate::views::*;
 use play::{PagePart, PlotId, PlotView};
 use web_sys::Element;
 
-/// All plots, and which of them are shown.
+/// All plots, with buttons to show and hide them.
 pub fn view(app: App) -> View {
     let words = app.words();
     let mut plots = app.read(|play| play.plots());
@@ -21,7 +21,7 @@ pub fn view(app: App) -> View {
         let id = plot.id;
         let turn = move |_| {
             let shown = app.plot(id).is_some_and(|plot| plot.shown);
-            // Where there is room for one plot alone, the buttons choose which.
+            // In a narrow window, the buttons select the only plot shown.
             let narrow = app.narrow.get_untracked();
             if narrow {
                 app.front_plot.set(Some(id));
@@ -55,7 +55,7 @@ pub fn view(app: App) -> View {
         .into()
 }
 
-/// Whether a plot is shown. Where there is room for one alone it is the chosen one, or else the first.
+/// True if a plot is shown. In a narrow window only the selected plot, by default the first.
 fn is_in_sight(app: App, id: PlotId) -> bool {
     app.changes.plots.track();
     let shown = app.read(|play| play.plots());
@@ -67,7 +67,7 @@ fn is_in_sight(app: App, id: PlotId) -> bool {
     front.or_else(|| shown.next().map(|plot| plot.id)) == Some(id)
 }
 
-/// How far a plot over the values of a parameter has come, which needs a run for each of them.
+/// Progress of a sweep plot, which needs a run for each parameter value.
 fn progress(app: App, id: PlotId) -> View {
     let runs = memo(move || {
         app.changes.values.track();

@@ -1,5 +1,5 @@
-//! A ruler on the scene: a line with two ends that are moved by pointer or by arrow keys. It reads the length that a handle of
-//! the scene gives to a unit of the drawing; a scene without such a handle has no ruler.
+//! A ruler on the scene: a line whose two ends are moved by pointer or arrow keys. It shows lengths in the scale of the
+//! drawing ([`Play::scene_scale`]); a scene without scale has no ruler.
 
 use crate::app::App;
 use crate::views::document;
@@ -11,7 +11,7 @@ use wasm_bindgen::closure::Closure;
 use web_sys::{Element, Event, KeyboardEvent, PointerEvent, SvgElement, SvgGraphicsElement};
 
 const SVG: &str = "http://www.w3.org/2000/svg";
-/// An arrow key moves an end by this part of the drawing's height, with Shift ten times as far.
+/// Step of an arrow key, as a fraction of the drawing height; ten times as large with Shift.
 const KEY_STEP: f64 = 0.005;
 
 /// The ruler in a scene.
@@ -22,7 +22,7 @@ pub struct Ruler {
 }
 
 impl Ruler {
-    /// Shows what it reads now: the scale of a drawing may follow its parameters.
+    /// Updates the length shown: the scale of a drawing may depend on parameters.
     pub fn draw(&self, play: &mut Play) {
         if let Ok(mut parts) = self.parts.try_borrow_mut() {
             parts.read(play);
@@ -36,26 +36,26 @@ impl Drop for Ruler {
     }
 }
 
-/// The nodes, and where the ends are in units of the drawing.
+/// Nodes of the ruler, and the positions of its ends in scene units.
 struct Parts {
     line: SvgElement,
     ends: Vec<SvgElement>,
     label: SvgElement,
     places: [(f64, f64); 2],
-    /// What it reads.
+    /// Text of the length shown.
     reading: String,
-    /// A pixel in units of the drawing, when the ruler was laid.
+    /// Size of a pixel in scene units when the ruler was created.
     pixel: f64,
 }
 
 impl Parts {
-    /// The length between the ends in units of the drawing.
+    /// Distance of the ends, in scene units.
     fn length(&self) -> f64 {
         let [(x, y), (to_x, to_y)] = self.places;
         ((x - to_x) * (x - to_x) + (y - to_y) * (y - to_y)).sqrt()
     }
 
-    /// Moves the nodes to their places.
+    /// Moves the nodes to their positions.
     fn place(&self) {
         let [(x, y), (to_x, to_y)] = self.places;
         let _ = self.line.set_attribute("d", &format!("M{x:.2} {y:.2}L{to_x:.2} {to_y:.2}"));
@@ -68,7 +68,7 @@ impl Parts {
         let _ = self.label.set_attribute("y", &format!("{:.2}", (y + to_y) / 2.0));
     }
 
-    /// Writes the length in words, where it differs.
+    /// Updates the text of the length if it has changed.
     fn read(&mut self, play: &mut Play) {
         let reading = play.scene_length(self.length()).unwrap_or_default();
         if reading != self.reading {
@@ -81,14 +81,14 @@ impl Parts {
     }
 }
 
-/// Lays a ruler on the drawing.
+/// Puts a ruler on the drawing.
 pub fn lay(app: App, root: &SvgGraphicsElement) -> Option<Ruler> {
     let area = root.get_attribute("viewBox")?;
     let area: Vec<f64> = area.split([' ', ',']).filter_map(|number| number.parse().ok()).collect();
     let [left, top, width, height] = *area.as_slice() else { return None };
     let group = make("g", &[("part", "ruler")])?;
     let line = make("path", &[("fill", "none"), ("stroke", "currentColor"), ("stroke-width", "2")])?;
-    // As large as a finger needs it, whatever the units of the drawing are.
+    // Sized for a finger, independently of the units of the drawing.
     let pixel = 1.0 / root.get_screen_ctm().map_or(1.0, |matrix| f64::from(matrix.d()).max(1e-6));
     let label = make("text", &[("fill", "currentColor"), ("font-weight", "600"), ("part", "ruler-label")])?;
     let _ = label.set_attribute("font-size", &format!("{:.2}", 14.0 * pixel));
@@ -138,7 +138,7 @@ fn make(name: &str, attributes: &[(&str, &str)]) -> Option<SvgElement> {
     Some(node)
 }
 
-/// Lets an end follow pointer and keys.
+/// Makes an end follow pointer and keys.
 fn follow(
     app: App,
     parts: &Rc<RefCell<Parts>>,
@@ -166,7 +166,7 @@ fn follow(
             *take.borrow_mut() = Some((f64::from(event.client_x()), f64::from(event.client_y())));
         }),
     );
-    // A finger on the end does not scroll the page.
+    // A finger on the end must not scroll the page.
     listen(
         "touchstart",
         Box::new(|event| {
@@ -216,7 +216,7 @@ fn follow(
     );
 }
 
-/// Moves an end on.
+/// Moves an end by a displacement in scene units.
 fn shift(app: App, parts: &Rc<RefCell<Parts>>, number: usize, by: (f64, f64)) {
     let mut parts = parts.borrow_mut();
     if let Some(place) = parts.places.get_mut(number) {

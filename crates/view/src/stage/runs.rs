@@ -1,4 +1,4 @@
-//! Kept runs: drawn behind the present one, shown, hidden, removed.
+//! Kept runs, drawn behind the present one: show, hide, remove.
 
 use super::legend;
 use crate::app::App;
@@ -6,7 +6,7 @@ use crate::icons;
 use crate::views::*;
 use play::Play;
 
-/// Keeps the run as it is.
+/// Button that keeps the present run.
 pub fn keep_button(app: App) -> HtmlButton {
     let words = app.words();
     let keep = move |_| {
@@ -17,13 +17,13 @@ pub fn keep_button(app: App) -> HtmlButton {
     labelled(icons::keep(), words.keep).id("keep").title(words.keep_title).when(events::click, keep)
 }
 
-/// The list of kept runs and the ghost; nothing while there are none.
+/// List of kept runs and the ghost; empty if there are none.
 pub fn list(app: App) -> View {
     let kept = memo(move || {
         app.changes.runs.track();
         app.read(|play| play.kept())
     });
-    // The list is rebuilt only where a line was added or removed: hiding a run keeps the focus on its box.
+    // Rebuilt only if an entry was added or removed, so that hiding a run keeps the focus on its check box.
     let lines = memo(move || {
         let named =
             kept.with(|kept| kept.iter().map(|run| (run.id, run.name.clone(), run.pattern)).collect::<Vec<_>>());
@@ -56,12 +56,12 @@ pub fn list(app: App) -> View {
     })
 }
 
-/// The button that takes a run away.
+/// Button that removes a run.
 fn remove(app: App, name: &str, remove: impl Fn(&mut Play) + 'static) -> HtmlButton {
     let label = format!("{}: {name}", app.words().remove_run);
     let remove = move |_| {
         app.act(&remove);
-        // The button is gone; the focus goes where the next run is kept.
+        // The button no longer exists; the focus moves to the button that keeps runs.
         crate::browser::focus("keep");
     };
     cross(label).when(events::click, remove)

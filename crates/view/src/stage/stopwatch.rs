@@ -1,11 +1,11 @@
-//! A stopwatch for the time of the simulation: it goes as fast as the run does, and stands while the run stands.
+//! A stopwatch in the time of the simulation: it stops when the run is paused.
 
 use crate::app::App;
 use crate::icons;
 use crate::views::*;
 use play::Play;
 
-/// The time that has been stopped, and since when it goes on.
+/// Accumulated time, and the time of the last start while it is running, SI.
 #[derive(Clone, Copy, Default, PartialEq)]
 struct Watch {
     held: f64,
@@ -13,7 +13,7 @@ struct Watch {
 }
 
 impl Watch {
-    /// A run that begins again behind the moment of starting adds nothing.
+    /// Elapsed time at `now`, SI. If the run was set back before the time of the start, nothing is added.
     fn elapsed(self, now: f64) -> f64 {
         self.held + self.since.map_or(0.0, |since| (now - since).max(0.0))
     }

@@ -1,4 +1,4 @@
-//! A cell: a field with the text that stands at its place in the document.
+//! A cell: a field for the text at its place in the document.
 
 use super::fault;
 use super::forms::{Forms, Refusal};
@@ -9,12 +9,12 @@ use document::form::CellKind;
 use view::views::*;
 use web_sys::{Event, HtmlInputElement};
 
-/// The id of a field.
+/// Id of a field.
 pub fn id(number: usize, kind: CellKind) -> String {
     format!("cell-{number}-{kind:?}").to_lowercase()
 }
 
-/// What a field of any kind needs: its text, what happens when it is typed into, whether something is wrong with it.
+/// Common behaviour of all fields: text, writing, error state.
 struct Behaviour {
     forms: Forms,
     number: usize,
@@ -42,7 +42,7 @@ impl Behaviour {
         }
     }
 
-    /// Writes what was typed into the document.
+    /// Writes typed text into the document.
     fn write(&self, typed: &str) {
         let Self { forms, number, kind, refusal } = *self;
         let written = if kind == CellKind::Name {
@@ -55,7 +55,7 @@ impl Behaviour {
     }
 }
 
-/// Explains what the cursor of a field is on.
+/// Shows the help for the word under the cursor of a field.
 fn explains<E: Build>(own: &Behaviour, node: HtmlInputElement, field: E) -> E {
     let Behaviour { forms, number, kind, .. } = *own;
     let look = move || {
@@ -69,7 +69,7 @@ fn explains<E: Build>(own: &Behaviour, node: HtmlInputElement, field: E) -> E {
         .when(events::click, move |_| pressed())
 }
 
-/// A field in one line, with its name for those who do not see the table around it. A name is changed everywhere, once it is complete.
+/// A single-line field with its accessible name. A changed name is replaced everywhere, once complete.
 pub fn field(
     forms: Forms,
     number: usize,
@@ -103,7 +103,7 @@ pub fn lines(forms: Forms, number: usize, name: String, refusal: Refusal) -> Htm
     let own = Behaviour { forms, number, kind, refusal };
     let (text, is_wrong) = (own.text(), own.is_wrong());
     let mut field = textarea().class("cell lines").id(id(number, kind));
-    // Its methods are those of an input of one line, as far as they are needed here.
+    // The methods used here are the same as for a single-line input.
     let node: HtmlInputElement = field.node();
     follow(node.clone(), text);
     let rows = move || text.with(|text| (text.lines().count() + 1).to_string());
@@ -118,7 +118,7 @@ pub fn lines(forms: Forms, number: usize, name: String, refusal: Refusal) -> Htm
         .when(events::input, move |event| own.write(&value_of(&event)))
 }
 
-/// On and off.
+/// Selection between on and off.
 pub fn switch_field(forms: Forms, number: usize, name: impl Fn() -> String + 'static, refusal: Refusal) -> HtmlSelect {
     let own = Behaviour { forms, number, kind: CellKind::Value, refusal };
     let text = own.text();
@@ -135,7 +135,7 @@ pub fn switch_field(forms: Forms, number: usize, name: impl Fn() -> String + 'st
         .when(events::change, move |event| own.write(&value_of(&event)))
 }
 
-/// While a statement is typed it keeps its place in the form, whatever it becomes on the way.
+/// While a statement is being typed, it keeps its place in the form, even if its kind changes.
 fn rests<E: Build>(forms: Forms, field: E) -> E {
     field.when(events::focus, move |_| forms.typing.set(true)).when(events::blur, move |_| forms.typing.set(false))
 }

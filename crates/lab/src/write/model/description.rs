@@ -1,4 +1,4 @@
-//! What the front matter says of the document: its title and texts for lists of documents, and how its run is computed.
+//! Form of the front matter: title and texts for lists of documents, and settings of the run.
 
 use crate::app::App;
 use crate::write::fields::{Piece, Write, refuse};
@@ -7,7 +7,7 @@ use document::edit::set_front_matter;
 use program::Method;
 use view::views::*;
 
-/// The form.
+/// Form of the front matter.
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     let texts = [
@@ -43,7 +43,7 @@ pub fn view(app: App) -> HtmlDiv {
         .child(run)
 }
 
-/// The value of a key as it stands in the text; empty without one.
+/// Present value of a key in the text; empty if it is missing.
 fn value_in(app: App, key: &'static str) -> ReadSignal<String> {
     memo(move || {
         app.typed.track();
@@ -54,7 +54,7 @@ fn value_in(app: App, key: &'static str) -> ReadSignal<String> {
     })
 }
 
-/// What gives the key another value, or removes it.
+/// Function that sets the value of a key, or removes the key if the value is empty.
 fn setting(app: App, key: &'static str) -> Write {
     Box::new(move |typed| {
         let typed = typed.trim();
@@ -64,7 +64,7 @@ fn setting(app: App, key: &'static str) -> Write {
     })
 }
 
-/// A field. Its line in the text stays while it is empty and typed into, so that the order of the keys does.
+/// A field. Its line in the text stays while the field is empty and focused, so that the order of the keys is kept.
 fn line(app: App, key: &'static str, name: &'static str, example: &'static str) -> HtmlDiv {
     let refusal = create_signal(None::<String>);
     let (write, remove) = (setting(app, key), setting(app, key));
@@ -89,7 +89,7 @@ fn line(app: App, key: &'static str, name: &'static str, example: &'static str) 
         .child(refusal_of(refusal))
 }
 
-/// A list of values, with what stands in the text besides.
+/// A list of values, including the present one if it is not in the list.
 fn chosen(app: App, key: &'static str, name: &'static str, values: Vec<(&'static str, &'static str)>) -> HtmlDiv {
     let refusal = create_signal(None::<String>);
     let (text, write) = (value_in(app, key), setting(app, key));

@@ -1,33 +1,33 @@
-//! What was found in the statements of the model.
+//! Diagnostics of the statements of the model.
 
 use crate::app::App;
 use document::form::{CellKind, places};
 use model::{Diagnostic, Severity};
 use view::views::*;
 
-/// A finding with its cell.
+/// A diagnostic with its cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
-    /// The number of its statement in the form.
+    /// Index of its statement in the form.
     pub part: usize,
     cell: CellKind,
-    /// What was found.
+    /// The diagnostic.
     pub found: Diagnostic,
 }
 
 impl Fault {
-    /// Whether it is in this cell.
+    /// True if it belongs to this cell.
     pub fn is_of(&self, number: usize, kind: CellKind) -> bool {
         self.part == number && (self.cell == kind || kind == CellKind::Text)
     }
 
-    /// Whether it keeps the document from running.
+    /// True if it prevents the document from running.
     pub fn is_error(&self) -> bool {
         self.found.severity == Severity::Error
     }
 }
 
-/// The findings that lie in statements of the model, as the last check left them.
+/// Diagnostics in statements of the model, from the last check.
 pub fn of(app: App) -> ReadSignal<Vec<Fault>> {
     memo(move || {
         app.written.track();
@@ -46,13 +46,13 @@ pub fn of(app: App) -> ReadSignal<Vec<Fault>> {
     })
 }
 
-/// Which findings in a text are shown beside a statement.
+/// Returns a predicate: true for diagnostics that are shown beside a statement.
 pub fn beside(text: &str) -> impl Fn(&Diagnostic) -> bool {
     let form = places(&document::read(text));
     move |found| form.at(found.span().start).is_some()
 }
 
-/// The id of what is said of a statement.
+/// Id of the element with the diagnostics of a statement.
 pub fn id(number: usize) -> String {
     format!("faults-{number}")
 }

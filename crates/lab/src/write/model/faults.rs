@@ -1,4 +1,4 @@
-//! What is wrong with a statement, beside it.
+//! Diagnostics beside a statement.
 
 use super::cell;
 use super::fault::id;
@@ -10,7 +10,7 @@ use document::form::places;
 use model::Fix;
 use view::views::*;
 
-/// What is wrong with a statement, with its remedies, and why its last change was refused.
+/// Diagnostics of a statement with their remedies, and the reason why its last change was refused.
 pub fn view(forms: Forms, number: usize, refusal: Refusal) -> HtmlDiv {
     let own = memo(move || {
         forms.faults.with(|faults| {
@@ -27,7 +27,7 @@ pub fn view(forms: Forms, number: usize, refusal: Refusal) -> HtmlDiv {
         .child(p().class("refusal").role("alert").child(text(refused)))
 }
 
-/// The id of the cell that a remedy has changed or added.
+/// Id of the cell that a remedy has changed or added.
 fn changed_cell(app: App, fix: &Fix) -> String {
     let text = typing::text(app, 0);
     let form = places(&document::read(&text));
@@ -39,7 +39,7 @@ fn changed_cell(app: App, fix: &Fix) -> String {
     place.map_or_else(String::new, |(number, kind)| cell::id(number, kind))
 }
 
-/// Whether there is anything to say of a statement.
+/// Signal that is true if there are diagnostics or a refusal for a statement.
 pub fn any(forms: Forms, number: usize, refusal: Refusal) -> ReadSignal<bool> {
     memo(move || {
         refusal.with(Option::is_some) || forms.faults.with(|faults| faults.iter().any(|fault| fault.part == number))

@@ -1,22 +1,22 @@
-//! What the views of the forms share.
+//! Data shared by the views of the forms.
 
 use super::fault::Fault;
 use crate::app::App;
 use document::form::{CellKind, Form};
 use view::views::*;
 
-/// What the views of the forms share.
+/// Data shared by the views of the forms.
 #[derive(Clone, Copy)]
 pub struct Forms {
-    /// The laboratory.
+    /// Handle of the laboratory.
     pub app: App,
-    /// The document as it stands in the editor.
+    /// The document in the editor, as a form.
     pub form: ReadSignal<Form>,
-    /// What was found in it when it was checked last.
+    /// Diagnostics of the last check.
     pub faults: ReadSignal<Vec<Fault>>,
-    /// Whether the text of a statement is being typed.
+    /// True while the text of a statement is being typed.
     pub typing: Signal<bool>,
 }
 
-/// Why the last change of a part was refused.
+/// Reason why the last change of a cell was refused, with the cell.
 pub type Refusal = Signal<Option<(CellKind, String)>>;

@@ -1,5 +1,5 @@
-//! The model of the document as forms: its description, parameters and initial values in tables, equations beside their typeset form, events, choices
-//! and tables as cards. Each cell changes its place in the text.
+//! The model of the document as forms: description, tables of parameters and initial values, equations beside their
+//! typeset form, and cards for events, choices and tables. Each cell changes its place in the text.
 
 mod cell;
 mod description;
@@ -22,7 +22,7 @@ use view::browser;
 use view::icons;
 use view::views::*;
 
-/// The forms.
+/// Panel of the model.
 pub fn view(app: App) -> View {
     let form = memo(move || {
         app.typed.track();
@@ -52,7 +52,7 @@ pub fn view(app: App) -> View {
     View::from((typing::undo_buttons(app), description::view(app), changing(sections)))
 }
 
-/// A heading with what stands under it, and a button that adds more.
+/// A section: heading, content, and a button that adds a statement.
 fn section_of(forms: Forms, section: Section, parts: Vec<(usize, Shape)>) -> HtmlSection {
     let id = format!("form-{section:?}").to_lowercase();
     let is_row = |shape: &Shape| shape.cells.first() != Some(&CellKind::Text);
@@ -80,7 +80,7 @@ fn add_button(forms: Forms, section: Section) -> HtmlButton {
     labelled(icons::plus(), name).when(events::click, move |_| add(forms, section))
 }
 
-/// Adds a statement of a section, and leads to it.
+/// Adds a statement to a section and moves the focus to it.
 fn add(forms: Forms, section: Section) {
     let app = forms.app;
     let text = typing::text(app, 0);

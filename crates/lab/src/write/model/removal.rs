@@ -1,4 +1,4 @@
-//! Statements are removed.
+//! Removal of statements.
 
 use super::cell;
 use super::forms::Forms;
@@ -9,7 +9,7 @@ use view::browser;
 use view::icons;
 use view::views::*;
 
-/// Removes a statement; the focus goes to its heading's button.
+/// Removes a statement; the focus moves to the button of its section.
 fn remove(forms: Forms, number: usize) {
     let app = forms.app;
     let text = typing::text(app, 0);
@@ -28,7 +28,7 @@ fn remove(forms: Forms, number: usize) {
     }
 }
 
-/// The cross that removes a statement.
+/// Button that removes a statement.
 pub fn remove_button(forms: Forms, number: usize) -> HtmlButton {
     let name = memo(move || {
         forms.form.with(|form| {

@@ -1,29 +1,29 @@
-//! What decides how the forms look, apart from what stands in the cells.
+//! Structure of the forms, without the contents of their cells.
 
 use crate::app::App;
 use document::form::{CellKind, Part, Section};
 
-/// What the views are built for. While a text is typed it stays, so that what is typed into stays where it is.
+/// Structure of the views of a statement. It is kept while a text is being typed, so that the field stays in place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// Its heading.
+    /// Section of the statement.
     pub section: Section,
-    /// The word with which its row begins.
+    /// Keyword at the start of its row.
     pub word: String,
-    /// What can be edited.
+    /// Editable cells.
     pub cells: Vec<CellKind>,
-    /// Whether it has several lines.
+    /// True if it has several lines.
     pub has_lines: bool,
 }
 
-/// The shape of a statement.
+/// Structure of a statement.
 pub fn shape(part: &Part) -> Shape {
     let cells = part.cells.iter().map(|cell| cell.kind).collect();
     let has_lines = part.section > Section::Equations || part.whole.text.contains('\n');
     Shape { section: part.section, word: part.word.clone(), cells, has_lines }
 }
 
-/// What a section is called.
+/// Title of a section.
 pub fn title(app: App, section: Section) -> &'static str {
     let words = app.words();
     match section {

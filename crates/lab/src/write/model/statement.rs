@@ -1,4 +1,4 @@
-//! A statement as its text, with its typeset form.
+//! A statement as text, with its typeset form.
 
 use super::cell::{field, lines};
 use super::faults;
@@ -7,7 +7,7 @@ use super::removal::remove_button;
 use document::form::CellKind;
 use view::views::*;
 
-/// An equation or definition in one line, anything else as a card of several.
+/// A single line for an equation or definition; otherwise a card with several lines.
 pub fn view(forms: Forms, number: usize, has_lines: bool) -> HtmlDiv {
     let refusal = create_signal(None);
     let name = format!("{} {}", forms.app.words().form_statement, number + 1);

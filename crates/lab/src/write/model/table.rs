@@ -1,4 +1,4 @@
-//! Parameters and initial values: a row for each, or a card where there is no room for a row.
+//! Parameters and initial values: a row for each, or a card if the window is narrow.
 
 use super::cell::{field, switch_field};
 use super::faults;
@@ -9,7 +9,7 @@ use crate::app::App;
 use document::form::{CellKind, Section};
 use view::views::*;
 
-/// The columns of a section.
+/// Columns of a section.
 fn columns(section: Section) -> &'static [CellKind] {
     use CellKind::{Label, Name, Range, Step, Unit, Value};
     if section == Section::InitialValues {
@@ -34,7 +34,7 @@ fn title(app: App, section: Section, kind: CellKind) -> &'static str {
     }
 }
 
-/// The table. What it is in words for screen readers stays where the rows are laid out as cards.
+/// The table. Explicit roles keep it a table for screen readers if the rows are laid out as cards.
 pub fn view(forms: Forms, section: Section, rows: Vec<(usize, Shape)>) -> HtmlTable {
     let columns = columns(section);
     let head = tr()
@@ -88,7 +88,7 @@ fn row(forms: Forms, section: Section, number: usize, shape: &Shape) -> View {
         let is_switch = shape.word == "switch" && *kind == CellKind::Value;
         let field: View = match is_switch {
             true => switch_field(forms, number, name, refusal).into(),
-            // Where the table is narrow, the column of the labels has no head.
+            // If the table is narrow, the column of the labels has no heading.
             false if *kind == CellKind::Label => {
                 field(forms, number, *kind, name, refusal).attr("placeholder", title).into()
             }

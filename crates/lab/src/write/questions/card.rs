@@ -1,4 +1,4 @@
-//! A question with all that its readers see sooner or later, each part in a field.
+//! A question with all texts that its readers can see, each in a field.
 
 use crate::app::App;
 use crate::write::fields::Piece;
@@ -10,32 +10,32 @@ use program::QuestionText;
 use view::browser;
 use view::views::*;
 
-/// The parts that have a field in every question.
+/// Parts that have a field in every question.
 pub const ALWAYS: [QuestionPart; 4] =
     [QuestionPart::Prompt, QuestionPart::Answer, QuestionPart::Hint, QuestionPart::Explanation];
 
-/// What the cards share.
+/// Data shared by the cards.
 #[derive(Clone, Copy)]
 pub struct Questions {
-    /// The laboratory.
+    /// Handle of the laboratory.
     pub app: App,
-    /// The questions as they are written.
+    /// Questions as written in the text.
     pub all: ReadSignal<Vec<Asked>>,
-    /// As their readers see them, with the answer that is right at present; those that have an error are missing.
+    /// Questions as shown to readers, with the present right answer; questions with errors are missing.
     pub shown: ReadSignal<Vec<(QuestionText, String)>>,
-    /// What was found in them.
+    /// Diagnostics: (question index, diagnostic).
     pub faults: ReadSignal<Vec<(usize, Diagnostic)>>,
 }
 
 impl Questions {
-    /// What readers see of a question. Where one has an error, the numbers of the others are not certain.
+    /// Question as shown to readers. `None` if any question has an error, because the indices may then differ.
     fn shown(self, number: usize) -> Option<(QuestionText, String)> {
         let is_whole = self.all.with(Vec::len) == self.shown.with(Vec::len);
         self.shown.with(|shown| shown.get(number).filter(|_| is_whole).cloned())
     }
 }
 
-/// The card.
+/// Card of a question.
 pub fn view(questions: Questions, number: usize, parts: Vec<QuestionPart>) -> HtmlLi {
     let Questions { app, faults, .. } = questions;
     let words = app.words();
@@ -74,7 +74,7 @@ pub fn view(questions: Questions, number: usize, parts: Vec<QuestionPart>) -> Ht
         .child(div().class("faults").child(briefs::view(app, found, move |_| heading.clone())))
 }
 
-/// A part in its field, under its name; the value of the answer beside that.
+/// Field of a part with its label; for the answer also its value.
 fn field(questions: Questions, number: usize, part: QuestionPart, refusal: Signal<Option<String>>) -> HtmlDiv {
     let Questions { app, all, .. } = questions;
     let name = name(app, part);
@@ -113,7 +113,7 @@ fn name(app: App, part: QuestionPart) -> &'static str {
     }
 }
 
-/// Removes a question, from the translations too.
+/// Removes a question, also from the translations.
 fn remove(app: App, number: usize) {
     match typing::change_all(app, |outline, translations| remove_question(outline, number, translations)) {
         Ok(()) => browser::focus_later("new-question".to_owned()),

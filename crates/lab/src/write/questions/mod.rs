@@ -1,4 +1,4 @@
-//! The teacher's view of the questions: all of them with their answers, hints and what they hide, and a way to add one.
+//! Teacher's view of the questions: all questions with answers, hints and hidden values, and a form for a new one.
 
 mod card;
 mod new_question;
@@ -10,7 +10,7 @@ use document::{Asked, QuestionPart, asked};
 use model::Diagnostic;
 use view::views::*;
 
-/// The panel.
+/// Panel of the questions.
 pub fn view(app: App) -> View {
     let all = memo(move || {
         app.typed.track();
@@ -41,7 +41,8 @@ pub fn view(app: App) -> View {
         })
     });
     let questions = Questions { app, all, shown, faults };
-    // Which fields there are; what stands in them changes inside them. One that is emptied stays until another question comes or goes.
+    // Determines the fields; their contents change inside them. An emptied field stays until a question is added or
+    // removed.
     let mut last: Vec<Vec<QuestionPart>> = Vec::new();
     let shapes = memo(move || {
         let parts = |one: &Asked| {

@@ -1,4 +1,4 @@
-//! A form that adds a question which the model answers.
+//! Form for a new question whose answer is computed by the model.
 
 use crate::app::App;
 use crate::write::fields::{named, new_line};
@@ -10,7 +10,7 @@ use view::icons;
 use view::views::*;
 use web_sys::{HtmlInputElement, HtmlSelectElement, HtmlTextAreaElement, SubmitEvent};
 
-/// A question is added: its prompt, a quantity that answers it, how exact.
+/// The form: prompt, quantity of the answer, tolerance.
 pub fn view(app: App) -> View {
     let words = app.words();
     let open = create_signal(false);

@@ -1,19 +1,19 @@
-//! What the views of the plots share.
+//! Data shared by the views of the plots.
 
 use crate::app::App;
 use document::form::PlotPart;
 use model::Diagnostic;
 use view::views::*;
 
-/// What the views of the plots share.
+/// Data shared by the views of the plots.
 #[derive(Clone, Copy)]
 pub struct Plots {
-    /// The laboratory.
+    /// Handle of the laboratory.
     pub app: App,
-    /// The plots as they stand in the editor.
+    /// Plots of the document in the editor.
     pub all: ReadSignal<Vec<PlotPart>>,
-    /// What was found in them when the document was checked last, each with the number of its plot.
+    /// Diagnostics of the last check: (plot index, diagnostic).
     pub faults: ReadSignal<Vec<(usize, Diagnostic)>>,
-    /// Whether the text of a whole plot is being typed.
+    /// True while the text of a whole plot is being typed.
     pub typing: Signal<bool>,
 }

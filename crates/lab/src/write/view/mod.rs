@@ -1,4 +1,4 @@
-//! What readers see of the document: its drawing, its plots, and the order of controls and values.
+//! Forms of the views of a document: its drawing, its plots, and the order of controls and values.
 
 mod drawing;
 mod forms;
@@ -11,7 +11,7 @@ use super::typing;
 use crate::app::App;
 use view::views::*;
 
-/// The panel.
+/// Panel with these forms.
 pub fn view(app: App) -> View {
     let words = app.words();
     let section = |id: &'static str, title: &'static str, content: HtmlDiv| {

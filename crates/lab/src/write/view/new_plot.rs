@@ -1,4 +1,4 @@
-//! A plot is added: what it draws, against what, and its title.
+//! Form for a new plot: quantity, abscissa, title.
 
 use crate::app::App;
 use crate::write::fields::{named, new_line, refuse};
@@ -10,7 +10,7 @@ use view::icons;
 use view::views::*;
 use web_sys::{HtmlInputElement, HtmlSelectElement, SubmitEvent};
 
-/// The button and the form.
+/// Button and form.
 pub fn view(app: App) -> View {
     let words = app.words();
     let open = create_signal(false);
@@ -34,7 +34,7 @@ pub fn view(app: App) -> View {
         event.prevent_default();
         let (curves, across, title) = &nodes;
         let name = curves.value();
-        // Without a title of its author's a plot is called as what it draws.
+        // Without a title from the author, the plot is named after its quantity.
         let label =
             drawn.with_untracked(|all| all.iter().find(|(own, _)| *own == name).and_then(|(_, label)| label.clone()));
         let given = Some(title.value()).filter(|title| !title.trim().is_empty());

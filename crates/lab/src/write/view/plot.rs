@@ -1,4 +1,4 @@
-//! One plot: its title, what it draws against what and how, its place among the others.
+//! Form of a plot: its title, quantities, abscissa and style, and its place among the plots.
 
 use super::forms::Plots;
 use crate::write::fields::{Piece, named, refuse};
@@ -9,12 +9,12 @@ use view::browser;
 use view::icons;
 use view::views::*;
 
-/// The id of a part of a plot.
+/// Id of a part of a plot.
 fn id(number: usize, part: &str) -> String {
     format!("plot-form-{number}-{part}")
 }
 
-/// The card of a plot with the cells that it has.
+/// Card of a plot with its cells.
 pub fn view(plots: Plots, number: usize, count: usize, cells: &[PlotCell]) -> HtmlLi {
     let words = plots.app.words();
     let refusal = create_signal(None::<String>);
@@ -88,7 +88,7 @@ fn write(plots: Plots, number: usize, kind: PlotCell, typed: &str) -> Result<(),
     typing::change(plots.app, 0, &text, |outline| set_plot(outline, number, kind, typed)).map(|_| ())
 }
 
-/// The quantities that can be drawn, as the program that runs has them.
+/// Quantities of the running program that can be plotted: (name, label).
 fn quantities(plots: Plots, with_independent: bool) -> ReadSignal<Vec<(String, Option<String>)>> {
     let app = plots.app;
     memo(move || {
@@ -97,7 +97,7 @@ fn quantities(plots: Plots, with_independent: bool) -> ReadSignal<Vec<(String, O
     })
 }
 
-/// A list from which a further quantity is chosen.
+/// List for adding a quantity.
 fn adding(plots: Plots, number: usize, name: String, refusal: Signal<Option<String>>) -> HtmlSelect {
     let names = quantities(plots, false);
     let title = plots.app.words().plot_add_curve;
@@ -127,7 +127,7 @@ fn adding(plots: Plots, number: usize, name: String, refusal: Signal<Option<Stri
         .when(events::change, add)
 }
 
-/// How it is drawn.
+/// Choice of the style.
 fn kinds(plots: Plots, number: usize, name: String, refusal: Signal<Option<String>>) -> HtmlSelect {
     let words = plots.app.words();
     let text = text_of(plots, number, PlotCell::Kind);
@@ -143,7 +143,7 @@ fn kinds(plots: Plots, number: usize, name: String, refusal: Signal<Option<Strin
     select().class("cell").id(own).attr("aria-label", name).each(all, choice).when(events::change, set)
 }
 
-/// The buttons that move and remove it.
+/// Buttons that move and remove the plot.
 fn order(plots: Plots, number: usize, count: usize) -> HtmlDiv {
     let (app, words) = (plots.app, plots.app.words());
     let title = text_of(plots, number, PlotCell::Title).get_clone_untracked();
@@ -175,7 +175,7 @@ fn order(plots: Plots, number: usize, count: usize) -> HtmlDiv {
         .child(cross(format!("{} {title}", words.remove_statement)).when(events::click, remove))
 }
 
-/// What is wrong with it, with remedies.
+/// Diagnostics of the plot, with remedies.
 fn faults(plots: Plots, number: usize) -> HtmlDiv {
     let own = memo(move || {
         plots.faults.with(|all| {

@@ -1,4 +1,4 @@
-//! The plots of the document, one card for each.
+//! Plots of the document, one card each.
 
 use super::forms::Plots;
 use super::{new_plot, plot};
@@ -8,7 +8,7 @@ use document::form::{PlotCell, PlotPart, plots};
 use model::Diagnostic;
 use view::views::*;
 
-/// The plots of the document.
+/// Cards of all plots.
 pub fn view(app: App) -> HtmlDiv {
     let all = memo(move || {
         app.typed.track();
@@ -30,7 +30,7 @@ pub fn view(app: App) -> HtmlDiv {
     });
     let shared = Plots { app, all, faults, typing: create_signal(false) };
     let mut last: Vec<Vec<PlotCell>> = Vec::new();
-    // The cells for which the views are built. While a whole plot is typed they stay, so that its field does.
+    // Cells for which the views are built. They are kept while a whole plot is being typed, so that its field stays.
     let shapes = memo(move || {
         let cells = |part: &PlotPart| part.cells.iter().map(|(kind, ..)| *kind).collect();
         let now: Vec<Vec<PlotCell>> = shared.all.with(|all| all.iter().map(cells).collect());

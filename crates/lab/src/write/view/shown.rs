@@ -1,4 +1,4 @@
-//! The controls and the values: their labels, their order, and which values are shown.
+//! Controls and values: labels, order, and which values are shown.
 
 use crate::app::App;
 use crate::write::fields::{Piece, refuse};
@@ -9,17 +9,17 @@ use view::browser;
 use view::icons;
 use view::views::*;
 
-/// The controls.
+/// List of the controls.
 pub fn controls(app: App) -> HtmlDiv {
     list(app, &[Place::Size, Place::Parameter], app.words().controls_none, Some(add_button))
 }
 
-/// The values.
+/// List of the values.
 pub fn values(app: App) -> HtmlDiv {
     list(app, &[Place::Unknown, Place::Computed], app.words().values_none, None)
 }
 
-/// The button that begins a group of controls; the focus goes to its name.
+/// Button that adds a group of controls and moves the focus to its name.
 fn add_button(app: App) -> HtmlButton {
     let add = move |_| {
         let text = typing::text(app, 0);
@@ -43,7 +43,7 @@ fn list(app: App, places: &'static [Place], none: &'static str, below: Option<fn
         app.written.track();
         shown(&document::read(&typing::text(app, 0)))
     });
-    // What decides which rows there are; the rest changes inside them.
+    // Determines the rows; everything else changes inside them.
     let shapes = memo(move || {
         let shape = |one: &Shown| (one.number, one.place, one.is_group, one.name.clone());
         all.with(|all| all.iter().map(shape).collect::<Vec<_>>())
@@ -67,7 +67,7 @@ fn list(app: App, places: &'static [Place], none: &'static str, below: Option<fn
     div().child(changing(rows))
 }
 
-/// Name, label, whether it is shown, and the buttons that exchange it with the one before and the one after; a group can be removed.
+/// Row: name, label, visibility, and buttons that swap it with its neighbours; a group can be removed.
 fn row(
     app: App,
     all: ReadSignal<Vec<Shown>>,

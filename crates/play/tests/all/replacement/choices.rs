@@ -1,4 +1,4 @@
-//! What a person has chosen, kept and answered while the program is replaced.
+//! The user's choices, kept runs and answers when the program is replaced.
 
 use super::{dropped, edited, fresh, swinging};
 use crate::support::{UTUBE, UTUBE_ES, go_on, open, set, utube};
@@ -21,7 +21,7 @@ fn a_method_and_a_step_that_were_chosen_stay_and_others_are_the_documents() {
     play.replace_program(open(first_order, &[]).program().clone());
     assert_eq!((play.step(), play.course().begun().method.name(), play.time()), (0.1, "rk4", 1.0));
     assert_eq!(dropped(&mut play), ["velocity Verlet"]);
-    // Against a length there is no time to keep.
+    // The abscissa is a length: there is no time axis to keep.
     play.replace_program(
         open(&first_order.replace("```model\n", "```model\nindependent x in [m]\n").replace("1 [s]", "1 [m]"), &[])
             .program()
@@ -55,7 +55,7 @@ fn plots_keep_what_was_chosen_by_their_titles() {
             ("Speed", true, true),
             ("Motion", true, false),
             ("Phase portrait", false, false),
-            // What was zoomed were seconds and is metres now.
+            // The zoomed axis was in seconds and is now in metres.
             ("Energies", true, true),
             ("Residuals", true, true),
         ]
@@ -100,7 +100,7 @@ fn answers_stay_with_their_questions_and_grades_with_the_right_answers() {
     let mut play = utube();
     assert_eq!(period(&mut play), Grade::Correct);
     play.type_answer(1, "1 m");
-    // Another parameter before all others, and another question before this one.
+    // Another parameter and another question are inserted before all others.
     let more = [
         ("parameter g ", "parameter a = 1\nparameter g "),
         (
@@ -117,7 +117,7 @@ fn answers_stay_with_their_questions_and_grades_with_the_right_answers() {
         ("2*pi/(1.672 1/s)", Some(Grade::Correct))
     );
     assert_eq!(play.answer(2).typed, "1 m");
-    // What is asked for is computed in another way.
+    // The expression of the right answer has changed.
     play.replace_program(edited(&[("2*pi/omega_d within", "2*pi/omega_0 within")]));
     assert_eq!((play.answer(0).typed.as_str(), play.answer(0).verdict), ("2*pi/(1.672 1/s)", None));
     play.replace_program(edited(&[("Measure the period.", "Measure the half-period.")]));

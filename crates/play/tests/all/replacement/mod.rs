@@ -1,4 +1,4 @@
-//! Another program in the place of the present one while it runs.
+//! Replacing the program while it runs.
 
 mod choices;
 mod run;
@@ -7,7 +7,7 @@ use crate::support::{UTUBE, go_on, open, set, utube};
 use play::program::Program;
 use play::{Announcement, Play};
 
-/// The U-tube with some parts of its text replaced.
+/// The U-tube with parts of its text replaced.
 fn edited(changes: &[(&str, &str)]) -> Program {
     let text = changes.iter().fold(UTUBE.to_owned(), |text, (from, to)| {
         assert!(text.contains(from), "{from}");
@@ -21,7 +21,7 @@ fn fresh(changes: &[(&str, &str)]) -> Play {
     Play::open(edited(changes))
 }
 
-/// What the last replacement has dropped.
+/// Items dropped by the last replacement.
 fn dropped(play: &mut Play) -> Vec<String> {
     let announcements = std::iter::from_fn(|| play.take_announcement());
     let lost = announcements.filter_map(|announcement| match announcement {
@@ -31,7 +31,7 @@ fn dropped(play: &mut Play) -> Vec<String> {
     lost.last().expect("a replacement is announced")
 }
 
-/// 5 s with b = 50 kg/s, then with 200, of which 3.3 s are shown.
+/// 5 s with b = 50 kg/s, then b = 200 kg/s; the moment 3.3 s is shown.
 fn swinging() -> Play {
     let mut play = utube();
     go_on(&mut play, [5.0]);

@@ -1,4 +1,4 @@
-//! The run while the program is replaced: its time, its parameters, its bits.
+//! The run when the program is replaced: its time, its parameters, its bits.
 
 use super::{dropped, edited, fresh, swinging};
 use crate::support::{bits, go_on, open, parameter, set, state, utube};
@@ -22,7 +22,7 @@ fn a_run_of_the_same_model_stays_as_it_is() {
             set(&mut play, "b", 200.0);
             go_on(&mut play, [1.0]);
             play.scrub(3.3);
-            // A row is the same number at the same place in memory, because nothing has been computed again.
+            // A row has the same value at the same address, because nothing has been recomputed.
             let row = |play: &Play| play.course().history().unwrap().times().as_ptr();
             let (before, table, place) = (state(&play), play.table_cells(), row(&play));
             play.replace_program(edited(&[(from, to)]));
@@ -32,7 +32,7 @@ fn a_run_of_the_same_model_stays_as_it_is() {
             if what != "a quantity" {
                 assert_eq!(play.table_cells(), table, "{what}");
             }
-            // The plots are those of a run that has had this program from the beginning, and so are the bits to come.
+            // Plots and later bits equal those of a run that used this program from the beginning.
             let mut other = fresh(&[(from, to)]);
             other.set_method(method).unwrap();
             go_on(&mut other, [5.0]);
@@ -62,7 +62,7 @@ fn a_new_default_counts_where_nobody_has_set_the_parameter() {
     let mut play = swinging();
     play.replace_program(edited(&[rho, b]));
     assert_eq!(dropped(&mut play), [""; 0]);
-    // Until 5 s the damping was the default, which is another one now; then it was set.
+    // Until 5 s the damping was the default, which has changed; then it was set.
     let mut other = fresh(&[rho, b]);
     go_on(&mut other, [5.0]);
     set(&mut other, "b", 200.0);
@@ -140,7 +140,7 @@ fn with_another_equation_the_run_is_the_new_one_at_the_same_time_and_goes_on() {
         assert!(play.is_playing() && dropped(&mut play).is_empty());
         assert_eq!((play.time(), play.speed(), play.step()), (4.034, 2.0, 0.04));
         assert_eq!((state(&play), bits(&play)), (state(&other), bits(&other)), "{method}");
-        // The run of the former equation stays behind as the previous one.
+        // The run of the former equation becomes the previous run.
         assert!(play.has_ghost());
         let column = |csv: &str, number: usize| -> Vec<String> {
             csv.lines().skip(1).filter_map(|line| line.split(',').nth(number)).map(str::to_owned).collect()
@@ -154,7 +154,7 @@ fn with_another_equation_the_run_is_the_new_one_at_the_same_time_and_goes_on() {
     }
 }
 
-/// Rows are counted through events; the change of a parameter keeps its time all the same.
+/// Rows are counted through events; nevertheless the change of a parameter keeps its time.
 #[test]
 fn a_change_keeps_its_time_where_events_leave_other_rows() {
     let ball = |height: f64| {
@@ -168,7 +168,7 @@ fn a_change_keeps_its_time_where_events_leave_other_rows() {
         set(play, "e", 0.8);
         go_on(play, [1.0]);
     };
-    // A fall of 1 m takes 0.45 s, one of 2 m 0.64 s: another number of bounces until 2 s.
+    // A fall of 1 m takes 0.45 s, one of 2 m 0.64 s: the number of bounces until 2 s differs.
     let (mut play, mut other) = (open(&ball(1.0), &[]), open(&ball(2.0), &[]));
     run(&mut play);
     run(&mut other);
@@ -203,7 +203,7 @@ fn a_start_set_by_hand_stays_while_the_states_are_the_same() {
     go_on(&mut other, [2.0]);
     assert!(play.is_started_by_hand() && dropped(&mut play).is_empty());
     assert_eq!(bits(&play), bits(&other));
-    // Without inertia there is no velocity to begin with.
+    // Without inertia there is no initial velocity.
     let source = "---\ntitle: Decay\n---\n```model\nparameter b = 2 [1/s]\ny' = -b*y\ny(0) = 1 [m]\n```\n";
     play.set_state(1, 0.2).unwrap();
     let from = state(&play)[0];
@@ -224,7 +224,7 @@ fn no_document_costs_more_than_a_link() {
     go_on(&mut play, std::iter::repeat_n(50.0, 20));
     assert_eq!(play.time(), 1000.0);
     play.play();
-    // Ten thousand steps for each second, each with many operations.
+    // Ten thousand steps per second of model time, each with many operations.
     let long = ["b*y'", &"*cos(sin(y/(1 [m])))".repeat(20)].concat();
     play.replace_program(edited(&[("step: 0.05 [s]", "step: 0.0001 [s]"), ("b*y'", &long)]));
     assert!(play.is_playing() && play.time() > 0.0 && play.time() < 1000.0, "{}", play.time());

@@ -1,4 +1,4 @@
-//! The documents that the tests open.
+//! Documents opened by the tests.
 use play::Play;
 
 /// A liquid column in a U-tube, with everything a document can have.

@@ -1,4 +1,4 @@
-//! What is done to the drawing: each act is a change of the text, and what is chosen stays so.
+//! Actions on the drawing. Each changes the text and keeps the selection.
 
 use super::hand::Hand;
 use super::seen::{Seen, SeenItem};
@@ -12,27 +12,27 @@ use document::edit::{
 use model::Edit;
 use view::browser;
 
-/// Turned things come to lie on multiples of so many degrees, on the grid and without it.
+/// Steps of rotation angles in degrees: with the grid, and without it.
 const TURNS: [f64; 2] = [15.0, 1.0];
 
-/// Which edges of several elements are brought together.
+/// Edge by which several elements are aligned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edge {
-    /// The left ones.
+    /// Left edges.
     Left,
-    /// The lines in the middle from above to below.
+    /// Vertical centre lines.
     Centre,
-    /// The right ones.
+    /// Right edges.
     Right,
-    /// The upper ones.
+    /// Upper edges.
     Top,
-    /// The lines in the middle from left to right.
+    /// Horizontal centre lines.
     Middle,
-    /// The lower ones.
+    /// Lower edges.
     Bottom,
 }
 
-/// Changes the text. Whether that was possible; why not is said.
+/// Changes the text. Returns true on success; the reason for a refusal is shown.
 fn change(hand: Hand, edit: impl FnOnce(&Outline) -> Result<Vec<Edit>, EditError>) -> bool {
     let text = typing::text(hand.app, 0);
     let done = typing::act(hand.app, 0, &text, edit);
@@ -50,7 +50,7 @@ pub fn begin(hand: Hand) {
     }
 }
 
-/// Adds an element where the author has clicked, or else in the middle of the view; beside what stands there.
+/// Adds an element at the place of the last click, otherwise at the centre of the view; shifted if elements are there.
 pub fn add(hand: Hand, kind: Part) {
     let Some(seen) = hand.seen.get_clone_untracked() else { return };
     let place = (seen.on_ground(seen.spot(hand.pointed.get_untracked())), seen.good_length());
@@ -67,20 +67,20 @@ pub fn add(hand: Hand, kind: Part) {
     }
 }
 
-/// An element as it is written and as it is seen.
+/// Element as seen, and true if it is placed in a frame; `None` if it is not in the picture.
 fn both<'a>(drawing: &'a Drawing, seen: &'a Seen, number: usize) -> Option<(&'a SeenItem, bool)> {
     let item = drawing.items.get(number)?;
     Some((seen.items.get(number)?.as_ref()?, item.framed))
 }
 
-/// Those that are chosen but do not stand in others that are.
+/// Selected elements that are not inside other selected ones.
 fn outermost(drawing: &Drawing, chosen: &[usize]) -> Vec<usize> {
     let inside = |number: &usize| drawing.outwards(*number).skip(1).any(|around| chosen.contains(&around));
     chosen.iter().copied().filter(|number| !inside(number)).collect()
 }
 
-/// Moves what is gripped of an element, or all that is chosen, by a way in the picture; a grip that turns by an angle in radians,
-/// clockwise.
+/// Moves a grip of an element, or all selected elements, by a displacement in picture units. A rotation grip receives
+/// an angle in radians, clockwise.
 pub fn move_by(hand: Hand, grip: (usize, Grip), way: [f64; 2]) {
     let (number, grip) = grip;
     let moved = if grip == Grip::Whole { hand.chosen.get_clone_untracked() } else { vec![number] };
@@ -110,7 +110,7 @@ fn move_each(hand: Hand, grip: Grip, ways: &[(usize, [f64; 2])], on_grid: bool) 
     });
 }
 
-/// Moves what is chosen by steps of the grid, to the right and downwards on the screen.
+/// Moves the selected elements by steps of the grid, to the right and downwards on the screen.
 pub fn step(hand: Hand, steps: [f64; 2]) {
     let Some(seen) = hand.seen.get_clone_untracked() else { return };
     let length = |number: usize| {
@@ -126,7 +126,7 @@ pub fn step(hand: Hand, steps: [f64; 2]) {
     move_each(hand, Grip::Whole, &ways, hand.grid.get_untracked());
 }
 
-/// Brings the edges of what is chosen together.
+/// Aligns the selected elements by an edge.
 pub fn align(hand: Hand, edge: Edge) {
     let Some(seen) = hand.seen.get_clone_untracked() else { return };
     let chosen = hand.chosen.get_clone_untracked();
@@ -144,7 +144,7 @@ pub fn align(hand: Hand, edge: Edge) {
     let goal = match edge {
         Edge::Left | Edge::Top => places().fold(f64::INFINITY, f64::min),
         Edge::Right | Edge::Bottom => places().fold(f64::NEG_INFINITY, f64::max),
-        // Where the first one is.
+        // Position of the first selected element.
         Edge::Centre | Edge::Middle => places().next().unwrap_or(0.0),
     };
     let is_across = matches!(edge, Edge::Left | Edge::Centre | Edge::Right);
@@ -153,7 +153,7 @@ pub fn align(hand: Hand, edge: Edge) {
     move_each(hand, Grip::Whole, &ways, false);
 }
 
-/// Removes what is chosen.
+/// Removes the selected elements.
 pub fn remove(hand: Hand) {
     let chosen = hand.chosen.get_clone_untracked();
     if !chosen.is_empty() && change(hand, |outline| remove_elements(outline, &chosen)) {
@@ -162,7 +162,7 @@ pub fn remove(hand: Hand) {
     }
 }
 
-/// Copies the element that is chosen, beside itself.
+/// Copies the selected element, placed beside the original.
 pub fn copy(hand: Hand) {
     let (Some(drawing), Some(seen), Some(number)) = (
         hand.drawing.get_clone_untracked(),
@@ -186,7 +186,7 @@ pub fn copy(hand: Hand) {
     }
 }
 
-/// Puts the element that is chosen above or below the one beside it.
+/// Moves the selected element above or below its neighbour.
 pub fn reorder(hand: Hand, order: Order) {
     let Some(number) = hand.chosen.with_untracked(|chosen| chosen.first().copied()) else { return };
     let mut moved = None;
@@ -200,17 +200,17 @@ pub fn reorder(hand: Hand, order: Order) {
     }
 }
 
-/// Gives an element another attribute.
+/// Sets an attribute of an element.
 pub fn set(hand: Hand, number: usize, name: &str, text: &str) {
     change(hand, |outline| set_attribute(outline, number, name, text));
 }
 
-/// Gives an element another text or name.
+/// Sets the text or name of an element.
 pub fn say(hand: Hand, number: usize, text: &str) {
     change(hand, |outline| set_text(outline, number, text));
 }
 
-/// Lets a component of a point follow a quantity.
+/// Makes a component of a point follow a quantity.
 pub fn bind(hand: Hand, number: usize, attribute: &str, axis: Axis, name: &str) {
     change(hand, |outline| follow(outline, number, attribute, axis, name));
 }

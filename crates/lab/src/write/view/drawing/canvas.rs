@@ -1,4 +1,4 @@
-//! The canvas: the picture as it runs, with the grid and what can be gripped over it.
+//! The canvas: the running picture with grid and grips.
 
 use super::hand::Hand;
 use super::picture::Canvas;
@@ -17,7 +17,7 @@ pub fn view(hand: Hand) -> View {
     let mut place = div().class("drawing-picture");
     let node: Element = place.node();
     let (built, drawn, measured) = (canvas.clone(), canvas.clone(), canvas.clone());
-    // A text that runs has another picture.
+    // A new program requires a new picture.
     effect(move || {
         hand.app.written.track();
         hand.app.changes.program.track();
@@ -28,7 +28,8 @@ pub fn view(hand: Hand) -> View {
         hand.app.changes.frame.track();
         drawn.draw(hand);
     });
-    // Measuring a large drawing takes the browser longer than drawing it: while the run plays, ten times a second are enough.
+    // Measuring a large drawing takes the browser longer than drawing it; ten times a second suffices while the run
+    // plays.
     effect(move || {
         hand.app.changes.values.track();
         hand.app.changes.parameters.track();
@@ -60,7 +61,8 @@ pub fn view(hand: Hand) -> View {
     View::from((surface, p().id("drawing-keys").class("note").child(words.keys), changing(paused)))
 }
 
-/// Listens to fingers before the browser begins to scroll, which a passive listener could not prevent.
+/// Listens to touches before the browser begins to scroll. The listener must not be passive, in order to prevent
+/// scrolling.
 fn scrolls_beside(pointing: &Pointing, surface: &Element) {
     let pointing = pointing.clone();
     let touched = Closure::<dyn FnMut(TouchEvent)>::new(move |event: TouchEvent| pointing.touched(&event));
@@ -71,7 +73,7 @@ fn scrolls_beside(pointing: &Pointing, surface: &Element) {
     on_cleanup(move || drop(touched));
 }
 
-/// Measures again when the canvas has another size.
+/// Measures again when the size of the canvas changes.
 fn follow_size(hand: Hand, canvas: Canvas, node: &Element) {
     let draw = Closure::<dyn FnMut()>::new(move || canvas.measure(hand));
     let Ok(observer) = ResizeObserver::new(draw.as_ref().unchecked_ref()) else { return };

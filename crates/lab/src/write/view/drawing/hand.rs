@@ -1,4 +1,4 @@
-//! What the views of the drawing share.
+//! Data shared by the views of the drawing.
 
 use super::held::Held;
 use super::seen::Seen;
@@ -7,31 +7,31 @@ use document::drawing::Drawing;
 use view::views::*;
 use web_sys::MouseEvent;
 
-/// The handle; copied freely.
+/// Handle of the drawing views; cheap to copy.
 #[derive(Clone, Copy)]
 pub struct Hand {
-    /// The laboratory.
+    /// Handle of the laboratory.
     pub app: App,
-    /// The text of the document as it stands in the editor.
+    /// Text of the document in the editor.
     pub text: ReadSignal<String>,
-    /// The drawing as it is written there.
+    /// The drawing in this text.
     pub drawing: ReadSignal<Option<Drawing>>,
-    /// The numbers of the elements that are chosen.
+    /// Indices of the selected elements.
     pub chosen: Signal<Vec<usize>>,
-    /// Whether what is moved comes to lie on the grid.
+    /// True if moved elements snap to the grid.
     pub grid: Signal<bool>,
-    /// Where everything stands in the picture.
+    /// Geometry of all elements in the picture.
     pub seen: Signal<Option<Seen>>,
-    /// Where in the picture the author has clicked last: there new elements are drawn, otherwise in its middle.
+    /// Place of the last click in the picture, where new elements are drawn; at the centre if `None`.
     pub pointed: Signal<Option<[f64; 2]>>,
-    /// What the pointer holds.
+    /// The part held by the pointer.
     pub held: Signal<Option<Held>>,
-    /// Why the last change was refused.
+    /// Reason why the last change was refused.
     pub refusal: Signal<Option<String>>,
 }
 
 impl Hand {
-    /// Chooses an element; with Shift or Control beside those that are chosen, or no longer.
+    /// Selects an element; with Shift or Control, adds it to the selection or removes it.
     pub fn choose(self, event: &MouseEvent, number: usize) {
         let adds = event.shift_key() || event.ctrl_key() || event.meta_key();
         self.chosen.update(|chosen| match chosen.iter().position(|one| *one == number) {

@@ -1,32 +1,32 @@
-//! What the pointer holds of a drawing.
+//! State of a drag in the drawing.
 
 use document::drawing::Grip;
 
-/// A drag by fewer CSS pixels moves nothing.
+/// Minimum length of a drag that moves anything, in CSS pixels.
 const STILL: f64 = 3.0;
-/// What the pointer holds.
+/// The part held by the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held {
-    /// The pointer, as the browser numbers it.
+    /// Pointer id of the browser.
     pub pointer: i32,
-    /// Which grip of which element.
+    /// Element index and grip.
     pub grip: (usize, Grip),
-    /// Where in the picture it took hold.
+    /// Start position, in picture units.
     pub from: [f64; 2],
-    /// Where it is now.
+    /// Present position, in picture units.
     pub at: [f64; 2],
-    /// How large a CSS pixel is there.
+    /// Size of a CSS pixel, in picture units.
     pub pixel: f64,
 }
 
 impl Held {
-    /// Whether it has been moved and not only pressed.
+    /// True if the pointer has moved and not only been pressed.
     pub fn is_moved(&self) -> bool {
         let [right, down] = self.way();
         libm::hypot(right, down) > STILL * self.pixel
     }
 
-    /// How far it has been moved.
+    /// Displacement from the start, in picture units.
     pub fn way(&self) -> [f64; 2] {
         [self.at[0] - self.from[0], self.at[1] - self.from[1]]
     }

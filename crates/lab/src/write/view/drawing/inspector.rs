@@ -1,4 +1,4 @@
-//! What is chosen, attribute by attribute: each is a field with the text that stands there, and what places it can follow a quantity.
+//! Attributes of the selected element: a field for each with its text, and for points the quantities that they follow.
 
 use super::hand::Hand;
 use super::{acts, layers, words};
@@ -9,18 +9,18 @@ use model::{Diagnostic, Severity};
 use view::views::*;
 use web_sys::HtmlInputElement;
 
-/// What every element may have besides.
+/// Attributes that every element may have.
 const COMMON: [&str; 4] = ["visible", "fill", "stroke", "stroke-width"];
-/// Coordinates and lengths as SVG has them, and what moves or repeats the whole.
+/// SVG coordinates and lengths, and attributes that transform or repeat an element.
 const PLAIN: [&str; 14] =
     ["x", "y", "width", "height", "cx", "cy", "x1", "y1", "x2", "y2", "rx", "ry", "transform", "repeat"];
-/// The attributes that are points.
+/// Attributes that are points.
 const POINTS: [&str; 3] = ["at", "from", "to"];
 
-/// The fields of the one element that is chosen.
+/// Fields of the selected element; only a single one is shown.
 pub fn view(hand: Hand) -> HtmlDiv {
     let words = words::of(hand.app);
-    // It is built again for another element, not for another text of the same one.
+    // Rebuilt for another element, but not for another text of the same element.
     let shown = memo(move || {
         let chosen = hand.chosen.get_clone();
         let [number] = chosen[..] else { return Err(chosen.len()) };
@@ -48,10 +48,10 @@ pub fn view(hand: Hand) -> HtmlDiv {
     div().class("inspector").id("drawing-inspector").child(changing(content)).child(colours())
 }
 
-/// The attributes that an element is shown with: those of its kind, and coordinates as SVG has them where they are written.
+/// Attributes shown for an element: those of its kind, and SVG coordinates if present.
 fn attributes_of(kind: Part, written: &[String]) -> Vec<&'static str> {
     let is_written = |name: &str| written.iter().any(|own| own == name);
-    // A place by coordinates makes that by a point superfluous.
+    // SVG coordinates make the point attributes superfluous.
     let is_plain = ["x", "cx", "x1"].into_iter().any(is_written) && kind.name != "frame";
     let is_place = |name: &str| POINTS.contains(&name) || name == "size";
     let own = kind.attributes.iter().copied().filter(|name| is_written(name) || !(is_plain && is_place(name)));
@@ -59,14 +59,14 @@ fn attributes_of(kind: Part, written: &[String]) -> Vec<&'static str> {
     own.chain(plain).collect()
 }
 
-/// What reads of the element as it is written now.
+/// Signal with a value read from the present text of an element; `nothing` if the element does not exist.
 fn reading<T: PartialEq + Clone + 'static>(
     hand: Hand,
     number: usize,
     read: impl Fn(&Item, &str) -> T + 'static,
     nothing: T,
 ) -> ReadSignal<T> {
-    // A text of the same length may have the same drawing at other places.
+    // Tracks the text, because the drawing may be equal although the places in the text differ.
     memo(move || {
         hand.text.with(|text| {
             hand.drawing.with(|drawing| {
@@ -77,7 +77,7 @@ fn reading<T: PartialEq + Clone + 'static>(
     })
 }
 
-/// Its name or text, and the way to its place in the text.
+/// Name or text of the element, and a link to its place in the text.
 fn title(hand: Hand, number: usize) -> View {
     let words = words::of(hand.app);
     let says =
@@ -104,7 +104,7 @@ fn line(id: String, name: &'static str, field: View) -> HtmlDiv {
     div().class("inspector-line").child(label().r#for(id).child(name)).child(field)
 }
 
-/// A field with a text of the element. The text is changed when it is complete.
+/// A field for a text of the element. The text is changed when the input is complete.
 fn field(id: String, shown: ReadSignal<String>, set: impl Fn(&str) + 'static) -> HtmlInput {
     let mut field = input().r#type("text").class("cell").id(id).autocomplete("off").attr("spellcheck", "false");
     let node: HtmlInputElement = field.node();
@@ -112,7 +112,7 @@ fn field(id: String, shown: ReadSignal<String>, set: impl Fn(&str) + 'static) ->
     field.attr("autocapitalize", "off").when(events::change, move |event| set(&value_of(&event)))
 }
 
-/// What was found in an attribute when the text was checked last.
+/// Diagnostics of an attribute from the last check.
 fn found(hand: Hand, number: usize, name: &'static str) -> ReadSignal<Vec<Diagnostic>> {
     memo(move || {
         hand.app.written.track();
@@ -126,7 +126,7 @@ fn found(hand: Hand, number: usize, name: &'static str) -> ReadSignal<Vec<Diagno
     })
 }
 
-/// An attribute. What it follows can be chosen where it is a point.
+/// Row of an attribute. For a point, the quantity that it follows can be selected.
 fn row(hand: Hand, number: usize, name: &'static str) -> HtmlDiv {
     let shown =
         reading(hand, number, move |item, text| item.value(text, name).unwrap_or_default().to_owned(), String::new());
@@ -151,7 +151,7 @@ fn row(hand: Hand, number: usize, name: &'static str) -> HtmlDiv {
     row.child(following(hand, number, name, Axis::Across)).child(following(hand, number, name, Axis::Along))
 }
 
-/// What a component of a point follows.
+/// Selection of the quantity that a component of a point follows.
 fn following(hand: Hand, number: usize, name: &'static str, axis: Axis) -> View {
     let words = words::of(hand.app);
     let now = reading(
@@ -204,7 +204,7 @@ fn following(hand: Hand, number: usize, name: &'static str, axis: Axis) -> View 
                 acts::bind(hand, number, name, axis, &name_of);
             }
         };
-        // Several points of an element have the same directions.
+        // Distinguishes the points of an element, whose directions have equal names.
         let point = span().class("visually-hidden").child(format!("{}: ", words::attribute(hand.app, name)));
         let field = select().class("cell").id(id.clone()).each(options, View::from).when(events::change, bind);
         div()
@@ -215,7 +215,7 @@ fn following(hand: Hand, number: usize, name: &'static str, axis: Axis) -> View 
     })
 }
 
-/// What follows the hand when the element is dragged in the simulation.
+/// Selection of the quantity that changes when the element is dragged in the simulation.
 fn dragged(hand: Hand, number: usize) -> View {
     let words = words::of(hand.app);
     let now =
@@ -244,7 +244,7 @@ fn dragged(hand: Hand, number: usize) -> View {
     })
 }
 
-/// The names of the page's colours.
+/// Names of the page's colours.
 fn colours() -> HtmlDatalist {
     let names = document::drawing::colours();
     datalist().id("drawing-colours").each(names, |name| option().value(name))

@@ -1,11 +1,11 @@
-//! The keyboard on the canvas.
+//! Keyboard on the canvas.
 
 use super::acts;
 use super::hand::Hand;
 use crate::write::typing;
 use web_sys::KeyboardEvent;
 
-/// What a key does.
+/// Handles a pressed key.
 pub fn pressed(hand: Hand, event: &KeyboardEvent) {
     let key = event.key();
     let far = if event.shift_key() { 10.0 } else { 1.0 };
@@ -28,7 +28,7 @@ pub fn pressed(hand: Hand, event: &KeyboardEvent) {
     event.stop_propagation();
 }
 
-/// Chooses the next element of the text or the one before, around the ends.
+/// Selects the next or previous element of the text, cyclically.
 fn next(hand: Hand, by: isize) {
     let drawing = hand.drawing.get_clone_untracked();
     let items = drawing.iter().flat_map(|drawing| drawing.items.iter().enumerate());

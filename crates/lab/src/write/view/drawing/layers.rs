@@ -1,11 +1,11 @@
-//! The elements in the order in which they lie over each other, the uppermost first.
+//! List of the elements in stacking order, the uppermost first.
 
 use super::hand::Hand;
 use super::words;
 use document::drawing::{Drawing, Item};
 use view::views::*;
 
-/// What an element is called: its title, or what it shows, or what it is.
+/// Name of an element in the list: its kind, with its title or text if there is one.
 pub fn name(hand: Hand, item: &Item) -> String {
     let kind = item.kind.title().text(hand.app.language.get_untracked()).to_owned();
     hand.text.with(|text| {
@@ -17,7 +17,8 @@ pub fn name(hand: Hand, item: &Item) -> String {
     })
 }
 
-/// What stands in a frame or group, from above, each followed by what it holds: number, depth and name.
+/// Collects the children of a frame or group from top to bottom, each followed by its own children: (index, depth,
+/// name).
 fn downwards(
     hand: Hand,
     drawing: &Drawing,
@@ -30,7 +31,7 @@ fn downwards(
     }
 }
 
-/// A button for each.
+/// List with a button for each element.
 pub fn view(hand: Hand) -> HtmlDiv {
     let words = words::of(hand.app);
     let rows = memo(move || {

@@ -1,8 +1,8 @@
-//! Plane maps between the picture and its elements.
+//! Affine maps of the plane between the picture and its elements.
 
 use web_sys::SvgMatrix;
 
-/// `x' = a x + c y + e`, `y' = b x + d y + f`.
+/// Affine map `x' = a x + c y + e`, `y' = b x + d y + f`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Matrix {
     a: f64,
@@ -14,30 +14,30 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// The browser's.
+    /// Converts a matrix of the browser.
     pub fn of(matrix: &SvgMatrix) -> Self {
         let [a, b, c] = [matrix.a(), matrix.b(), matrix.c()].map(f64::from);
         let [d, e, f] = [matrix.d(), matrix.e(), matrix.f()].map(f64::from);
         Self { a, b, c, d, e, f }
     }
 
-    /// Where a point comes to lie.
+    /// Image of a point.
     pub fn point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [right, down] = self.way([x, y]);
         [right + self.e, down + self.f]
     }
 
-    /// What becomes of a way.
+    /// Image of a displacement.
     pub fn way(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.a * x + self.c * y, self.b * x + self.d * y]
     }
 
-    /// How many times longer lengths become, in the mean of all directions.
+    /// Geometric mean of the length scales: square root of the absolute determinant.
     pub fn scale(&self) -> f64 {
         (self.a * self.d - self.b * self.c).abs().sqrt()
     }
 
-    /// This map after another one.
+    /// Composition: this map applied after `first`.
     pub fn after(&self, first: &Self) -> Self {
         let [a, b] = self.way([first.a, first.b]);
         let [c, d] = self.way([first.c, first.d]);
@@ -45,7 +45,7 @@ impl Matrix {
         Self { a, b, c, d, e, f }
     }
 
-    /// The way back. `None` for a map onto a line.
+    /// Inverse map; `None` if the map is singular.
     pub fn inverse(&self) -> Option<Self> {
         let area = self.a * self.d - self.b * self.c;
         if area == 0.0 || !area.is_finite() {

@@ -1,5 +1,5 @@
-//! The drawing by hand: a palette of parts, a canvas on which they are placed, sized and turned by pointing or by keys, the list of
-//! what lies over what, and the attributes of what is chosen. All of it changes the text of the scene.
+//! Drawing editor: a palette of parts, a canvas for placing, resizing and rotating them by pointer or keys, the list in
+//! stacking order, and the attributes of the selection. All actions change the text of the scene.
 
 mod acts;
 mod canvas;
@@ -23,7 +23,7 @@ use document::drawing::read;
 use hand::Hand;
 use view::views::*;
 
-/// The drawing, as its author changes it.
+/// The drawing editor.
 pub fn view(app: App) -> HtmlDiv {
     let text = memo(move || {
         app.typed.track();
@@ -44,7 +44,7 @@ pub fn view(app: App) -> HtmlDiv {
     };
     let exists = memo(move || drawing.with(Option::is_some));
     let content = move || if exists.get() { drawn(hand) } else { begin(hand) };
-    // What is no longer there cannot be chosen.
+    // Elements that no longer exist cannot stay selected.
     effect(move || {
         let count = drawing.with(|drawing| drawing.as_ref().map_or(0, |drawing| drawing.items.len()));
         if hand.chosen.with_untracked(|chosen| chosen.iter().any(|number| *number >= count)) {
@@ -65,7 +65,7 @@ fn drawn(hand: Hand) -> View {
     ))
 }
 
-/// A document without a scene.
+/// Content for a document without a scene.
 fn begin(hand: Hand) -> View {
     let words = words::of(hand.app);
     let add = button()

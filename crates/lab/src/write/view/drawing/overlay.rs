@@ -1,4 +1,4 @@
-//! What lies over the picture: the grid, edges of what is chosen, grips, and the way of the hand.
+//! Overlay of the picture: grid, edges of selected elements, grips, and the displacement of a drag.
 
 use super::hand::Hand;
 use super::held::Held;
@@ -7,11 +7,11 @@ use document::drawing::Grip;
 use sycamore_web::SvgGlobalAttributes;
 use view::views::*;
 
-/// A grip is so large, in CSS pixels, and can be hit so far from its middle.
+/// Size of a grip, and distance from its centre within which it is hit, in CSS pixels.
 const GRIP: f64 = 5.0;
 const FINGER: f64 = 18.0;
 
-/// Everything over the picture, in its units.
+/// The whole overlay, in picture units.
 pub fn view(hand: Hand) -> View {
     let view_box = memo(move || hand.seen.with(|seen| seen.as_ref().map(|seen| seen.view_box)));
     let shown = move || {
@@ -29,7 +29,7 @@ pub fn view(hand: Hand) -> View {
     changing(shown)
 }
 
-/// The lines of the grid, the axes of the frame among them.
+/// Lines of the grid, including the axes of the frame.
 fn grid(hand: Hand) -> View {
     let lines = memo(move || {
         let seen = hand.seen.get_clone().filter(|_| hand.grid.get())?;
@@ -57,7 +57,7 @@ fn grid(hand: Hand) -> View {
     })
 }
 
-/// The edges and grips of what is chosen.
+/// Edges and grips of the selected elements.
 fn chosen(hand: Hand) -> View {
     let shown = memo(move || {
         let seen = hand.seen.get_clone()?;
@@ -102,7 +102,7 @@ fn chosen(hand: Hand) -> View {
     })
 }
 
-/// The way of the hand while something is held.
+/// Displacement of the present drag.
 fn way(hand: Hand) -> View {
     changing(move || {
         let Some(Held { from, at, grip: (_, grip), .. }) = hand.held.get().filter(Held::is_moved) else {
@@ -120,7 +120,7 @@ fn way(hand: Hand) -> View {
     })
 }
 
-/// The edges of an element where the hand would put it.
+/// Edges of an element at the position to which it is dragged.
 fn ghost(seen: &Seen, number: usize, [right, down]: [f64; 2]) -> View {
     let Some(item) = seen.items.get(number).and_then(Option::as_ref) else { return View::new() };
     let [left, top, end, bottom] = item.edges;

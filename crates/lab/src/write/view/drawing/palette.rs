@@ -1,4 +1,4 @@
-//! The palette: all that can be drawn, by its name.
+//! Palette of all elements that can be drawn.
 
 use super::hand::Hand;
 use super::{acts, words};
@@ -6,7 +6,7 @@ use document::drawing::{Part, drawable};
 use view::icons;
 use view::views::*;
 
-/// The button that shows them.
+/// Button that opens the palette.
 pub fn button_of(hand: Hand, open: Signal<bool>) -> HtmlButton {
     labelled(icons::plus(), words::of(hand.app).add)
         .id("drawing-add")
@@ -15,7 +15,7 @@ pub fn button_of(hand: Hand, open: Signal<bool>) -> HtmlButton {
         .when(events::click, move |_| open.set(!open.get_untracked()))
 }
 
-/// A button for each.
+/// Palette with a button for each kind of element.
 pub fn view(hand: Hand, open: Signal<bool>) -> HtmlDiv {
     let language = hand.app.language.get_untracked();
     let one = move |kind: Part| {

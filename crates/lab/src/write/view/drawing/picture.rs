@@ -1,4 +1,4 @@
-//! The picture on the canvas: the scene as it runs.
+//! Picture on the canvas: the running scene.
 
 use super::hand::Hand;
 use super::seen::Seen;
@@ -8,7 +8,7 @@ use view::picture::Picture;
 use view::views::document;
 use web_sys::{Element, SvgElement};
 
-/// The picture of the canvas; it is built again for each program.
+/// Picture of the canvas, rebuilt for each program.
 #[derive(Clone, Default)]
 pub struct Canvas(Rc<RefCell<Option<Picture>>>);
 
@@ -18,7 +18,7 @@ impl Canvas {
         self.0.borrow().as_ref().map(|picture| picture.root().clone())
     }
 
-    /// Builds the picture of the present program into an element.
+    /// Builds the picture of the present program in an element.
     pub fn build(&self, hand: Hand, place: &Element) {
         place.set_inner_html("");
         let Ok(inner) = document().create_element("div") else { return };
@@ -31,7 +31,7 @@ impl Canvas {
         *self.0.borrow_mut() = picture;
     }
 
-    /// Shows the present.
+    /// Updates the picture to the present state.
     pub fn draw(&self, hand: Hand) {
         let Ok(mut picture) = self.0.try_borrow_mut() else { return };
         if let Some(picture) = picture.as_mut() {
@@ -39,7 +39,7 @@ impl Canvas {
         }
     }
 
-    /// Shows the present, and finds out where everything is seen.
+    /// Updates the picture to the present state and measures the geometry of its elements.
     pub fn measure(&self, hand: Hand) {
         self.draw(hand);
         let Ok(picture) = self.0.try_borrow() else { return };

@@ -1,4 +1,4 @@
-//! Mouse, pen and finger on the canvas: a press chooses an element, a drag moves it.
+//! Mouse, pen and finger on the canvas: a press selects an element, a drag moves it.
 
 use super::acts;
 use super::hand::Hand;
@@ -10,20 +10,20 @@ use view::browser;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event, Node, PointerEvent, TouchEvent};
 
-/// So far from an element, in CSS pixels, a finger or a mouse still means it.
+/// Distance from an element within which it is hit, in CSS pixels: by finger, by mouse.
 const MARGIN: [f64; 2] = [14.0, 5.0];
 
-/// What listens to the pointer.
+/// Handlers of pointer events.
 #[derive(Clone)]
 pub struct Pointing {
-    /// The drawing.
+    /// Handle of the drawing views.
     pub hand: Hand,
-    /// Its picture.
+    /// Picture on the canvas.
     pub canvas: Canvas,
 }
 
 impl Pointing {
-    /// A finger that means an element does not scroll the page; beside them it does.
+    /// Prevents scrolling if the finger touches an element; elsewhere the page scrolls.
     pub fn touched(&self, event: &TouchEvent) {
         let Some(seen) = self.hand.seen.get_clone_untracked() else { return };
         let Some(touch) = event.changed_touches().get(0) else { return };
@@ -35,7 +35,7 @@ impl Pointing {
         }
     }
 
-    /// A press: chooses what is there, and takes hold of it.
+    /// Handles a press: selects the element there and grabs it.
     pub fn begin(&self, event: &PointerEvent) {
         let hand = self.hand;
         let Some(seen) = hand.seen.get_clone_untracked() else { return };
@@ -46,7 +46,7 @@ impl Pointing {
         let margin = MARGIN[usize::from(event.pointer_type() == "mouse")] * seen.pixel;
         let grip = gripped(event).or_else(|| {
             let number = self.hit(event).or_else(|| seen.near(at, margin))?;
-            // One of several that are chosen is pressed to move them all.
+            // Pressing one of several selected elements moves them all.
             let moves_all = hand.chosen.with_untracked(|chosen| chosen.contains(&number));
             if !moves_all || event.shift_key() || event.ctrl_key() || event.meta_key() {
                 hand.choose(event, number);
@@ -66,7 +66,7 @@ impl Pointing {
         hand.held.set(Some(Held { pointer: event.pointer_id(), grip, from: at, at, pixel: seen.pixel }));
     }
 
-    /// The hand moves.
+    /// Handles a moved pointer.
     pub fn follow(&self, event: &PointerEvent) {
         let Some(held) = self.held_by(event) else { return };
         if let Some(at) = self.place(event.client_x(), event.client_y()) {
@@ -74,7 +74,7 @@ impl Pointing {
         }
     }
 
-    /// The hand lets go: the text is changed.
+    /// Handles a released pointer: changes the text.
     pub fn end(&self, event: &PointerEvent) {
         self.follow(event);
         let Some(held) = self.held_by(event) else { return };
@@ -88,7 +88,7 @@ impl Pointing {
         acts::move_by(self.hand, held.grip, way);
     }
 
-    /// A place of the window in the picture.
+    /// Converts a place in the window to picture units.
     fn place(&self, x: i32, y: i32) -> Option<[f64; 2]> {
         Some(from_window(&self.canvas.root()?)?.point([f64::from(x), f64::from(y)]))
     }
@@ -97,19 +97,19 @@ impl Pointing {
         self.hand.held.get_untracked().filter(|held| held.pointer == event.pointer_id())
     }
 
-    /// By what angle the hand has gone around the middle of an element, clockwise, in radians.
+    /// Angle of the drag around the centre of an element, clockwise, in radians.
     fn turned(&self, number: usize, held: &Held) -> f64 {
         let seen = self.hand.seen.get_clone_untracked();
         let middle = seen.and_then(|seen| seen.items.get(number)?.as_ref()?.middle);
         let Some([x, y]) = middle else { return 0.0 };
         let angle = |[right, down]: [f64; 2]| libm::atan2(down - y, right - x);
         let turn = angle(held.at) - angle(held.from);
-        // The shorter way around.
+        // Reduced to the shorter way around.
         let around = std::f64::consts::TAU;
         turn - around * (turn / around).round()
     }
 
-    /// The element under the pointer: the innermost one that can be chosen.
+    /// Index of the element under the pointer: the innermost one that can be selected.
     fn hit(&self, event: &Event) -> Option<usize> {
         let root = self.canvas.root()?;
         let node: Node = event.composed_path().get(0).dyn_into().ok()?;
@@ -133,7 +133,7 @@ impl Pointing {
     }
 }
 
-/// The grip under the pointer.
+/// Grip under the pointer: (element index, grip).
 fn gripped(event: &Event) -> Option<(usize, Grip)> {
     let node: Element = event.composed_path().get(0).dyn_into().ok()?;
     let name = node.closest("[data-grip]").ok()??.get_attribute("data-grip")?;

@@ -1,4 +1,4 @@
-//! Where the elements are seen: their edges and grips in units of the picture, and how to get from there to their lengths.
+//! Geometry of the elements on the screen: edges and grips in picture units, and conversion to their own lengths.
 
 use super::matrix::Matrix;
 use desk::DrawingPlaces;
@@ -7,43 +7,44 @@ use document::edit::Measure;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Node, SvgElement, SvgGraphicsElement};
 
-/// Lines of the grid are at least so many CSS pixels apart, and without it what is moved goes on in such steps.
+/// Minimum distance of grid lines, and step of moves without the grid, in CSS pixels.
 const GRID: f64 = 9.0;
 const FREE: f64 = 0.9;
 
-/// Everything that is seen.
+/// Geometry of the whole picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
     /// The `viewBox` of the picture: left, top, width, height.
     pub view_box: [f64; 4],
-    /// How large a CSS pixel is, in units of the picture.
+    /// Size of a CSS pixel, in picture units.
     pub pixel: f64,
-    /// On what new elements are drawn.
+    /// Coordinate system of new elements.
     pub ground: Ground,
-    /// The elements; `None` for one that is not in the picture.
+    /// Geometry of the elements; `None` for one that is not in the picture.
     pub items: Vec<Option<SeenItem>>,
 }
 
-/// An element.
+/// Geometry of an element.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeenItem {
-    /// Left, top, right and bottom edge.
+    /// Left, top, right and bottom edge, in picture units.
     pub edges: [f64; 4],
-    /// What can be gripped, and where; all of it has no place.
+    /// Grips with their places, in picture units; the grip for the whole element has no place.
     pub grips: Vec<(Grip, [f64; 2])>,
-    /// About what it turns.
+    /// Centre of rotation, in picture units.
     pub middle: Option<[f64; 2]>,
-    /// From the picture to where its lengths are counted.
+    /// Map from picture units to the coordinates of the element's lengths.
     inwards: Matrix,
-    /// By what angle it is turned there, clockwise, in radians.
+    /// Rotation angle in these coordinates, clockwise, in radians.
     turn: f64,
-    /// Units of the drawing for an SI unit of length.
+    /// Drawing units per SI unit of length.
     scale: f64,
     unit: String,
 }
 
 impl SeenItem {
-    /// A way in the picture in the element's lengths: to the right and, in a frame, upwards; of a corner or edge, along its sides.
+    /// Converts a displacement in picture units to the element's lengths: to the right and downwards, in a frame
+    /// (`framed`) upwards; for a corner or edge, along the sides of the element.
     pub fn way(&self, way: [f64; 2], grip: Grip, framed: bool) -> [f64; 2] {
         let [x, y] = self.inwards.way(way);
         let turn = if matches!(grip, Grip::Corner | Grip::Edge) { self.turn } else { 0.0 };
@@ -53,12 +54,12 @@ impl SeenItem {
         [right / self.scale, up / self.scale]
     }
 
-    /// How many units of its own coordinates a unit of the picture has.
+    /// Units of the element's own coordinates per picture unit.
     pub fn inwards_scale(&self) -> f64 {
         self.inwards.scale()
     }
 
-    /// In what steps it moves.
+    /// Step of its moves.
     pub fn measure(&self, pixel: f64, on_grid: bool) -> Measure {
         let least = pixel * self.inwards.scale() * if on_grid { GRID } else { FREE };
         Measure::round(&self.unit, least / self.scale, self.scale)
@@ -66,7 +67,7 @@ impl SeenItem {
 }
 
 impl Seen {
-    /// Measures the picture `root`. `None` while it is not laid out.
+    /// Measures the picture `root`; `None` while it has no layout.
     pub fn measure(root: &SvgElement, places: DrawingPlaces) -> Option<Self> {
         let from_window = from_window(root)?;
         let view_box = root.get_attribute("viewBox")?;
@@ -77,13 +78,13 @@ impl Seen {
         Some(Self { view_box, pixel: from_window.scale(), ground: places.ground, items })
     }
 
-    /// In what new elements are measured; its step is that of the grid.
+    /// Unit and grid step for new elements.
     pub fn ground_measure(&self) -> Measure {
         Measure::round(&self.ground.unit, GRID * self.pixel / self.ground.scale, self.ground.scale)
     }
 
-    /// Where a new element is drawn in the picture: at a place of it, or else in its middle; beside that, by steps of the grid, as long
-    /// as an element of its size stands there.
+    /// Place of a new element, in picture units: the given place or the centre, shifted by grid steps while an element
+    /// of its size is there.
     pub fn spot(&self, pointed: Option<[f64; 2]>) -> [f64; 2] {
         let [left, top, width, height] = self.view_box;
         let holds = |[x, y]: &[f64; 2]| (left..=left + width).contains(x) && (top..=top + height).contains(y);
@@ -103,20 +104,20 @@ impl Seen {
         [x, y]
     }
 
-    /// A place of the picture in lengths of the ground.
+    /// Converts a place in picture units to lengths of the ground.
     pub fn on_ground(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let Ground { origin, scale, framed, .. } = &self.ground;
         let (right, down) = ((x - origin[0]) / scale, (y - origin[1]) / scale);
         [right, if *framed { -down } else { down }]
     }
 
-    /// How large something is that is well seen, in lengths of the ground.
+    /// Length of an easily visible element, in lengths of the ground.
     pub fn good_length(&self) -> f64 {
         let [_, _, width, height] = self.view_box;
         width.min(height) / 3.0 / self.ground.scale
     }
 
-    /// The element at a place of the picture of which nothing was hit: the smallest one whose edges, with a margin, hold it.
+    /// Element at a place that hits none directly: the smallest one whose edges, extended by `margin`, contain it.
     pub fn near(&self, [x, y]: [f64; 2], margin: f64) -> Option<usize> {
         let area = |[left, top, right, bottom]: [f64; 4]| (right - left + margin) * (bottom - top + margin);
         let holds = |[left, top, right, bottom]: [f64; 4]| {
@@ -137,7 +138,7 @@ fn seen_item(root: &SvgElement, from_window: &Matrix, place: &Located) -> Option
     let [left, top] = from_window.point([bounds.left(), bounds.top()]);
     let [right, bottom] = from_window.point([bounds.right(), bounds.bottom()]);
     let inverse = outwards.inverse()?;
-    // From the picture over the window to the element.
+    // From the picture via the window to the element.
     let back = from_window.inverse()?;
     let inwards = inverse.after(&back);
     Some(SeenItem {
@@ -151,13 +152,13 @@ fn seen_item(root: &SvgElement, from_window: &Matrix, place: &Located) -> Option
     })
 }
 
-/// From the window to a picture, as it stands now: the page may have been scrolled.
+/// Map from the window to a picture, at the present scroll position.
 pub fn from_window(root: &SvgElement) -> Option<Matrix> {
     let root: &SvgGraphicsElement = root.dyn_ref()?;
     Matrix::of(&root.get_screen_ctm()?).inverse()
 }
 
-/// The node of an element, child for child from the root.
+/// Node of an element, from its child indices starting at the root.
 fn at_path(root: &SvgElement, path: &[usize]) -> Option<Element> {
     let mut node: Node = root.clone().into();
     for number in path {
@@ -166,7 +167,7 @@ fn at_path(root: &SvgElement, path: &[usize]) -> Option<Element> {
     node.dyn_into().ok()
 }
 
-/// The path of a node from the root; `None` of what lies outside.
+/// Child indices of a node, starting at the root; `None` for a node outside it.
 pub fn path_of(root: &SvgElement, node: &Node) -> Option<Vec<usize>> {
     let root: &Node = root.as_ref();
     let mut path = Vec::new();

@@ -1,4 +1,4 @@
-//! The buttons over the canvas.
+//! Buttons above the canvas.
 
 use super::acts::{self, Edge};
 use super::hand::Hand;
@@ -7,7 +7,7 @@ use document::edit::Order;
 use view::icons;
 use view::views::*;
 
-/// All of them; those that have nothing to act on are dim. The first one opens the palette.
+/// All buttons; those without applicable selection are disabled. The first one opens the palette.
 pub fn view(hand: Hand, open: Signal<bool>) -> HtmlDiv {
     let words = words::of(hand.app);
     let count = memo(move || hand.chosen.with(Vec::len));
@@ -40,7 +40,7 @@ pub fn view(hand: Hand, open: Signal<bool>) -> HtmlDiv {
         .child(grid)
 }
 
-/// Several elements are brought together by their edges.
+/// Buttons that align several elements by their edges.
 fn align(hand: Hand) -> View {
     let words = words::of(hand.app);
     let edges = [

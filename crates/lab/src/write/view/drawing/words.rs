@@ -1,4 +1,4 @@
-//! The words of the drawing by hand in every language.
+//! Texts of the drawing editor in every language.
 
 use crate::app::App;
 use view::table_of_words;
@@ -68,12 +68,12 @@ table_of_words! {
     part_box: "Box in the drawing", "Recuadro en el dibujo";
 }
 
-/// The words of the language of the page.
+/// Texts in the language of the page.
 pub fn of(app: App) -> &'static Words {
     words_in(app.language.get_untracked())
 }
 
-/// What an attribute is called; its own name where it has no other.
+/// Title of an attribute; its own name if it has none.
 pub fn attribute(app: App, name: &'static str) -> &'static str {
     let words = of(app);
     match name {

@@ -11,8 +11,11 @@ mod median;
 mod path;
 mod pattern;
 mod picture;
+mod reflection;
 mod regions;
+mod removing;
 mod seeking;
+mod separating;
 mod solving;
 mod strip;
 

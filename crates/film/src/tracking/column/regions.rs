@@ -8,6 +8,8 @@ use crate::tracking::column::median::median;
 const LARGE: f32 = 3.0;
 /// The weight of the mean difference of the regions against that of one frame, for rows seen in one region alone.
 const PRIOR: f32 = 1.0;
+/// Residuals whose squares are more than this part of those of large ones show something else.
+const FOREIGN: f32 = 0.45;
 /// The noise is never less than this, in grey values.
 const LEAST_NOISE: f64 = 0.25;
 
@@ -252,6 +254,20 @@ impl Regions {
             }
         }
         sum / f32::max(count, 1.0)
+    }
+
+    /// The part of some rows that shows neither region in a channel of grey values (the second half of the channels are differences).
+    pub(crate) fn covered(&self, values: &[f32], rows: std::ops::Range<usize>) -> f32 {
+        let shape = self.shape;
+        let count = rows.len().max(1) as f32;
+        let is_covered = |row: &usize| {
+            (0..shape.channels.div_ceil(2)).any(|channel| {
+                let at = channel * shape.rows + row;
+                let far = |side: &[f32]| (values[at] - side[at]) * (values[at] - side[at]) * self.scale(channel);
+                far(&self.above).min(far(&self.below)) > FOREIGN
+            })
+        };
+        rows.filter(is_covered).count() as f32 / count
     }
 
     /// By how much the cost of a row would be greater than that of another if the surface were there.

@@ -21,6 +21,8 @@ const MISFIT: f32 = 0.6;
 /// Above this lead and below this misfit a frame is in no doubt.
 const CLEAR_LEAD: f32 = 0.45;
 const CLEAR_MISFIT: f32 = 0.3;
+/// Something covers the tube where more than this part of the rows that the surface passes shows neither region.
+const COVERED: f32 = 0.4;
 /// Rows further from the surface than this are elsewhere.
 pub(crate) const ELSEWHERE: usize = 6;
 
@@ -45,6 +47,8 @@ pub(crate) struct Certainty {
     pub contrast: f32,
     /// The mean cost of a value around the surface, at most 1.
     pub misfit: f32,
+    /// The part of the rows that the surface passes which shows neither region.
+    pub covered: f32,
 }
 
 impl Certainty {
@@ -52,6 +56,11 @@ impl Certainty {
     /// leaves behind clear water.
     pub(crate) fn is_clear(&self) -> bool {
         self.lead > CLEAR_LEAD && self.misfit < CLEAR_MISFIT
+    }
+
+    /// True if something covers the tube.
+    pub(crate) fn is_hidden(&self) -> bool {
+        self.covered > COVERED && !self.is_clear()
     }
 
     /// True if the surface may as well be elsewhere, or is hidden.
@@ -106,6 +115,8 @@ pub(crate) struct Seeking {
     starts: Vec<Vec<usize>>,
     best: Option<Box<Trial>>,
     forward: Vec<Vec<f32>>,
+    /// The rows that the surface passes.
+    passed: std::ops::Range<usize>,
     certainties: Vec<Certainty>,
     /// In the clicked frame, the row with the least cost.
     favourite: usize,
@@ -122,6 +133,7 @@ impl Seeking {
             starts: Vec::new(),
             best: None,
             forward: Vec::new(),
+            passed: 0..0,
             certainties: Vec::new(),
             favourite: 0,
         }
@@ -277,6 +289,9 @@ impl Seeking {
             self.forward.push(search.sums().to_vec());
             return if self.forward.len() < frames { Stage::Back(search) } else { Stage::Back(self.search()) };
         }
+        if self.certainties.is_empty() {
+            self.passed = passed(&best.path);
+        }
         let Some(at) = frames.checked_sub(self.certainties.len() + 1) else {
             self.certainties.reverse();
             self.forward.clear();
@@ -299,11 +314,21 @@ impl Seeking {
                 let contrast = best.regions.contrast(row, other);
                 let lead = (cost - through(row)) / contrast.max(1e-3);
                 let misfit = signals.get(at).map_or(1.0, |values| best.regions.misfit(values, row));
-                Certainty { lead, contrast, misfit }
+                let passed = self.passed.clone();
+                let covered = signals.get(at).map_or(0.0, |values| best.regions.covered(values, passed));
+                Certainty { lead, contrast, misfit, covered }
             }
             None => Certainty::default(),
         };
         self.certainties.push(certainty);
         Stage::Back(search)
     }
+}
+
+/// The rows that the surface passes, without the few that are furthest.
+fn passed(path: &[usize]) -> std::ops::Range<usize> {
+    let mut rows = path.to_vec();
+    rows.sort_unstable();
+    let at = |place: usize| rows.get(place.min(rows.len().saturating_sub(1))).copied().unwrap_or(0);
+    at(rows.len() / 20)..at(rows.len() - rows.len() / 20) + 1
 }

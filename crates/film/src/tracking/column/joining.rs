@@ -1,5 +1,6 @@
 //! The track of a surface from its rows: times, errors, doubts, and gaps where it is hidden.
 
+use crate::tracking::column::compression::lag;
 use crate::tracking::column::solving::Solving;
 use crate::tracking::column::strip::{Line, Strip};
 use crate::tracking::errors::{jumps, outliers, scaled};
@@ -62,7 +63,9 @@ pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving
     let seconds = readout.map_or(0.0, |readout| readout.seconds);
     let times: Vec<f64> = times.iter().zip(&read).map(|(time, part)| time + seconds * part).collect();
     let sigmas = scaled(&pick(&times), &pick(&along), &pick(&formal));
+    let lag = lag(strips, &pick(&times), &pick(&along), &pick(&read));
     for (at, sigma) in kept().zip(sigmas) {
+        let sigma = sigma.max(lag);
         points[at].time = times[at];
         points[at].sigma = line.direction.map(|part| part.abs() * sigma);
         formal[at] = sigma;

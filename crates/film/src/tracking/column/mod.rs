@@ -5,6 +5,7 @@
 
 mod align;
 mod bore;
+mod compression;
 mod contrast;
 mod exposure;
 mod joining;

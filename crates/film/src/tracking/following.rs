@@ -2,10 +2,12 @@
 
 use crate::plane::Plane;
 use crate::timing::repeats;
+use crate::tracking::backdrop::Backdrop;
 use crate::tracking::body::{self, Body};
 use crate::tracking::column::{self, Click, Column, SpaceTime};
 use crate::tracking::marks::Marks;
 use crate::tracking::refusal::Refusal;
+use crate::tracking::similarity::Similarity;
 use crate::tracking::track::Track;
 
 /// Pixels of two pictures that are compared at most.
@@ -52,13 +54,15 @@ pub struct Surface {
 
 /// The tracking of everything in a film: it asks for frames one after the other and then computes in portions.
 ///
-/// A film may repeat pictures, whose times are wrong. The frames are then asked for a second time,
-/// without the repeated ones.
+/// A film may repeat pictures, whose times are wrong, and the camera may have moved, which the picture beside a tube shows where no marks
+/// are given. The frames are then asked for a second time, without the repeated ones and corrected for the camera.
 pub struct Following {
     plan: Plan,
     pass: Pass,
     /// Frames that repeat the picture before; none before the first pass is over.
     repeated: Option<Vec<usize>>,
+    /// Frames and how far the picture has moved in them, in pixels; none where the camera stood still, or marks tell.
+    shifts: Vec<(usize, [f64; 2])>,
 }
 
 /// One reading of the film.
@@ -66,6 +70,8 @@ struct Pass {
     columns: Vec<Column>,
     bodies: Vec<Body>,
     marks: Marks,
+    /// The motion of the camera where no marks tell, in the first reading.
+    backdrop: Option<Backdrop>,
     /// The mean absolute difference of each two successive pictures.
     differences: Vec<f64>,
     last: Option<Plane>,
@@ -84,6 +90,7 @@ impl Pass {
             columns: plan.surfaces.iter().map(column).collect(),
             bodies: plan.bodies.iter().cloned().map(Body::new).collect(),
             marks: Marks::new(plan.marks.clone())?,
+            backdrop: None,
             differences: Vec::new(),
             last: None,
             taken: 0,
@@ -98,7 +105,11 @@ impl Following {
     ///
     /// With more marks than can be followed.
     pub fn new(plan: Plan) -> Result<Self, Refusal> {
-        Ok(Self { pass: Pass::new(&plan)?, plan, repeated: None })
+        let mut pass = Pass::new(&plan)?;
+        if plan.marks.is_empty() && !plan.surfaces.is_empty() {
+            pass.backdrop = Some(Backdrop::new(plan.surfaces.iter().map(|surface| surface.settings.axis()).collect()));
+        }
+        Ok(Self { pass, plan, repeated: None, shifts: Vec::new() })
     }
 
     /// The frame that is needed next; `None` once all have been taken.
@@ -114,7 +125,14 @@ impl Following {
     pub fn take(&mut self, plane: Plane) -> Result<(), Refusal> {
         let Some(&(frame, time)) = self.plan.frames.get(self.pass.taken) else { return Ok(()) };
         let pass = &mut self.pass;
-        let camera = pass.marks.take(frame, &plane)?;
+        let mut camera = pass.marks.take(frame, &plane)?;
+        if let Ok(at) = self.shifts.binary_search_by_key(&frame, |shift| shift.0) {
+            let [c, d] = self.shifts[at].1;
+            camera = Similarity { c, d, ..camera };
+        }
+        if let Some(backdrop) = &mut pass.backdrop {
+            backdrop.take(&plane);
+        }
         for column in &mut pass.columns {
             column.take(frame, time, &plane, camera)?;
         }
@@ -139,7 +157,7 @@ impl Following {
         self.leave_out_repeated()
     }
 
-    /// Once all frames have been taken for the first time: begins again without those that repeat a picture.
+    /// Once all frames have been taken for the first time: begins again without those that repeat a picture, or with the motion of the camera.
     fn leave_out_repeated(&mut self) -> Result<(), Refusal> {
         if self.wanted().is_some() || self.repeated.is_some() {
             return Ok(());
@@ -147,7 +165,10 @@ impl Following {
         self.pass.last = None;
         let places = repeats(&self.pass.differences);
         let repeated = places.iter().filter_map(|place| Some(self.plan.frames.get(*place)?.0)).collect();
-        if !places.is_empty() {
+        let moved = self.pass.backdrop.take().and_then(|backdrop| backdrop.moved());
+        let frames = self.plan.frames.iter().map(|frame| frame.0);
+        self.shifts = frames.zip(moved.unwrap_or_default()).collect();
+        if !places.is_empty() || !self.shifts.is_empty() {
             self.plan.move_clicks(&places);
             let mut place = 0..;
             self.plan.frames.retain(|_| place.next().is_none_or(|place| places.binary_search(&place).is_err()));
@@ -155,6 +176,12 @@ impl Following {
         }
         self.repeated = Some(repeated);
         Ok(())
+    }
+
+    /// The greatest shift of the picture since the first frame, in pixels, by which positions are corrected; `None` where the camera stood
+    /// still, or marks tell.
+    pub fn camera_shift(&self) -> Option<f64> {
+        self.shifts.iter().map(|(_, [c, d])| libm::hypot(*c, *d)).reduce(f64::max)
     }
 
     /// Continues the search by as many steps, each of which does the work of about one frame (less than a millisecond). True once all

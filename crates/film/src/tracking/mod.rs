@@ -1,5 +1,6 @@
 //! Where something is in each frame.
 
+mod backdrop;
 pub mod body;
 pub mod column;
 mod errors;

@@ -40,7 +40,7 @@ pub(crate) fn estimate(times: &[f64], values: &[f64], parts: &[f64]) -> Option<R
     let mut sigma = f64::INFINITY;
     for _ in 0..STEPS {
         let instants: Vec<f64> = times.iter().zip(parts).map(|(time, part)| time + seconds * part).collect();
-        let (step, error) = step(&instants, values, parts, times[0], span, cycles)?;
+        let (step, error, _) = step(&instants, values, parts, times[0], span, cycles)?;
         seconds += step;
         sigma = error;
         // No camera reads for longer than a frame lasts.
@@ -49,6 +49,18 @@ pub(crate) fn estimate(times: &[f64], values: &[f64], parts: &[f64]) -> Option<R
         }
     }
     (seconds.abs() > CLEAR * sigma).then_some(Readout { seconds, sigma })
+}
+
+/// The root mean square by which an oscillation of slowly changing amplitude and phase misses the positions; `None` where the motion is no
+/// oscillation of some periods.
+pub(crate) fn residual(times: &[f64], values: &[f64], parts: &[f64]) -> Option<f64> {
+    let count = times.len().min(FRAMES);
+    let (times, values, parts) = (times.get(..count)?, values.get(..count)?, parts.get(..count)?);
+    if count < 3 * TERMS {
+        return None;
+    }
+    let cycles = cycles(times, values).filter(|cycles| *cycles >= PERIODS)?;
+    Some(step(times, values, parts, times[0], times[count - 1] - times[0], cycles)?.2)
 }
 
 /// How many periods the film shows: those of the sinusoid that agrees best.
@@ -69,8 +81,15 @@ fn cycles(times: &[f64], values: &[f64]) -> Option<f64> {
     candidates.map(|cycles| (cycles, power(cycles))).max_by(|a, b| a.1.total_cmp(&b.1)).map(|best| best.0)
 }
 
-/// The step of the readout time, and its standard error.
-fn step(instants: &[f64], values: &[f64], parts: &[f64], start: f64, span: f64, cycles: f64) -> Option<(f64, f64)> {
+/// The step of the readout time, its standard error, and the root mean square of the residuals in pixels.
+fn step(
+    instants: &[f64],
+    values: &[f64],
+    parts: &[f64],
+    start: f64,
+    span: f64,
+    cycles: f64,
+) -> Option<(f64, f64, f64)> {
     let degree = DEGREE.min(cycles as usize - 1);
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     let size = values.iter().map(|value| (value - mean).abs()).fold(f64::MIN_POSITIVE, f64::max);
@@ -108,5 +127,5 @@ fn step(instants: &[f64], values: &[f64], parts: &[f64], start: f64, span: f64, 
     let (solution, inverse) = solve(matrix, side)?;
     let explained: f64 = solution.iter().zip(side).map(|(a, b)| a * b).sum();
     let variance = (squares - explained).max(0.0) / (instants.len() - TERMS) as f64;
-    Some((solution[TERMS - 1], (variance * inverse[TERMS - 1][TERMS - 1]).sqrt()))
+    Some((solution[TERMS - 1], (variance * inverse[TERMS - 1][TERMS - 1]).sqrt(), size * variance.sqrt()))
 }

@@ -42,6 +42,8 @@ pub struct Filmed {
     pub comb: bool,
     /// From this frame on the camera points elsewhere.
     pub bump: Option<(usize, [f64; 2])>,
+    /// Pixels by which the picture moves in each frame.
+    pub drift: [f64; 2],
     /// The step in which a coarse compression rounds changes of blocks.
     pub blocks: f64,
     pub seed: u64,
@@ -72,6 +74,7 @@ impl Default for Filmed {
             hand: None,
             comb: false,
             bump: None,
+            drift: [0.0; 2],
             blocks: 0.0,
             seed: 1,
         }
@@ -231,6 +234,8 @@ impl Filmed {
             let shift = self.bump.filter(|bump| n >= bump.0).map_or([0.0; 2], |bump| bump.1);
             let still = if shift == [0.0; 2] { &still } else { &bumped };
             let t = n as f64;
+            let shift = [0, 1].map(|k| shift[k] + self.drift[k] * t);
+            let drifts = self.drift != [0.0; 2];
             let exposed = self.exposures.iter().rev().find(|one| n >= one.0).map_or(1.0, |one| one.1);
             let light = exposed * (1.0 + self.flicker * libm::sin(2.1 * t));
             let mut grey: Vec<f64> = Vec::with_capacity(wide * high);
@@ -239,7 +244,7 @@ impl Filmed {
                 let (px, py) = (x - shift[0], y - shift[1]);
                 let value = if self.hides(x, y, n) {
                     0.55 * self.light + 8.0 * skin.at(x - 3.0 * t, y)
-                } else if self.moves(px, py) {
+                } else if drifts || self.moves(px, py) {
                     let grey = |k: f64| self.grey(&waves, [px, py], t + late + k * self.shutter);
                     (grey(-0.33) + grey(0.0) + grey(0.33)) / 3.0
                 } else {

@@ -5,24 +5,28 @@
 
 mod align;
 mod bore;
+mod compression;
 mod contrast;
 mod exposure;
+mod joining;
 mod median;
 mod path;
 mod pattern;
 mod picture;
+mod reflection;
 mod regions;
+mod removing;
 mod seeking;
+mod separating;
 mod solving;
 mod strip;
 
 use crate::plane::Plane;
-use crate::tracking::errors::{jumps, outliers, scaled};
-use crate::tracking::readout;
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
-use crate::tracking::track::{Known, Point, Readout, Track};
+use crate::tracking::track::{Known, Track};
 use bore::Changes;
+use joining::joined;
 pub use picture::SpaceTimePicture;
 use solving::{Solving, Task};
 use strip::{Grid, Line, Strip};
@@ -41,21 +45,6 @@ const REACH: f64 = 1.0 / 8.0;
 const SHORTEST: f64 = 24.0;
 /// The fewest frames of a track.
 const FEWEST: usize = 3;
-/// A point with a lower score is doubtful.
-const SCORE: f64 = 0.6;
-/// So is one that lies more of its standard errors from what its neighbours predict.
-const DEVIATION: f64 = 6.0;
-/// So is one that a smooth motion misses by more pixels.
-const JUMP: f64 = 3.0;
-/// So is one with a larger standard error, in pixels.
-const UNCERTAIN: f64 = 3.0;
-/// One that agrees as well as this with what is usually seen, with nearly its usual strength, needs no lead over other rows: smear makes
-/// the two regions uncertain, and the surface is there.
-const SAME: f64 = 0.995;
-const LEAST_GAIN: f64 = 0.8;
-const MOST_GAIN: f64 = 1.25;
-/// So many frames between two that are in doubt are in doubt with them, unless the two regions are clear there.
-const BETWEEN: usize = 3;
 
 /// Where the surface was clicked, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,6 +74,15 @@ impl Settings {
     /// An upright tube of which only the surface is known.
     pub fn new(click: Click) -> Settings {
         Settings { click, tube: None, half_width: None, exposure: Known::Estimated, readout: Known::Estimated }
+    }
+
+    /// A point of the tube's axis, and its direction, of length 1.
+    pub(crate) fn axis(&self) -> ([f64; 2], [f64; 2]) {
+        let upright = (self.click.position, [0.0, 1.0]);
+        let Some([from, to]) = self.tube else { return upright };
+        let (u, v) = (to[0] - from[0], to[1] - from[1]);
+        let length = (u * u + v * v).sqrt();
+        if length > 0.0 { (from, [u / length, v / length]) } else { upright }
     }
 }
 
@@ -228,7 +226,7 @@ impl Column {
                 break;
             }
             if solving.step(&self.strips)? {
-                self.track = Some(joined(&self.settings, layout, &self.strips, solving));
+                self.track = Some(joined(self.settings.readout, layout.line, layout.size.1, (&self.strips, solving)));
             }
         }
         Ok(self.track.is_some())
@@ -282,50 +280,4 @@ fn seen(strips: &[Strip], layout: &Layout, click: &Click) -> (usize, f64) {
     let at = strips.partition_point(|strip| strip.frame < click.frame).min(strips.len().saturating_sub(1));
     let row = strips.get(at).map_or(0.0, |strip| strip.line.row(click.position));
     (at, row.min(layout.grid.rows as f64 - 1.0).max(0.0))
-}
-
-/// The track with times and errors.
-fn joined(settings: &Settings, layout: &Layout, strips: &[Strip], solving: &Solving) -> Track {
-    let found = strips.iter().zip(&solving.poses).zip(solving.agreements.iter().zip(&solving.certainties));
-    let mut points = Vec::with_capacity(strips.len());
-    let (mut formal, mut read) = (Vec::new(), Vec::new());
-    for ((strip, pose), (agreement, certainty)) in found {
-        let seen = strip.line.at(pose.row);
-        let seen_there = agreement.settled && agreement.score >= SCORE;
-        let is_same = agreement.settled && agreement.score >= SAME && (LEAST_GAIN..MOST_GAIN).contains(&pose.gain);
-        // By which part of a frame's height the row is read after that in the middle.
-        read.push(seen[1] / layout.size.1 as f64 - 0.5);
-        formal.push(agreement.variance.sqrt());
-        points.push(Point {
-            frame: strip.frame,
-            time: strip.time,
-            position: strip.camera.undo(seen),
-            sigma: [0.0; 2],
-            score: agreement.score,
-            doubtful: certainty.is_doubtful() && !is_same || !(seen_there || certainty.is_clear()),
-        });
-    }
-    let times: Vec<f64> = points.iter().map(|point| point.time).collect();
-    let along: Vec<f64> = points.iter().map(|point| layout.line.row(point.position)).collect();
-    let readout = match settings.readout {
-        Known::Seconds(seconds) => Some(Readout { seconds, sigma: 0.0 }),
-        Known::Estimated => readout::estimate(&times, &along, &read),
-    };
-    let seconds = readout.map_or(0.0, |readout| readout.seconds);
-    let times: Vec<f64> = times.iter().zip(&read).map(|(time, part)| time + seconds * part).collect();
-    let sigmas = scaled(&times, &along, &formal);
-    let outliers = outliers(&times, &along, &sigmas, DEVIATION);
-    let jumps = jumps(&along, JUMP);
-    let direction = layout.line.direction;
-    for (at, point) in points.iter_mut().enumerate() {
-        point.time = times[at];
-        point.sigma = direction.map(|part| part.abs() * sigmas[at]);
-        point.doubtful |= outliers[at] || jumps[at] || sigmas[at] > UNCERTAIN;
-    }
-    let doubtful: Vec<usize> = (0..points.len()).filter(|at| points[*at].doubtful).collect();
-    for pair in doubtful.windows(2).filter(|pair| pair[1] - pair[0] <= BETWEEN + 1) {
-        let between = points.iter_mut().zip(&solving.certainties).take(pair[1]).skip(pair[0] + 1);
-        between.for_each(|(point, certainty)| point.doubtful = !certainty.is_clear());
-    }
-    Track { points, exposure: solving.exposure, readout, direction: Some(direction), lost: None }
 }

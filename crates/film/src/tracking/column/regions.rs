@@ -8,6 +8,8 @@ use crate::tracking::column::median::median;
 const LARGE: f32 = 3.0;
 /// The weight of the mean difference of the regions against that of one frame, for rows seen in one region alone.
 const PRIOR: f32 = 1.0;
+/// Residuals whose squares are more than this part of those of large ones show something else.
+const FOREIGN: f32 = 0.45;
 /// The noise is never less than this, in grey values.
 const LEAST_NOISE: f64 = 0.25;
 
@@ -54,10 +56,20 @@ pub(crate) struct Sums {
     moving: Vec<[f32; 2]>,
     /// For each channel, the median of the absolute residuals of each frame.
     residuals: Vec<Vec<f64>>,
+    /// For each frame, mean and median of the absolute residuals, summed over the channels.
+    spreads: Vec<(f64, f64)>,
     /// For each channel, count and sum of the absolute residuals around the surface.
     near: Vec<[f64; 2]>,
     /// The sum of the absolute residuals.
     pub total: f64,
+}
+
+impl Sums {
+    /// The mean of the absolute residuals as a multiple of their median, in the median frame.
+    pub(crate) fn spread(&self) -> f64 {
+        let least = LEAST_NOISE * self.near.len() as f64;
+        median(self.spreads.iter().map(|(mean, median)| mean / median.max(least)).collect())
+    }
 }
 
 impl Regions {
@@ -78,6 +90,7 @@ impl Regions {
             regions: vec![[0.0; 4]; self.above.len()],
             moving: vec![[0.0; 2]; self.moving.len()],
             residuals: vec![Vec::new(); self.shape.channels],
+            spreads: Vec::new(),
             near: vec![[0.0; 2]; self.shape.channels],
             total: 0.0,
         }
@@ -93,6 +106,20 @@ impl Regions {
             let moving = along.map_or(0.0, |along| self.moving[channel * shape.window() + along]);
             side[first + row] + moving
         })
+    }
+
+    /// The values of the first channels less the two regions, and less what goes along with the surface if it `moves`.
+    pub(crate) fn rest(&self, values: &[f32], surface: usize, channels: usize, moves: bool) -> Vec<f32> {
+        let rows = self.shape.rows;
+        let rest = |channel: usize| {
+            let side = move |row: usize| if row < surface { &self.above } else { &self.below };
+            let values = values.get(channel * rows..).unwrap_or_default();
+            self.modelled(channel, surface)
+                .zip(values)
+                .enumerate()
+                .map(move |(row, (model, value))| value - if moves { model } else { side(row)[channel * rows + row] })
+        };
+        (0..channels).flat_map(rest).collect()
     }
 
     /// Adds a frame to the sums of the regions.
@@ -145,14 +172,18 @@ impl Regions {
     /// Adds a frame to the sums of what moves, and to those of the residuals.
     pub(crate) fn take_moving(&self, sums: &mut Sums, values: &[f32], surface: usize) {
         let shape = self.shape;
+        let mut spread = (0.0, 0.0);
         for (channel, first) in shape.starts().enumerate() {
             let models = self.modelled(channel, surface).zip(&values[first..]);
             let residuals: Vec<f64> = models.map(|(model, value)| f64::from((value - model).abs())).collect();
             let near = shape.around(surface);
             sums.near[channel][0] += near.len() as f64;
             sums.near[channel][1] += residuals.get(near).unwrap_or_default().iter().sum::<f64>();
-            sums.total += residuals.iter().sum::<f64>();
-            sums.residuals[channel].push(median(residuals));
+            let (total, count) = (residuals.iter().sum::<f64>(), residuals.len());
+            let usual = median(residuals);
+            sums.total += total;
+            spread = (spread.0 + total / count.max(1) as f64, spread.1 + usual);
+            sums.residuals[channel].push(usual);
             for row in shape.around(surface) {
                 let side = if row < surface { &self.above } else { &self.below };
                 let along = row + shape.half - surface;
@@ -161,6 +192,7 @@ impl Regions {
                 sum[1] += values[first + row] - side[first + row];
             }
         }
+        sums.spreads.push(spread);
     }
 
     /// Takes from the sums what moves, and the noise: at least this part of the mean residual around the surface, so that a rough path is
@@ -222,6 +254,20 @@ impl Regions {
             }
         }
         sum / f32::max(count, 1.0)
+    }
+
+    /// The part of some rows that shows neither region in a channel of grey values (the second half of the channels are differences).
+    pub(crate) fn covered(&self, values: &[f32], rows: std::ops::Range<usize>) -> f32 {
+        let shape = self.shape;
+        let count = rows.len().max(1) as f32;
+        let is_covered = |row: &usize| {
+            (0..shape.channels.div_ceil(2)).any(|channel| {
+                let at = channel * shape.rows + row;
+                let far = |side: &[f32]| (values[at] - side[at]) * (values[at] - side[at]) * self.scale(channel);
+                far(&self.above).min(far(&self.below)) > FOREIGN
+            })
+        };
+        rows.filter(is_covered).count() as f32 / count
     }
 
     /// By how much the cost of a row would be greater than that of another if the surface were there.

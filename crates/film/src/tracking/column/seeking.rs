@@ -21,6 +21,8 @@ const MISFIT: f32 = 0.6;
 /// Above this lead and below this misfit a frame is in no doubt.
 const CLEAR_LEAD: f32 = 0.45;
 const CLEAR_MISFIT: f32 = 0.3;
+/// Something covers the tube where more than this part of the rows that the surface passes shows neither region.
+const COVERED: f32 = 0.4;
 /// Rows further from the surface than this are elsewhere.
 pub(crate) const ELSEWHERE: usize = 6;
 
@@ -45,6 +47,8 @@ pub(crate) struct Certainty {
     pub contrast: f32,
     /// The mean cost of a value around the surface, at most 1.
     pub misfit: f32,
+    /// The part of the rows that the surface passes which shows neither region.
+    pub covered: f32,
 }
 
 impl Certainty {
@@ -52,6 +56,11 @@ impl Certainty {
     /// leaves behind clear water.
     pub(crate) fn is_clear(&self) -> bool {
         self.lead > CLEAR_LEAD && self.misfit < CLEAR_MISFIT
+    }
+
+    /// True if something covers the tube.
+    pub(crate) fn is_hidden(&self) -> bool {
+        self.covered > COVERED && !self.is_clear()
     }
 
     /// True if the surface may as well be elsewhere, or is hidden.
@@ -73,6 +82,20 @@ enum Stage {
     Finished,
 }
 
+/// The path that was found, and what it leaves.
+#[derive(Clone, Debug)]
+pub(crate) struct Outcome {
+    pub path: Vec<usize>,
+    pub regions: Regions,
+    pub certainties: Vec<Certainty>,
+    /// In the clicked frame, the row with the least cost.
+    pub favourite: usize,
+    /// The sum of the absolute residuals.
+    pub left: f64,
+    /// Their mean as a multiple of their median, in the median frame: 1.18 for noise alone.
+    pub unexplained: f64,
+}
+
 struct Trial {
     path: Vec<usize>,
     regions: Regions,
@@ -92,9 +115,11 @@ pub(crate) struct Seeking {
     starts: Vec<Vec<usize>>,
     best: Option<Box<Trial>>,
     forward: Vec<Vec<f32>>,
-    pub certainties: Vec<Certainty>,
+    /// The rows that the surface passes.
+    passed: std::ops::Range<usize>,
+    certainties: Vec<Certainty>,
     /// In the clicked frame, the row with the least cost.
-    pub favourite: usize,
+    favourite: usize,
 }
 
 impl Seeking {
@@ -108,14 +133,24 @@ impl Seeking {
             starts: Vec::new(),
             best: None,
             forward: Vec::new(),
+            passed: 0..0,
             certainties: Vec::new(),
             favourite: 0,
         }
     }
 
-    /// The path that was found.
-    pub(crate) fn path(&self) -> Vec<usize> {
-        self.best.as_ref().map(|best| best.path.clone()).unwrap_or_default()
+    /// The outcome, once the path is found.
+    pub(crate) fn outcome(&mut self) -> Option<Outcome> {
+        let best = self.best.take()?;
+        let unexplained = best.sums.spread();
+        Some(Outcome {
+            path: best.path,
+            regions: best.regions,
+            certainties: std::mem::take(&mut self.certainties),
+            favourite: self.favourite,
+            left: best.left,
+            unexplained,
+        })
     }
 
     /// Does the work of one frame; true once the path is found. `profiles` has the means over the bore, `signals` the values in channels.
@@ -254,6 +289,9 @@ impl Seeking {
             self.forward.push(search.sums().to_vec());
             return if self.forward.len() < frames { Stage::Back(search) } else { Stage::Back(self.search()) };
         }
+        if self.certainties.is_empty() {
+            self.passed = passed(&best.path);
+        }
         let Some(at) = frames.checked_sub(self.certainties.len() + 1) else {
             self.certainties.reverse();
             self.forward.clear();
@@ -276,11 +314,21 @@ impl Seeking {
                 let contrast = best.regions.contrast(row, other);
                 let lead = (cost - through(row)) / contrast.max(1e-3);
                 let misfit = signals.get(at).map_or(1.0, |values| best.regions.misfit(values, row));
-                Certainty { lead, contrast, misfit }
+                let passed = self.passed.clone();
+                let covered = signals.get(at).map_or(0.0, |values| best.regions.covered(values, passed));
+                Certainty { lead, contrast, misfit, covered }
             }
             None => Certainty::default(),
         };
         self.certainties.push(certainty);
         Stage::Back(search)
     }
+}
+
+/// The rows that the surface passes, without the few that are furthest.
+fn passed(path: &[usize]) -> std::ops::Range<usize> {
+    let mut rows = path.to_vec();
+    rows.sort_unstable();
+    let at = |place: usize| rows.get(place.min(rows.len().saturating_sub(1))).copied().unwrap_or(0);
+    at(rows.len() / 20)..at(rows.len() - rows.len() / 20) + 1
 }

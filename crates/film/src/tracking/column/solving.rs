@@ -6,8 +6,10 @@ use crate::tracking::column::exposure::Candidates;
 use crate::tracking::column::path::{Template, strengths};
 use crate::tracking::column::pattern::{Fitting, Pattern, Pose, Residuals, Window};
 use crate::tracking::column::regions::Shape;
-use crate::tracking::column::seeking::{Certainty, ELSEWHERE, Seeking, Sought};
-use crate::tracking::column::strip::{Grid, Strip};
+use crate::tracking::column::removing::Removing;
+use crate::tracking::column::seeking::{Certainty, ELSEWHERE, Sought};
+use crate::tracking::column::separating::Separating;
+use crate::tracking::column::strip::{Grid, Strip, with_differences};
 use crate::tracking::motion::{motion, smear};
 use crate::tracking::refusal::Refusal;
 use crate::tracking::track::{Exposure, Known};
@@ -67,7 +69,8 @@ impl Task {
 
 enum Stage {
     Profiles,
-    Path(Box<Seeking>),
+    Path(Box<Separating>),
+    Removing(Box<Removing>),
     Fitting(Fitting, usize),
     Aligning(Residuals, usize),
     Exposure(Box<Candidates>),
@@ -84,6 +87,8 @@ pub(crate) struct Solving {
     strongest: Vec<f64>,
     /// The grey values of the bore in channels, until the path is found.
     signals: Vec<Vec<f32>>,
+    /// The strips without a reflection; empty where there is none.
+    cleaned: Vec<Strip>,
     stage: Stage,
     round: usize,
     /// The sum of the squared changes of positions in this round.
@@ -116,6 +121,7 @@ impl Solving {
             profiles: Vec::new(),
             strongest: Vec::new(),
             signals: Vec::new(),
+            cleaned: Vec::new(),
             stage: Stage::Profiles,
             round: 0,
             change: 0.0,
@@ -140,13 +146,22 @@ impl Solving {
         if self.task.exposure == Known::Estimated {
             self.exposure = None;
         }
-        (self.profiles, self.strongest, self.signals) = Default::default();
+        (self.profiles, self.strongest, self.signals, self.cleaned) = Default::default();
         self.stage = Stage::Profiles;
     }
 
     /// Does the work of one frame; true once all is done.
     pub(crate) fn step(&mut self, strips: &[Strip]) -> Result<bool, Refusal> {
+        let cleaned = std::mem::take(&mut self.cleaned);
+        let strips = if cleaned.is_empty() { strips } else { &cleaned };
         self.stage = match std::mem::replace(&mut self.stage, Stage::Finished) {
+            Stage::Removing(mut removing) => match removing.step(strips) {
+                Some(strips) => {
+                    self.cleaned = strips;
+                    self.begin_round()
+                }
+                None => Stage::Removing(removing),
+            },
             Stage::Profiles => self.profile(strips)?,
             Stage::Path(seeking) => self.follow(seeking, strips)?,
             Stage::Fitting(fitting, at) => self.fit(fitting, at, strips),
@@ -160,6 +175,9 @@ impl Solving {
             },
             Stage::Finished => Stage::Finished,
         };
+        if self.cleaned.is_empty() {
+            self.cleaned = cleaned;
+        }
         Ok(matches!(self.stage, Stage::Finished))
     }
 
@@ -170,7 +188,8 @@ impl Solving {
             let profile = strip.profile(grid, self.task.bins);
             self.strongest.push(strengths(&profile, half).into_iter().fold(0.0, f64::max));
             self.profiles.push(profile);
-            self.signals.push(strip.channels(grid, self.task.bins, self.task.channels()));
+            let channels = strip.channels(grid, self.task.bins, self.task.channels());
+            self.signals.push(with_differences(channels, grid.rows));
             return Ok(Stage::Profiles);
         }
         let (at, row) = self.task.clicked;
@@ -186,7 +205,8 @@ impl Solving {
             (reach, self.task.fixed(at))
         };
         let limits = (0..self.times.len()).map(limit).collect();
-        Ok(Stage::Path(Box::new(Seeking::new(Sought { shape, clicked: (at, row), half, limits }, template))))
+        let sought = Sought { shape, clicked: (at, row), half, limits };
+        Ok(Stage::Path(Box::new(Separating::new(sought, template, std::mem::take(&mut self.strongest)))))
     }
 
     /// True if the pixels of the clicked frame, or the two regions, show the surface there.
@@ -200,24 +220,27 @@ impl Solving {
         strips.get(self.task.clicked.0).map_or(0, |strip| strip.frame)
     }
 
-    fn follow(&mut self, mut seeking: Box<Seeking>, strips: &[Strip]) -> Result<Stage, Refusal> {
-        if !seeking.step(&self.profiles, &self.signals) {
+    fn follow(&mut self, mut seeking: Box<Separating>, strips: &[Strip]) -> Result<Stage, Refusal> {
+        let Some((found, reflection)) = seeking.step(&self.profiles, &self.signals) else {
             return Ok(Stage::Path(seeking));
-        }
+        };
         self.signals.clear();
-        self.path = seeking.path();
-        self.certainties = std::mem::take(&mut seeking.certainties);
+        self.path = found.path;
+        self.certainties = found.certainties;
         let (clicked, row) = self.task.clicked;
-        self.is_favoured = seeking.favourite.abs_diff(row as usize) <= ELSEWHERE;
+        self.is_favoured = found.favourite.abs_diff(row as usize) <= ELSEWHERE;
         let certainty = self.certainties.get(clicked).copied().unwrap_or_default();
-        if certainty.lead < LEFT && seeking.favourite.abs_diff(row as usize) > 3 * ELSEWHERE {
+        if certainty.lead < LEFT && found.favourite.abs_diff(row as usize) > 3 * ELSEWHERE {
             return Err(Refusal::Left { frame: self.frame(strips) });
         }
         let pose =
             |row: &usize| Pose { row: *row as f64, gain: 1.0, offset: f64::NAN, smear: vec![0.0], trusted: true };
         self.poses = self.path.iter().map(pose).collect();
         self.agreements = vec![Agreement::default(); self.poses.len()];
-        Ok(self.begin_round())
+        Ok(match reflection {
+            Some(reflection) => Stage::Removing(Box::new(Removing::new(reflection, self.task.grid, self.task.bins))),
+            None => self.begin_round(),
+        })
     }
 
     fn begin_round(&mut self) -> Stage {

@@ -112,18 +112,17 @@ impl Strip {
         values.iter().map(|value| f64::from(*value) / STEPS)
     }
 
-    /// The means over equal parts of some neighbouring bins in every row, one part after the other, and then the differences of rows two apart:
-    /// broad reflections vanish in them.
+    /// Replaces the grey value of a row and a bin.
+    pub(crate) fn set(&mut self, grid: Grid, (row, bin): (usize, usize), value: f64) {
+        if let Some(grey) = self.grey.get_mut(row * grid.bins + bin) {
+            *grey = (value * STEPS).round().clamp(0.0, LARGEST) as u16;
+        }
+    }
+
+    /// The means over equal parts of some neighbouring bins in every row, one part after the other.
     pub(crate) fn channels(&self, grid: Grid, (first, end): (usize, usize), count: usize) -> Vec<f32> {
         let edge = |k: usize| first + (end - first) * k / count;
-        let mut values: Vec<f32> = (0..count).flat_map(|k| self.profile(grid, (edge(k), edge(k + 1)))).collect();
-        for k in 0..count {
-            let part =
-                |row: usize| values.get(k * grid.rows + row.min(grid.rows.saturating_sub(1))).copied().unwrap_or(0.0);
-            let differences: Vec<f32> = (0..grid.rows).map(|row| part(row + 1) - part(row.saturating_sub(1))).collect();
-            values.extend(differences);
-        }
-        values
+        (0..count).flat_map(|k| self.profile(grid, (edge(k), edge(k + 1)))).collect()
     }
 
     /// Divides the grey values by the brightness of the frame relative to another one: the ratio of most values, of which the few that the
@@ -143,6 +142,17 @@ impl Strip {
         let mean = |row| self.values(grid, row, bins).sum::<f64>() / (bins.1 - bins.0) as f64;
         (0..grid.rows).map(|row| mean(row) as f32).collect()
     }
+}
+
+/// Adds to the values of some channels the differences of rows two apart: broad reflections vanish in them.
+pub(crate) fn with_differences(mut values: Vec<f32>, rows: usize) -> Vec<f32> {
+    let differences = |part: &[f32]| -> Vec<f32> {
+        let last = part.len().saturating_sub(1);
+        (0..part.len()).map(|row| part[(row + 1).min(last)] - part[row.saturating_sub(1)]).collect()
+    };
+    let all: Vec<f32> = values.chunks(rows.max(1)).flat_map(differences).collect();
+    values.extend(all);
+    values
 }
 
 /// The weights of the pixels of a row in the sum of the values at some places, linear between the middles of the pixels.

@@ -1,0 +1,106 @@
+//! The track of a surface from its rows: times, errors, doubts, and gaps where it is hidden.
+
+use crate::tracking::column::compression::lag;
+use crate::tracking::column::solving::Solving;
+use crate::tracking::column::strip::{Line, Strip};
+use crate::tracking::errors::{jumps, outliers, scaled};
+use crate::tracking::readout;
+use crate::tracking::track::{Known, Point, Readout, Track};
+
+/// A point with a lower score is doubtful.
+const SCORE: f64 = 0.6;
+/// So is one that lies more of its standard errors from what its neighbours predict.
+const DEVIATION: f64 = 6.0;
+/// So is one that a smooth motion misses by more pixels.
+const JUMP: f64 = 3.0;
+/// So is one with a larger standard error, in pixels.
+const UNCERTAIN: f64 = 3.0;
+/// One that agrees as well as this with what is usually seen, with nearly its usual strength, needs no lead over other rows: smear makes
+/// the two regions uncertain, and the surface is there.
+const SAME: f64 = 0.995;
+const LEAST_GAIN: f64 = 0.8;
+const MOST_GAIN: f64 = 1.25;
+/// So many frames between two that are in doubt are in doubt with them, unless the two regions are clear there.
+const BETWEEN: usize = 3;
+/// A surface that is hidden in fewer frames in a row has a value in doubt there, and no gap.
+const HIDDEN: usize = 2;
+/// A film in which the surface is hidden in more than this part of the frames shows something else.
+const MOST_HIDDEN: f64 = 0.5;
+
+/// The track with times and errors. `height` is that of the picture in pixels.
+pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving): (&[Strip], &Solving)) -> Track {
+    let found = strips.iter().zip(&solving.poses).zip(solving.agreements.iter().zip(&solving.certainties));
+    let mut points = Vec::with_capacity(strips.len());
+    let (mut formal, mut read) = (Vec::new(), Vec::new());
+    let mut hidden = Vec::with_capacity(strips.len());
+    for ((strip, pose), (agreement, certainty)) in found {
+        let seen = strip.line.at(pose.row);
+        let seen_there = agreement.settled && agreement.score >= SCORE;
+        let is_same = agreement.settled && agreement.score >= SAME && (LEAST_GAIN..MOST_GAIN).contains(&pose.gain);
+        // By which part of a frame's height the row is read after that in the middle.
+        read.push(seen[1] / height as f64 - 0.5);
+        formal.push(agreement.variance.sqrt());
+        hidden.push(certainty.is_hidden() && !is_same);
+        points.push(Point {
+            frame: strip.frame,
+            time: strip.time,
+            position: strip.camera.undo(seen),
+            sigma: [0.0; 2],
+            score: agreement.score,
+            doubtful: certainty.is_doubtful() && !is_same || !(seen_there || certainty.is_clear()),
+        });
+    }
+    // The parts of the film between gaps.
+    let parts = parts(&hidden);
+    let kept = || parts.iter().cloned().flatten();
+    let pick = |values: &[f64]| -> Vec<f64> { kept().filter_map(|at| values.get(at).copied()).collect() };
+    let times: Vec<f64> = points.iter().map(|point| point.time).collect();
+    let along: Vec<f64> = points.iter().map(|point| line.row(point.position)).collect();
+    let readout = match readout {
+        Known::Seconds(seconds) => Some(Readout { seconds, sigma: 0.0 }),
+        Known::Estimated => readout::estimate(&pick(&times), &pick(&along), &pick(&read)),
+    };
+    let seconds = readout.map_or(0.0, |readout| readout.seconds);
+    let times: Vec<f64> = times.iter().zip(&read).map(|(time, part)| time + seconds * part).collect();
+    let sigmas = scaled(&pick(&times), &pick(&along), &pick(&formal));
+    let lag = lag(strips, &pick(&times), &pick(&along), &pick(&read));
+    for (at, sigma) in kept().zip(sigmas) {
+        let sigma = sigma.max(lag);
+        points[at].time = times[at];
+        points[at].sigma = line.direction.map(|part| part.abs() * sigma);
+        formal[at] = sigma;
+    }
+    for part in parts.iter().cloned() {
+        let outliers = outliers(&times[part.clone()], &along[part.clone()], &formal[part.clone()], DEVIATION);
+        let jumps = jumps(&along[part.clone()], JUMP);
+        for (at, (is_outlier, is_jump)) in part.zip(outliers.into_iter().zip(jumps)) {
+            points[at].doubtful |= is_outlier || is_jump || formal[at] > UNCERTAIN;
+        }
+    }
+    let doubtful: Vec<usize> = kept().filter(|at| points[*at].doubtful).collect();
+    for pair in doubtful.windows(2).filter(|pair| pair[1] - pair[0] <= BETWEEN + 1) {
+        let between = points.iter_mut().zip(&solving.certainties).take(pair[1]).skip(pair[0] + 1);
+        between.for_each(|(point, certainty)| point.doubtful = !certainty.is_clear());
+    }
+    let points = kept().map(|at| points[at]).collect();
+    Track { points, exposure: solving.exposure, readout, direction: Some(line.direction), lost: None }
+}
+
+/// The places of the frames in which the surface is not hidden for long. Those at the ends of the film are among them: a gap has two sides.
+fn parts(hidden: &[bool]) -> Vec<std::ops::Range<usize>> {
+    let count = hidden.len();
+    let mut parts = Vec::new();
+    let mut first = 0;
+    let mut at = 0;
+    for run in hidden.chunk_by(|one, next| one == next) {
+        let end = at + run.len();
+        if run[0] && run.len() >= HIDDEN && at > 0 && end < count {
+            parts.push(first..at);
+            first = end;
+        }
+        at = end;
+    }
+    parts.push(first..count);
+    let kept: usize = parts.iter().map(ExactSizeIterator::len).sum();
+    if (kept as f64) < (1.0 - MOST_HIDDEN) * count as f64 { vec![0..count] } else { parts }
+}

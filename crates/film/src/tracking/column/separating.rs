@@ -1,0 +1,147 @@
+//! The path of the surface where something else moves along the bore as well: what is left unexplained shows it, and without it the surface is
+//! sought again.
+
+use crate::tracking::column::path::Template;
+use crate::tracking::column::reflection::{Finding, Reflection};
+use crate::tracking::column::seeking::{Outcome, Seeking, Sought};
+use crate::tracking::column::strip::with_differences;
+
+/// The mean of the absolute residuals as a multiple of their median from which something else moves; 1.18 for noise alone.
+const UNEXPLAINED: f64 = 1.5;
+/// A reflection that leaves more than this part of what is left without it is none.
+const LEFT: f64 = 0.9;
+/// Nor is one that in more than this part of the frames is at one distance of the surface, to within `FIRM` rows: smear goes along with the
+/// surface, and so does a second surface.
+const ALONG: f64 = 0.35;
+const FIRM: f64 = 6.0;
+
+enum Stage {
+    Seeking(Box<Seeking>, Option<Reflection>),
+    Finding(Box<Finding>),
+    Cleaning(Reflection),
+    Finished,
+}
+
+/// The search, in steps of about one frame.
+pub(crate) struct Separating {
+    sought: Sought,
+    strongest: Vec<f64>,
+    stage: Stage,
+    /// Profiles and signals without the reflection.
+    profiles: Vec<Vec<f32>>,
+    signals: Vec<Vec<f32>>,
+    /// What was found without a reflection, and the best with one.
+    plain: Option<Outcome>,
+    best: Option<(Outcome, Reflection)>,
+    tried: usize,
+}
+
+impl Separating {
+    /// `strongest` is the greatest strength of the profile of each frame.
+    pub(crate) fn new(sought: Sought, template: Template, strongest: Vec<f64>) -> Separating {
+        Separating {
+            stage: Stage::Seeking(Box::new(Seeking::new(sought.clone(), template)), None),
+            sought,
+            strongest,
+            profiles: Vec::new(),
+            signals: Vec::new(),
+            plain: None,
+            best: None,
+            tried: 0,
+        }
+    }
+
+    /// Does the work of one frame; the outcome once the path is found. `profiles` has the means over the bore, `signals` the values in channels.
+    pub(crate) fn step(
+        &mut self,
+        profiles: &[Vec<f32>],
+        signals: &[Vec<f32>],
+    ) -> Option<(Outcome, Option<Reflection>)> {
+        self.stage = match std::mem::replace(&mut self.stage, Stage::Finished) {
+            Stage::Seeking(mut seeking, None) => {
+                if seeking.step(profiles, signals) {
+                    self.plain = seeking.outcome();
+                    self.next()
+                } else {
+                    Stage::Seeking(seeking, None)
+                }
+            }
+            Stage::Seeking(mut seeking, Some(reflection)) => {
+                if seeking.step(&self.profiles, &self.signals) {
+                    self.compare(seeking.outcome(), reflection);
+                    self.next()
+                } else {
+                    Stage::Seeking(seeking, Some(reflection))
+                }
+            }
+            Stage::Finding(mut finding) => match finding.step(signals) {
+                Some(reflection) => {
+                    (self.profiles, self.signals) = Default::default();
+                    Stage::Cleaning(reflection)
+                }
+                None => Stage::Finding(finding),
+            },
+            Stage::Cleaning(reflection) => self.clean(reflection, profiles, signals),
+            Stage::Finished => Stage::Finished,
+        };
+        if !matches!(self.stage, Stage::Finished) {
+            return None;
+        }
+        match self.best.take() {
+            Some((outcome, reflection)) => Some((outcome, Some(reflection))),
+            None => Some((self.plain.take()?, None)),
+        }
+    }
+
+    fn next(&mut self) -> Stage {
+        let Some(plain) = self.plain.as_ref().filter(|plain| plain.unexplained > UNEXPLAINED) else {
+            return Stage::Finished;
+        };
+        let (from, is_swapped) = match (self.tried, &self.best) {
+            (0, _) => (plain, false),
+            (1, _) => (plain, true),
+            (2, Some((best, _))) => (best, false),
+            _ => return Stage::Finished,
+        };
+        self.tried += 1;
+        let reach = self.sought.limits.iter().map(|limit| limit.0).collect();
+        Stage::Finding(Box::new(Finding::new(from.regions.clone(), from.path.clone(), reach, is_swapped)))
+    }
+
+    fn compare(&mut self, outcome: Option<Outcome>, reflection: Reflection) {
+        let Some((outcome, plain)) = outcome.zip(self.plain.as_ref()) else { return };
+        let least = self.best.as_ref().map_or(LEFT * plain.left, |best| best.0.left);
+        if outcome.left < least && !goes_along(&outcome.path, &reflection) {
+            self.best = Some((outcome, reflection));
+        }
+    }
+
+    fn clean(&mut self, reflection: Reflection, profiles: &[Vec<f32>], signals: &[Vec<f32>]) -> Stage {
+        let rows = self.sought.shape.rows;
+        let at = self.signals.len();
+        if let Some((profile, values)) = profiles.get(at).zip(signals.get(at)) {
+            let mut profile = profile.clone();
+            let mut values = values.get(..values.len() / 2).unwrap_or_default().to_vec();
+            reflection.take_from(at, &mut values, rows);
+            reflection.take_mean_from(at, &mut profile);
+            self.profiles.push(profile);
+            self.signals.push(with_differences(values, rows));
+            return Stage::Cleaning(reflection);
+        }
+        let (clicked, row) = self.sought.clicked;
+        let profile = self.profiles.get(clicked);
+        match profile.and_then(|profile| Template::new(profile, row, self.sought.half, &self.strongest)) {
+            Some(template) => Stage::Seeking(Box::new(Seeking::new(self.sought.clone(), template)), Some(reflection)),
+            None => self.next(),
+        }
+    }
+}
+
+/// True if a reflection keeps its distance of the surface.
+fn goes_along(path: &[usize], reflection: &Reflection) -> bool {
+    let mut distances: Vec<f64> = path.iter().zip(reflection.rows()).map(|(own, other)| other - *own as f64).collect();
+    distances.sort_by(f64::total_cmp);
+    let within = |first: &f64| distances.partition_point(|one| *one <= first + 2.0 * FIRM);
+    let most = distances.iter().enumerate().map(|(at, first)| within(first) - at).max().unwrap_or(0);
+    most as f64 > ALONG * distances.len() as f64
+}

@@ -36,7 +36,8 @@ fn browsers() -> Result<()> {
     tools::packages(&directory)?;
     let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
     let mut tests = std::process::Command::new(node);
-    tests.args(["--test", "--test-reporter=spec"]).current_dir(directory);
+    // Two files at a time, each with a browser and a profile of its own; more than two need more memory than a small machine has.
+    tests.args(["--test", "--test-concurrency=2", "--test-reporter=spec"]).current_dir(directory);
     for browser in [tools::CHROMIUM, tools::FIREFOX] {
         tests.env(browser.variable, browser.path()?);
     }

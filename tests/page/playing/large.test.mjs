@@ -49,7 +49,7 @@ visit("a long record is read with a bar, drawn, and the run plays over it", asyn
 
 visit("a long record can be given up, and another one read", async (lab) => {
   const { page } = lab;
-  await dropRows(lab, "long.txt", 1_000_000);
+  await dropRows(lab, "long.txt", 2_000_000);
   await page.locator("#cancel-reading").click({ timeout: 60_000 });
   await eventually(async () => assert.equal(await page.locator("#spoken").textContent(), "Not read: long.txt"));
   assert.equal(await page.locator(".record").count(), 0);

@@ -5,6 +5,7 @@
 
 mod background;
 mod course;
+mod departure;
 mod disc;
 mod joining;
 mod look;
@@ -13,7 +14,8 @@ mod refining;
 mod template;
 
 use background::Background;
-use course::course;
+use course::{Course, course};
+use departure::{Departure, departure};
 pub(crate) use disc::Disc;
 use look::Look;
 use part::Axis;
@@ -51,6 +53,14 @@ const PACE: f64 = 0.2;
 const HIDDEN: usize = 10;
 /// The greatest radius of a body as a part of the picture's height, if it is not given.
 const RADIUS: f64 = 1.0 / 9.0;
+/// From this coherence on a disc moves with its body: that of the outline in one picture, and that which is found by its motion.
+const COHERENT: [f64; 2] = [0.12, 0.3];
+/// An outline whose motion explains so many times less than that of a larger disc is that of a spot.
+const SPOT: f64 = 3.0;
+/// A disc is found by its motion in so many frames after the click: later, uniform bodies fit many motions.
+const LATEST: usize = 2;
+/// A disc is found by a motion of at least this part of its radius.
+const CLEARLY: f64 = 0.25;
 /// Bytes of the pixels that are kept.
 const BYTES: usize = 96 << 20;
 /// Pixels around a template that comparisons need: the steps of an alignment, and what interpolation reaches.
@@ -95,6 +105,15 @@ struct Tracker {
     begin: usize,
     /// The part of the ring around the body that usually does not show the background: smear, a rod.
     around: f32,
+    /// The frame of the click, until the body has moved.
+    start: Option<Start>,
+}
+
+/// The frame of a click, and how many frames have come after it.
+struct Start {
+    plane: Plane,
+    click: [f64; 2],
+    age: usize,
 }
 
 /// What was found in a frame.
@@ -105,6 +124,11 @@ struct Sighting {
     free: bool,
 }
 
+/// The greatest radius that is followed in a picture of so many rows.
+fn greatest(high: f64) -> f64 {
+    (high / 3.0).clamp(3.0, 100.0)
+}
+
 /// The tracking of a body.
 pub struct Body {
     settings: Settings,
@@ -112,6 +136,8 @@ pub struct Body {
     /// Time and sense of the last frame.
     last: Option<(f64, f64)>,
     templates: Vec<Template>,
+    /// For each template: true once its disc moves as a whole.
+    moved: Vec<bool>,
     tracker: Option<Tracker>,
     seen: Vec<Seen>,
     cameras: Vec<Similarity>,
@@ -129,6 +155,7 @@ impl Body {
             size: None,
             last: None,
             templates: Vec::new(),
+            moved: Vec::new(),
             tracker: None,
             seen: Vec::new(),
             cameras: Vec::new(),
@@ -149,7 +176,8 @@ impl Body {
     pub fn take(&mut self, frame: usize, time: f64, plane: &Plane, camera: Similarity) -> Result<Sight, Refusal> {
         self.admit(frame, time, plane)?;
         let key = self.settings.keys.iter().rev().find(|key| key.frame == frame).copied();
-        let sighting = self.find(plane, time);
+        let departed = self.depart(plane);
+        let sighting = self.find(plane, time, departed);
         let sighting = match key {
             Some(click) => Some(self.begin(plane, click.position, sighting)?),
             None => sighting,
@@ -205,11 +233,9 @@ impl Body {
         if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
             return Err(Refusal::Click { x, y });
         }
-        let given = self.settings.radius.filter(|radius| radius.is_finite());
-        let greatest = (high / 3.0).clamp(3.0, 100.0);
-        let disc = match given {
-            Some(radius) => Disc::of([0.0; 2], radius.clamp(3.0, greatest)),
-            None => disc::around(plane, [x, y], (RADIUS * high).clamp(3.0, greatest)),
+        let disc = match self.given(high) {
+            Some(disc) => disc,
+            None => disc::around(plane, [x, y], (RADIUS * high).clamp(3.0, greatest(high))),
         };
         let near = |one: &Sighting| {
             let [u, v] = one.found.position;
@@ -217,11 +243,32 @@ impl Body {
         };
         let continued = sighting.filter(near);
         let position = continued.as_ref().map_or([x, y], |one| one.found.position);
+        let background = self.tracker.take().filter(|_| continued.is_some()).map(|tracker| tracker.background);
+        let found = self.start(plane, position, disc, background)?;
+        let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
+        if let Some(tracker) = &mut self.tracker {
+            tracker.begin = begin;
+        }
+        let aside = continued.is_some_and(|one| one.aside);
+        Ok(Sighting { found, agreement: 1.0, aside, free: true })
+    }
+
+    /// The disc where its radius is given, in a picture of so many rows.
+    fn given(&self, high: f64) -> Option<Disc> {
+        let given = self.settings.radius.filter(|radius| radius.is_finite());
+        given.map(|radius| Disc::of([0.0; 2], radius.clamp(3.0, greatest(high))))
+    }
+
+    /// Takes the template of the body at a position.
+    fn start(
+        &mut self,
+        plane: &Plane,
+        position: [f64; 2],
+        disc: Disc,
+        background: Option<Background>,
+    ) -> Result<Found, Refusal> {
         let middle = disc.middle(position);
-        let background = match self.tracker.take().filter(|_| continued.is_some()) {
-            Some(tracker) => tracker.background,
-            None => Background::new(plane, (middle, disc.radius)),
-        };
+        let background = background.unwrap_or_else(|| Background::new(plane, (middle, disc.radius)));
         let compared = background.compare(plane);
         let look = Look::new(&compared, middle, disc.outline);
         let axis = plane.colour().and_then(|_| {
@@ -234,16 +281,76 @@ impl Body {
             return Err(Refusal::Plain);
         }
         let found = template.align(&part, position, 0.5);
-        let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
-        self.tracker =
-            Some(Tracker { look, now: template.clone(), axis, background, hidden: 0, since: 0, begin, around: 1.0 });
+        let start = Some(Start { plane: plane.clone(), click: position, age: 0 });
+        let now = template.clone();
+        self.tracker = Some(Tracker { look, now, axis, background, hidden: 0, since: 0, begin: 0, around: 1.0, start });
         self.templates.push(template);
-        let aside = continued.is_some_and(|one| one.aside);
-        Ok(Sighting { found: Found { position, ..found }, agreement: 1.0, aside, free: true })
+        self.moved.push(false);
+        Ok(Found { position, ..found })
+    }
+
+    /// The place of the body after its first motion. Its disc is taken from that motion where the outline in one picture was another one.
+    fn depart(&mut self, plane: &Plane) -> Option<[f64; 2]> {
+        let high = plane.height() as f64;
+        let (given, disc) = (self.settings.radius.is_some(), self.templates.last()?.disc);
+        let tracker = self.tracker.as_mut()?;
+        let begin = tracker.begin;
+        let mut start = tracker.start.take()?;
+        start.age += 1;
+        if !start.age.is_power_of_two() {
+            tracker.start = Some(start);
+            return None;
+        }
+        let click = start.click;
+        let background = Background::new(&start.plane, (disc.middle(click), disc.radius));
+        let (first, now) = (background.compare(&start.plane), background.compare(plane));
+        let greatest = (RADIUS * high).clamp(3.0, greatest(high));
+        let known = departure(&first, &now, click, greatest, Some(disc));
+        let known = known.filter(|known| known.coherence > COHERENT[0]);
+        if let Some(moved) = self.moved.last_mut() {
+            *moved |= known.is_some();
+        }
+        let sharp = known.is_some_and(|known| known.coherence > COHERENT[1] && disc.outline > greatest / 2.0);
+        if given || sharp || start.age > LATEST {
+            tracker.start = known.is_none().then_some(start);
+            return None;
+        }
+        let better = |one: &Departure| {
+            known.is_none_or(|known| {
+                let times = if one.coherence > 2.0 * known.coherence { 1.0 } else { SPOT };
+                one.explained > times * known.explained
+            })
+        };
+        let plain = |one: &Departure| {
+            let way = libm::hypot(one.way[0], one.way[1]);
+            one.coherence > COHERENT[1] && way > CLEARLY * one.disc.outline && better(one)
+        };
+        let Some(found) = departure(&first, &now, click, greatest, None).filter(plain) else {
+            tracker.start = known.is_none().then_some(start);
+            return None;
+        };
+        let place = [0, 1].map(|k| click[k] + found.way[k]);
+        let alone = start.age == 1 && self.seen.len() == begin + 1;
+        if alone {
+            self.templates.pop();
+            self.moved.pop();
+        }
+        let seen = self.start(&start.plane, click, found.disc, None).ok()?;
+        if let Some(moved) = self.moved.last_mut() {
+            *moved = true;
+        }
+        let tracker = self.tracker.as_mut()?;
+        (tracker.begin, tracker.start) = (begin, None);
+        let reach = found.disc.reach() + MARGIN;
+        if let Some(last) = self.seen.last_mut().filter(|_| alone) {
+            last.part = Part::around(&start.plane, click, reach, tracker.axis.as_ref()).unwrap_or(last.part.clone());
+            (last.first, last.now) = (seen, seen);
+        }
+        Some(place)
     }
 
     /// The body near where its motion predicts it; `None` where nothing there resembles it.
-    fn find(&mut self, plane: &Plane, time: f64) -> Option<Sighting> {
+    fn find(&mut self, plane: &Plane, time: f64, departed: Option<[f64; 2]>) -> Option<Sighting> {
         let (tracker, template) = (self.tracker.as_mut()?, self.templates.last()?);
         let disc = template.disc;
         let trail = self.seen.get(tracker.begin..).unwrap_or_default();
@@ -253,7 +360,10 @@ impl Body {
         let counts = |one: &&Seen| one.free || touched >= TOUCHED || trail.len() < 4;
         let trail: Vec<(f64, [f64; 2])> =
             trail.iter().filter(counts).map(|one| (one.time, one.first.position)).collect();
-        let course = course(&trail, time, disc.outline)?;
+        let mut course = course(&trail, time, disc.outline)?;
+        if let Some(place) = departed {
+            course = Course { place, reach: 3.0 + 0.3 * disc.outline, ..course };
+        }
         let reach = course.reach * (1.0 + 0.4 * tracker.hidden as f64);
         let mut found = tracker.find(plane, template, (course.place, reach), AGREES);
         if found.is_none() && trail.len() > 1 {
@@ -279,7 +389,8 @@ impl Body {
             if self.seen.is_empty() || refining.step(&mut self.seen) {
                 let height = self.size.map_or(1.0, |(_, height)| height as f64);
                 let seen = (self.seen.as_slice(), self.cameras.as_slice());
-                self.track = Some(joined(self.settings.readout, &self.templates, height, seen, self.lost));
+                self.track =
+                    Some(joined(self.settings.readout, (&self.templates, &self.moved), height, seen, self.lost));
             }
         }
         self.track.is_some()

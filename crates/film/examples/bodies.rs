@@ -1,6 +1,6 @@
 //! Follows bodies in drawn films whose truth is known, by clicks beside their middles, and prints how each went:
 //!
-//!     cargo run --release -p film --example bodies -- [KIND...]
+//!     cargo run --release -p film --example bodies -- [KIND...] [FIRST SEED]
 //!
 //! Sizes, speeds, colours and exposures vary with the seed. `wrong` are frames more than 6 pixels off after the shift of the click,
 //! `silent` those of them without a mark, `false` marks on right frames.
@@ -11,7 +11,7 @@
     reason = "a program for developers: it stops where something is missing"
 )]
 
-#[path = "../tests/all/stage.rs"]
+#[path = "../tests/all/stage/mod.rs"]
 mod stage;
 
 use film::tracking::body::{Body, Settings};
@@ -20,12 +20,22 @@ use film::tracking::{Known, Similarity};
 use stage::{Kind, Stage};
 use std::time::Instant;
 
-/// Films of each kind.
-const SEEDS: u64 = 10;
+/// First clicks in films of each kind.
+const CLICKS: u64 = 20;
 
 fn main() {
-    let wanted: Vec<String> = std::env::args().skip(1).collect();
-    let kinds = [Kind::DoublePendulum, Kind::Twins, Kind::Leaves, Kind::Ball, Kind::Wall, Kind::Plain];
+    let mut wanted: Vec<String> = std::env::args().skip(1).collect();
+    let seed: u64 = wanted.pop_if(|last| last.parse::<u64>().is_ok()).map_or(0, |last| last.parse().expect("a seed"));
+    let kinds = [
+        Kind::DoublePendulum,
+        Kind::Chaos,
+        Kind::Twins,
+        Kind::Leaves,
+        Kind::Ball,
+        Kind::Wall,
+        Kind::Boards,
+        Kind::Plain,
+    ];
     for kind in kinds {
         let name = format!("{kind:?}");
         if !wanted.is_empty() && !wanted.iter().any(|one| name.starts_with(one.as_str())) {
@@ -34,11 +44,13 @@ fn main() {
         let mut total = [0_usize; 6];
         let mut silently = 0;
         let mut ends_wrong = 0;
-        let mut tracks = 0;
-        for seed in 0..SEEDS {
+        let mut tracks = 0_u64;
+        let mut seconds = 0.0;
+        let bodies = if matches!(kind, Kind::DoublePendulum | Kind::Chaos | Kind::Twins) { 2 } else { 1 };
+        for seed in seed..seed + CLICKS / bodies {
             let height = [240, 360, 480, 720, 1080][seed as usize % 5];
             let frames = if height > 500 { 90 } else { 240 };
-            let coloured = seed % 2 == 0;
+            let coloured = seed % 2 == 0 || kind == Kind::Chaos;
             let stage = Stage::new(kind, seed, height, frames, coloured);
             let planes: Vec<_> = (0..frames).map(|frame| stage.frame(frame)).collect();
             for body in 0..stage.bodies() {
@@ -79,6 +91,7 @@ fn main() {
                 let rms = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
                 let right = track.points.len() - wrong;
                 tracks += 1;
+                seconds += took + refined;
                 silently += usize::from(silent > 0);
                 ends_wrong += usize::from(late);
                 for (sum, value) in total.iter_mut().zip([frames - first, right, wrong, silent, marked]) {
@@ -98,7 +111,7 @@ fn main() {
             }
         }
         println!(
-            "{name}: {tracks} tracks, {silently} silently wrong, {ends_wrong} end wrong; frames {} right {} wrong {} silent {} false marks {} ({:.2} %)",
+            "{name}: {tracks} tracks, {silently} silently wrong, {ends_wrong} end wrong; frames {} right {} wrong {} silent {} false marks {} ({:.2} %), {seconds:.0} s",
             total[0],
             total[1],
             total[2],

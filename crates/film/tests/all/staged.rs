@@ -69,6 +69,12 @@ fn a_grey_bob_is_followed_before_leaves() {
 }
 
 #[test]
+fn a_bob_that_is_lost_before_boards_of_its_own_grey_is_in_doubt() {
+    let outcome = outcome(Kind::Boards, 0..6, 40);
+    assert!(outcome.silent as f64 <= 0.02 * outcome.frames as f64, "{outcome:?}");
+}
+
+#[test]
 fn a_body_that_does_not_move_is_in_doubt_from_end_to_end() {
     let stage = Stage::new(Kind::Plain, 1, 240, 2, false);
     let position = stage.click(0, 0, 1, 0.6);

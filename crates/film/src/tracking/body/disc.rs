@@ -4,11 +4,11 @@ use crate::plane::Plane;
 use crate::tracking::body::background::distance;
 
 /// The smallest radius of a body in pixels.
-const SMALLEST: f64 = 3.0;
+pub(crate) const SMALLEST: f64 = 3.0;
 /// Directions in which an outline is sought.
 const DIRECTIONS: u32 = 32;
 /// A click is off the middle of a body by at most this part of its radius.
-const BESIDE: f64 = 0.7;
+pub(crate) const BESIDE: f64 = 0.7;
 /// Pixels between the two sides of an outline.
 const ACROSS: f64 = 1.5;
 /// How much it counts against an outline that the shades inside it are uneven.

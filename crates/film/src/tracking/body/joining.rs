@@ -20,10 +20,11 @@ const STOP: f64 = 2.0;
 const STILL: f64 = 1.0;
 
 /// The track with times and errors, in the order of time. Doubts are absolute: they compare with the size of the body and with
-/// smooth motion, not with the rest of the track, most of which may be wrong.
+/// smooth motion, not with the rest of the track, most of which may be wrong. `moved` is false for a template whose disc never moved as
+/// a whole: it is none of a body.
 pub(super) fn joined(
     readout: Known,
-    templates: &[Template],
+    (templates, moved): (&[Template], &[bool]),
     height: f64,
     (seen, cameras): (&[Seen], &[Similarity]),
     lost: Option<usize>,
@@ -50,7 +51,7 @@ pub(super) fn joined(
             position: camera.undo(now.position),
             sigma: [0.0; 2],
             score: now.score,
-            doubtful: one.agreement < AGREES || one.aside,
+            doubtful: one.agreement < AGREES || one.aside || moved.get(one.key) == Some(&false),
         });
         sizes.push(templates.get(one.key).map_or(0.0, |template| template.disc.outline));
     }

@@ -5,16 +5,20 @@ use crate::tracking::body::disc::median;
 
 /// By this part the look follows what a frame shows.
 const PACE: f32 = 0.2;
-/// The squared distance to a background that is not known.
-const UNKNOWN: f32 = 30.0 * 30.0;
+/// The least squared distance to a background that is not known.
+const UNKNOWN: f32 = 12.0 * 12.0;
+/// The same in squared distances that say nothing.
+const UNKNOWN_ALIKE: f32 = 1.5;
 /// Shades closer than so many standard deviations of the noise say nothing.
-const ALIKE: f32 = 4.0;
+pub(crate) const ALIKE: f32 = 4.0;
 /// How much it counts that the body ends where its outline is.
 const OUTLINE: f32 = 0.4;
 /// How much it counts that the body is where its motion leads: so far away as is sought at all.
 const CLOSE: f32 = 0.4;
 /// The squared distance of a spot's shade from that of most of the body.
 const OTHER: f32 = 30.0 * 30.0;
+/// The squared distance that a usual shade in another place of the body counts as, in those that say nothing.
+const TURNED: f32 = 0.25;
 /// Pixels of a coarse and of a fine comparison.
 const FEW: [usize; 2] = [80, 320];
 
@@ -76,13 +80,12 @@ impl Look {
         for spot in self.spots.iter().step_by((self.spots.len() / most).max(1)) {
             let (x, y) = (column + spot.offset[0], row + spot.offset[1]);
             let shade = frame.shade(x, y);
-            let body = distance(shade, spot.now)
-                .min(distance(shade, spot.first))
-                .min(distance(shade, self.usual[0]))
-                .min(distance(shade, self.usual[1]));
+            let usual = distance(shade, self.usual[0]).min(distance(shade, self.usual[1]));
+            let body = distance(shade, spot.now).min(distance(shade, spot.first)).min(usual + TURNED * alike);
             let behind = frame.still(shade, x, y);
-            let apart = behind.map_or(Some(UNKNOWN), |_| frame.still(spot.now, x, y)).unwrap_or(UNKNOWN);
-            let behind = behind.unwrap_or(UNKNOWN);
+            let unknown = UNKNOWN.max(UNKNOWN_ALIKE * alike);
+            let apart = behind.and_then(|_| frame.still(spot.now, x, y)).unwrap_or(unknown);
+            let behind = behind.unwrap_or(unknown);
             score += (behind - body) / (behind + body + alike);
             best += apart / (apart + alike);
             count += 1.0;

@@ -5,15 +5,17 @@
 
 mod background;
 mod course;
+mod departure;
 mod disc;
 mod joining;
 mod look;
 mod part;
 mod refining;
+mod starting;
 mod template;
 
 use background::Background;
-use course::course;
+use course::{Course, course};
 pub(crate) use disc::Disc;
 use look::Look;
 use part::Axis;
@@ -95,6 +97,15 @@ struct Tracker {
     begin: usize,
     /// The part of the ring around the body that usually does not show the background: smear, a rod.
     around: f32,
+    /// The frame of the click, until the body has moved.
+    start: Option<Start>,
+}
+
+/// The frame of a click, and how many frames have come after it.
+struct Start {
+    plane: Plane,
+    click: [f64; 2],
+    age: usize,
 }
 
 /// What was found in a frame.
@@ -105,6 +116,11 @@ struct Sighting {
     free: bool,
 }
 
+/// The greatest radius that is followed in a picture of so many rows.
+fn greatest(high: f64) -> f64 {
+    (high / 3.0).clamp(3.0, 100.0)
+}
+
 /// The tracking of a body.
 pub struct Body {
     settings: Settings,
@@ -112,6 +128,8 @@ pub struct Body {
     /// Time and sense of the last frame.
     last: Option<(f64, f64)>,
     templates: Vec<Template>,
+    /// For each template: true once its disc moves as a whole.
+    moved: Vec<bool>,
     tracker: Option<Tracker>,
     seen: Vec<Seen>,
     cameras: Vec<Similarity>,
@@ -129,6 +147,7 @@ impl Body {
             size: None,
             last: None,
             templates: Vec::new(),
+            moved: Vec::new(),
             tracker: None,
             seen: Vec::new(),
             cameras: Vec::new(),
@@ -149,7 +168,8 @@ impl Body {
     pub fn take(&mut self, frame: usize, time: f64, plane: &Plane, camera: Similarity) -> Result<Sight, Refusal> {
         self.admit(frame, time, plane)?;
         let key = self.settings.keys.iter().rev().find(|key| key.frame == frame).copied();
-        let sighting = self.find(plane, time);
+        let departed = self.depart(plane);
+        let sighting = self.find(plane, time, departed);
         let sighting = match key {
             Some(click) => Some(self.begin(plane, click.position, sighting)?),
             None => sighting,
@@ -205,11 +225,9 @@ impl Body {
         if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
             return Err(Refusal::Click { x, y });
         }
-        let given = self.settings.radius.filter(|radius| radius.is_finite());
-        let greatest = (high / 3.0).clamp(3.0, 100.0);
-        let disc = match given {
-            Some(radius) => Disc::of([0.0; 2], radius.clamp(3.0, greatest)),
-            None => disc::around(plane, [x, y], (RADIUS * high).clamp(3.0, greatest)),
+        let disc = match self.given(high) {
+            Some(disc) => disc,
+            None => disc::around(plane, [x, y], (RADIUS * high).clamp(3.0, greatest(high))),
         };
         let near = |one: &Sighting| {
             let [u, v] = one.found.position;
@@ -217,33 +235,18 @@ impl Body {
         };
         let continued = sighting.filter(near);
         let position = continued.as_ref().map_or([x, y], |one| one.found.position);
-        let middle = disc.middle(position);
-        let background = match self.tracker.take().filter(|_| continued.is_some()) {
-            Some(tracker) => tracker.background,
-            None => Background::new(plane, (middle, disc.radius)),
-        };
-        let compared = background.compare(plane);
-        let look = Look::new(&compared, middle, disc.outline);
-        let axis = plane.colour().and_then(|_| {
-            let [body, around] = look.shades(&compared, middle);
-            Axis::between(body, around)
-        });
-        let part = Part::around(plane, position, disc.reach() + MARGIN, axis.as_ref()).ok_or(Refusal::Plain)?;
-        let template = Template::new(&part, position, disc);
-        if template.plain() {
-            return Err(Refusal::Plain);
-        }
-        let found = template.align(&part, position, 0.5);
+        let background = self.tracker.take().filter(|_| continued.is_some()).map(|tracker| tracker.background);
+        let found = self.start(plane, position, disc, background)?;
         let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
-        self.tracker =
-            Some(Tracker { look, now: template.clone(), axis, background, hidden: 0, since: 0, begin, around: 1.0 });
-        self.templates.push(template);
+        if let Some(tracker) = &mut self.tracker {
+            tracker.begin = begin;
+        }
         let aside = continued.is_some_and(|one| one.aside);
-        Ok(Sighting { found: Found { position, ..found }, agreement: 1.0, aside, free: true })
+        Ok(Sighting { found, agreement: 1.0, aside, free: true })
     }
 
     /// The body near where its motion predicts it; `None` where nothing there resembles it.
-    fn find(&mut self, plane: &Plane, time: f64) -> Option<Sighting> {
+    fn find(&mut self, plane: &Plane, time: f64, departed: Option<[f64; 2]>) -> Option<Sighting> {
         let (tracker, template) = (self.tracker.as_mut()?, self.templates.last()?);
         let disc = template.disc;
         let trail = self.seen.get(tracker.begin..).unwrap_or_default();
@@ -253,7 +256,10 @@ impl Body {
         let counts = |one: &&Seen| one.free || touched >= TOUCHED || trail.len() < 4;
         let trail: Vec<(f64, [f64; 2])> =
             trail.iter().filter(counts).map(|one| (one.time, one.first.position)).collect();
-        let course = course(&trail, time, disc.outline)?;
+        let mut course = course(&trail, time, disc.outline)?;
+        if let Some(place) = departed {
+            course = Course { place, reach: 3.0 + 0.3 * disc.outline, ..course };
+        }
         let reach = course.reach * (1.0 + 0.4 * tracker.hidden as f64);
         let mut found = tracker.find(plane, template, (course.place, reach), AGREES);
         if found.is_none() && trail.len() > 1 {
@@ -279,7 +285,8 @@ impl Body {
             if self.seen.is_empty() || refining.step(&mut self.seen) {
                 let height = self.size.map_or(1.0, |(_, height)| height as f64);
                 let seen = (self.seen.as_slice(), self.cameras.as_slice());
-                self.track = Some(joined(self.settings.readout, &self.templates, height, seen, self.lost));
+                self.track =
+                    Some(joined(self.settings.readout, (&self.templates, &self.moved), height, seen, self.lost));
             }
         }
         self.track.is_some()

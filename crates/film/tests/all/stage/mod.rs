@@ -1,8 +1,13 @@
 //! Films in colour with known truth, drawn for the virtual camera: bodies that are hard to follow, varied by a seed.
 
+mod motions;
+mod walls;
+
 use film::camera::{Exposure, Noise, instants};
 use film::{Colour, Plane};
+use motions::{double_pendulum, slope, swing, twins};
 use units::split_mix::SplitMix64;
+use walls::{blocks, boards, leaves};
 
 /// Something hard to follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +24,10 @@ pub enum Kind {
     Wall,
     /// A bob that swings before an even wall.
     Plain,
+    /// A grey bob that swings before a fence, whose boards have the grey values of the bob.
+    Boards,
+    /// Both bobs of a fast double pendulum before a wall of their own grey.
+    Chaos,
 }
 
 /// A disc with spots that turn with it.
@@ -78,15 +87,18 @@ impl Stage {
         let width = height * 4 / 3;
         let (wide, high) = (width as f64, height as f64);
         let radius = dice.between(5.0, (0.06 * high).clamp(6.0, 40.0));
-        let speed = dice.between(0.3, 2.0);
+        let speed = dice.between(if kind == Kind::Chaos { 1.2 } else { 0.3 }, 2.0);
         let count = frames * FINE + 2 * FINE;
         let places = match kind {
-            Kind::DoublePendulum => {
-                double_pendulum(&mut dice, [wide / 2.0, 0.45 * high], 0.2 * high, radius * speed, count)
+            Kind::DoublePendulum | Kind::Chaos => {
+                let angles = if kind == Kind::Chaos { [1.8, 2.8] } else { [0.8, 1.8] };
+                double_pendulum(&mut dice, [wide / 2.0, 0.45 * high], 0.2 * high, angles, radius * speed, count)
             }
             Kind::Twins => twins(&mut dice, [wide, high], radius, speed, count),
             Kind::Ball => vec![slope(&mut dice, [wide, high], radius, speed, count)],
-            Kind::Leaves | Kind::Wall | Kind::Plain => vec![swing(&mut dice, [wide, high], radius, speed, count)],
+            Kind::Leaves | Kind::Wall | Kind::Plain | Kind::Boards => {
+                vec![swing(&mut dice, [wide, high], radius, speed, count)]
+            }
         };
         let base = [dice.between(70.0, 180.0), 128.0, 128.0];
         let hue = |dice: &mut Dice, grey: f64, far: f64| {
@@ -95,7 +107,7 @@ impl Stage {
         };
         let far = dice.between(50.0, 90.0) * dice.sign();
         let grey = if base[0] + far > 30.0 && base[0] + far < 225.0 { base[0] + far } else { base[0] - far };
-        let mut wall = wall(&mut dice, [width, height], base);
+        let mut wall = walls::wall(&mut dice, [width, height], base);
         let mut shades = vec![hue(&mut dice, grey, 35.0), hue(&mut dice, grey, 35.0)];
         match kind {
             Kind::Leaves => {
@@ -106,6 +118,11 @@ impl Stage {
                 shades.truncate(1);
                 blocks(&mut dice, &mut wall, width, grey);
             }
+            Kind::Boards => {
+                shades = vec![[grey, 128.0, 128.0]];
+                boards(&mut dice, &mut wall, width, grey);
+            }
+            Kind::Chaos => shades.iter_mut().for_each(|shade| shade[0] = base[0] + dice.between(-12.0, 12.0)),
             Kind::DoublePendulum => {
                 // Before a wall of nearly the same grey, if the colours differ.
                 if coloured && dice.sign() > 0.0 {
@@ -124,7 +141,7 @@ impl Stage {
             Paint { shade, spots, roll: if kind == Kind::Ball { 1.0 / radius } else { 0.0 } }
         };
         let paints = shades.into_iter().map(paint).collect();
-        let pivot = (kind == Kind::DoublePendulum).then_some([wide / 2.0, 0.45 * high]);
+        let pivot = matches!(kind, Kind::DoublePendulum | Kind::Chaos).then_some([wide / 2.0, 0.45 * high]);
         let exposure = dice.between(0.05, 0.5);
         let noise = Noise::new(dice.between(1.0, 4.0), seed);
         let level = |k: usize| move |shade: &[f64; 3]| level(shade[k]);
@@ -225,124 +242,4 @@ impl Stage {
 
 fn level(value: f64) -> u8 {
     value.round().clamp(0.0, 255.0) as u8
-}
-
-/// Uneven light and a fine texture.
-fn wall(dice: &mut Dice, [width, height]: [usize; 2], base: [f64; 3]) -> Vec<[f64; 3]> {
-    let texture = dice.between(0.0, 5.0);
-    let (p, q) = (dice.between(0.1, 0.6), dice.between(0.1, 0.6));
-    let (slope, across) = (dice.between(-20.0, 20.0), dice.between(-20.0, 20.0));
-    let pixel = |at: usize| {
-        let (x, y) = ((at % width) as f64, (at / width) as f64);
-        let grey = base[0] + slope * (y / height as f64 - 0.5) + across * (x / width as f64 - 0.5);
-        [grey + texture * libm::sin(p * x + 0.3 * q * y) * libm::sin(q * y), base[1], base[2]]
-    };
-    (0..width * height).map(pixel).collect()
-}
-
-/// Many ellipses of many greys and greens.
-fn leaves(dice: &mut Dice, wall: &mut [[f64; 3]], [width, height]: [usize; 2]) {
-    for _ in 0..400 {
-        let (x, y) = (dice.between(0.0, width as f64), dice.between(0.0, height as f64));
-        let (long, short) = (dice.between(0.02, 0.06) * height as f64, dice.between(0.01, 0.025) * height as f64);
-        let (sine, cosine) = libm::sincos(dice.between(0.0, std::f64::consts::PI));
-        let shade = [dice.between(40.0, 210.0), dice.between(100.0, 128.0), dice.between(95.0, 128.0)];
-        for row in ((y - long).max(0.0) as usize)..((y + long).min(height as f64) as usize) {
-            for column in ((x - long).max(0.0) as usize)..((x + long).min(width as f64) as usize) {
-                let (u, v) = (column as f64 - x, row as f64 - y);
-                let (p, q) = ((cosine * u + sine * v) / long, (cosine * v - sine * u) / short);
-                if p * p + q * q < 1.0 {
-                    wall[row * width + column] = shade;
-                }
-            }
-        }
-    }
-}
-
-/// Upright boards with the grey value of the body, some with another colour.
-fn blocks(dice: &mut Dice, wall: &mut [[f64; 3]], width: usize, grey: f64) {
-    for board in 0..3 {
-        let left = (0.15 + 0.3 * f64::from(board)) * width as f64;
-        let right = left + dice.between(0.04, 0.12) * width as f64;
-        let shade = [grey + dice.between(-6.0, 6.0), dice.between(110.0, 146.0), dice.between(110.0, 146.0)];
-        for row in wall.chunks_mut(width) {
-            row[left as usize..(right as usize).min(width)].fill([shade[0], shade[1], shade[2]]);
-        }
-    }
-}
-
-/// A pendulum whose greatest speed is so many radii a frame.
-fn swing(dice: &mut Dice, [wide, high]: [f64; 2], radius: f64, speed: f64, count: usize) -> Vec<[f64; 2]> {
-    let (length, most) = (dice.between(0.5, 0.75) * high, dice.between(0.3, 0.8));
-    // Radians a frame.
-    let omega = speed * radius / (length * most);
-    let (decay, phase) = (dice.between(0.0, 0.004), dice.between(0.0, std::f64::consts::TAU));
-    let place = |k: usize| {
-        let t = k as f64 / FINE as f64;
-        let angle = most * libm::exp(-decay * t) * libm::cos(omega * t + phase);
-        [wide / 2.0 + length * libm::sin(angle), 0.1 * high + length * libm::cos(angle)]
-    };
-    (0..count).map(place).collect()
-}
-
-/// Two bodies that swing against one another about one middle.
-fn twins(dice: &mut Dice, [wide, high]: [f64; 2], radius: f64, speed: f64, count: usize) -> Vec<Vec<[f64; 2]>> {
-    let apart = dice.between(0.0, 0.6) * radius;
-    let mut path = |sign: f64| -> Vec<[f64; 2]> {
-        let far = dice.between(0.2, 0.4) * wide;
-        let omega = speed * radius / far * dice.between(0.8, 1.0);
-        let (phase, bend) = (dice.between(-0.4, 0.4), dice.between(0.0, 0.15) * high);
-        let place = |k: usize| {
-            let swing = libm::cos(omega * k as f64 / FINE as f64 + phase);
-            [wide / 2.0 + sign * far * swing, 0.6 * high + sign * apart / 2.0 - bend * swing * swing]
-        };
-        (0..count).map(place).collect()
-    };
-    vec![path(1.0), path(-1.0)]
-}
-
-/// Up a slope and back.
-fn slope(dice: &mut Dice, [wide, high]: [f64; 2], radius: f64, speed: f64, count: usize) -> Vec<[f64; 2]> {
-    let start = dice.between(0.1, 0.3) * wide;
-    let way = dice.between(0.4, 0.6) * wide;
-    let (velocity, tilt) = (speed * radius, dice.between(0.0, 0.3));
-    let brake = velocity * velocity / (2.0 * way);
-    let period = 2.0 * velocity / brake;
-    let place = |k: usize| {
-        let t = (k as f64 / FINE as f64) % period;
-        let far = velocity * t - brake * t * t / 2.0;
-        [start + far, 0.8 * high - tilt * far]
-    };
-    (0..count).map(place).collect()
-}
-
-/// Two equal bobs on rods of equal length, whose greatest speed is so many pixels a frame.
-fn double_pendulum(dice: &mut Dice, pivot: [f64; 2], length: f64, speed: f64, count: usize) -> Vec<Vec<[f64; 2]>> {
-    let mut state = [dice.between(0.8, 1.8) * dice.sign(), dice.between(-1.8, 1.8), 0.0, 0.0];
-    // M. Levien, S. M. Tan, Am. J. Phys. 61 (1993) 1038: equal masses and lengths, in units of sqrt(l / g).
-    let rates = |[a, b, p, q]: [f64; 4]| {
-        let (sine, cosine) = libm::sincos(a - b);
-        let below = 2.0 - cosine * cosine;
-        let first = (-2.0 * libm::sin(a) - sine * (q * q + p * p * cosine) + libm::sin(b) * cosine) / below;
-        let second = (2.0 * sine * (p * p + libm::cos(a)) + q * q * sine * cosine) / below;
-        [p, q, first, second]
-    };
-    let plus = |state: [f64; 4], rate: [f64; 4], step: f64| [0, 1, 2, 3].map(|k| state[k] + step * rate[k]);
-    let ends = |state: [f64; 4]| {
-        let first = [pivot[0] + length * libm::sin(state[0]), pivot[1] + length * libm::cos(state[0])];
-        [first, [first[0] + length * libm::sin(state[1]), first[1] + length * libm::cos(state[1])]]
-    };
-    // The fastest that the second bob becomes from rest at these angles is about 3 l/sqrt(l/g).
-    let step = speed / (3.0 * length) / FINE as f64;
-    let mut places = vec![Vec::new(), Vec::new()];
-    for _ in 0..count {
-        places.iter_mut().zip(ends(state)).for_each(|(places, end)| places.push(end));
-        let one = rates(state);
-        let two = rates(plus(state, one, step / 2.0));
-        let three = rates(plus(state, two, step / 2.0));
-        let four = rates(plus(state, three, step));
-        let mean = [0, 1, 2, 3].map(|k| (one[k] + 2.0 * two[k] + 2.0 * three[k] + four[k]) / 6.0);
-        state = plus(state, mean, step);
-    }
-    places
 }

@@ -1,0 +1,259 @@
+//! The disc of a body by its motion: two frames tell a body from a wall that looks like it, and from a spot on it.
+
+use crate::tracking::body::background::{Compared, distance};
+use crate::tracking::body::disc::{BESIDE, Disc, SMALLEST};
+use crate::tracking::body::look::ALIKE;
+
+/// The radius of a disc in cells of a coarse and of a fine comparison.
+const CELLS: [f64; 2] = [5.0, 16.0];
+/// Successive radii of discs that are tried.
+const RATIO: f64 = 1.25;
+/// Greatest way between the frames, in radii and additional pixels.
+const WAY: (f64, f64) = (2.2, 6.0);
+/// Cost of a cell that only one of the frames shows, where a cell that contradicts costs 1: small discs explain as much as large ones.
+const UNSEEN: f64 = 0.35;
+/// Change of a cell by noise.
+const FLOOR: f64 = 0.15;
+/// Ways that are compared in full for each radius.
+const CANDIDATES: usize = 60;
+/// Least change that a motion explains, per cell of the disc.
+const EXPLAINED: f64 = 0.2;
+/// The same in pixels altogether: fewer change by accident.
+const EVIDENT: f64 = 150.0;
+/// A shorter way in pixels does not show an outline.
+const SHORTEST: f64 = 2.0;
+
+/// The disc of a body, and the way from its place in the first frame in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Departure {
+    pub disc: Disc,
+    pub way: [f64; 2],
+    /// Pixels whose change the motion explains, in both frames.
+    pub explained: f64,
+    /// How much better the pixels of the disc agree with the motion than with rest, from -1 to 1.
+    pub coherence: f64,
+}
+
+/// Mean shades of square cells around a click, in two frames.
+struct Cells {
+    /// Pixels of a cell's side.
+    size: i64,
+    /// Cells on each side of the one in the middle.
+    reach: i64,
+    shades: [Vec<[f32; 3]>; 2],
+    /// Squared distance of shades of which the noise makes up little.
+    alike: f32,
+}
+
+/// A disc that moves, in cells from the one with the click.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Motion {
+    middle: [i64; 2],
+    way: [i64; 2],
+    radius: f64,
+}
+
+impl Cells {
+    fn new(first: &Compared<'_>, now: &Compared<'_>, click: [f64; 2], size: i64, extent: f64) -> Cells {
+        let reach = (extent / size as f64).ceil() as i64;
+        let [x, y] = click.map(|at| at.floor() as i64 - size / 2);
+        let mean = |frame: &Compared<'_>, [column, row]: [i64; 2]| {
+            let mut sum = [0.0; 3];
+            for v in 0..size {
+                for u in 0..size {
+                    let shade = frame.shade(x + column * size + u, y + row * size + v);
+                    sum.iter_mut().zip(shade).for_each(|(sum, part)| *sum += part);
+                }
+            }
+            sum.map(|sum| sum / (size * size) as f32)
+        };
+        let all = |frame| {
+            let rows = (-reach..=reach).flat_map(|row| (-reach..=reach).map(move |column| [column, row]));
+            rows.map(|place| mean(frame, place)).collect()
+        };
+        // Means of cells scatter less than pixels, but compression and shifts by parts of a cell do not vanish in them.
+        let noise = (now.noise / size as f32).max(1.5);
+        Cells { size, reach, shades: [all(first), all(now)], alike: ALIKE * ALIKE * noise * noise }
+    }
+
+    fn shade(&self, frame: usize, [column, row]: [i64; 2]) -> Option<[f32; 3]> {
+        let within = column.abs() <= self.reach && row.abs() <= self.reach;
+        let place = (row + self.reach) * (2 * self.reach + 1) + column + self.reach;
+        within.then(|| self.shades.get(frame)?.get(usize::try_from(place).ok()?).copied()).flatten()
+    }
+
+    /// The change from a cell of the first frame to one of the second: 0 for none, at most 1.
+    fn change(&self, from: [i64; 2], to: [i64; 2]) -> f64 {
+        let Some((one, other)) = self.shade(0, from).zip(self.shade(1, to)) else { return 0.0 };
+        let far = distance(one, other);
+        f64::from(far / (far + self.alike))
+    }
+
+    /// The changes that a motion explains, in cells: each frame is compared with the other one, moved and not moved.
+    fn gain(&self, motion: &Motion) -> f64 {
+        let [across, down] = motion.way;
+        let inside = |u: i64, v: i64| ((u * u + v * v) as f64) <= motion.radius * motion.radius;
+        let extent = motion.radius.floor() as i64;
+        let mut gain = 0.0;
+        for v in -extent..=extent {
+            for u in (-extent..=extent).filter(|u| inside(*u, v)) {
+                let from = [motion.middle[0] + u, motion.middle[1] + v];
+                let to = [from[0] + across, from[1] + down];
+                let (left, reached) = (self.change(from, from), self.change(to, to));
+                gain += left + reached - 2.0 * self.change(from, to);
+                gain += if inside(u - across, v - down) { 0.0 } else { left - UNSEEN };
+                gain += if inside(u + across, v + down) { 0.0 } else { reached - UNSEEN };
+            }
+        }
+        gain
+    }
+
+    /// How much better the cells of a disc agree with their motion than with rest, from -1 to 1; 0 where neither shows.
+    fn coherence(&self, motion: &Motion) -> f64 {
+        let extent = motion.radius.floor() as i64;
+        let (mut difference, mut sum) = (0.0, f64::MIN_POSITIVE);
+        for v in -extent..=extent {
+            for u in -extent..=extent {
+                if (u * u + v * v) as f64 > motion.radius * motion.radius {
+                    continue;
+                }
+                let from = [motion.middle[0] + u, motion.middle[1] + v];
+                let to = [from[0] + motion.way[0], from[1] + motion.way[1]];
+                let change = |from, to| (self.change(from, to) - FLOOR).max(0.0);
+                let (resting, moving) = (change(from, from) + change(to, to), 2.0 * change(from, to));
+                difference += resting - moving;
+                sum += resting + moving;
+            }
+        }
+        difference / sum
+    }
+
+    /// The same in pixels; a click near the middle is more likely. Zero for a motion that is not allowed.
+    fn value(&self, motion: &Motion, known: bool) -> f64 {
+        let off = hypot(motion.middle) / motion.radius;
+        if motion.radius * (self.size as f64) < SMALLEST || off > if known { 0.0 } else { BESIDE } {
+            return 0.0;
+        }
+        self.gain(motion) * (1.0 - 0.15 * off * off) * (self.size * self.size) as f64
+    }
+
+    /// The best motion of a disc of this radius in cells.
+    fn search(&self, radius: f64, known: bool) -> Option<(f64, Motion)> {
+        let extent = self.reach - radius.ceil() as i64;
+        let inside = |reach: f64| {
+            let most = reach.floor() as i64;
+            let all = (-most..=most).flat_map(move |v| (-most..=most).map(move |u| [u, v]));
+            all.filter(move |place| hypot(*place) <= reach)
+        };
+        // The changes within the disc around each place.
+        let side = 2 * extent + 1;
+        let disc: Vec<[i64; 2]> = inside(radius).collect();
+        let changed: Vec<f64> = (0..side * side)
+            .map(|at| {
+                let [x, y] = [at % side - extent, at / side - extent];
+                disc.iter().map(|[u, v]| self.change([x + u, y + v], [x + u, y + v])).sum()
+            })
+            .collect();
+        let changed = |[x, y]: [i64; 2]| {
+            let place = (y + extent) * side + x + extent;
+            usize::try_from(place).ok().and_then(|place| changed.get(place)).copied().unwrap_or(0.0)
+        };
+        let most = WAY.0 * radius + WAY.1 / self.size as f64;
+        let ways: Vec<([i64; 2], f64)> = inside(most)
+            .filter(|way| hypot(*way) * self.size as f64 >= SHORTEST)
+            .map(|way| {
+                let far = (hypot(way) / (2.0 * radius)).min(1.0);
+                (way, (libm::acos(far) - far * (1.0 - far * far).sqrt()) / std::f64::consts::FRAC_PI_2)
+            })
+            .collect();
+        let mut motions = Vec::new();
+        for middle in inside(if known { 0.0 } else { BESIDE * radius }) {
+            for (way, common) in &ways {
+                let changes = changed(middle) + changed([middle[0] + way[0], middle[1] + way[1]]);
+                let bound = changes * (1.0 - common / 2.0) - UNSEEN * disc.len() as f64 * (1.0 - common);
+                motions.push((bound, Motion { middle, way: *way, radius }));
+            }
+        }
+        let last = CANDIDATES.min(motions.len().checked_sub(1)?);
+        motions.select_nth_unstable_by(last, |one, other| other.0.total_cmp(&one.0));
+        let best = motions[..=last].iter().map(|(_, motion)| (self.value(motion, known), *motion));
+        best.max_by(|one, other| one.0.total_cmp(&other.0))
+    }
+
+    /// Improves a motion by single steps.
+    fn climb(&self, mut best: (f64, Motion), known: bool) -> (f64, Motion) {
+        for step in [3, 1] {
+            loop {
+                let before = best;
+                for k in 0..2 {
+                    for sign in [-step, step] {
+                        let mut shifted = before.1;
+                        shifted.middle[k] += sign;
+                        let mut turned = before.1;
+                        turned.way[k] += sign;
+                        let mut kept = shifted;
+                        kept.way[k] -= sign;
+                        let sized = Motion { radius: before.1.radius + sign as f64 / 2.0, ..before.1 };
+                        let motions = [shifted, turned, kept, sized];
+                        for motion in motions.iter().take(if known { 3 } else { 4 }) {
+                            let value = self.value(motion, known);
+                            if value > best.0 {
+                                best = (value, *motion);
+                            }
+                        }
+                    }
+                }
+                if best == before {
+                    break;
+                }
+            }
+        }
+        best
+    }
+}
+
+fn hypot([x, y]: [i64; 2]) -> f64 {
+    libm::hypot(x as f64, y as f64)
+}
+
+/// The motion of a clicked body from the first frame to the second, and its disc of at most a radius, or one that is `known`; `None` where
+/// it has not moved.
+pub(crate) fn departure(
+    first: &Compared<'_>,
+    now: &Compared<'_>,
+    click: [f64; 2],
+    greatest: f64,
+    known: Option<Disc>,
+) -> Option<Departure> {
+    let size = |radius: f64, cells: f64| ((radius / cells) as i64).max(1);
+    let extent = |radius: f64| (1.0 + BESIDE + WAY.0) * radius + WAY.1 + 3.0;
+    let (is_known, click) = (known.is_some(), known.map_or(click, |disc| disc.middle(click)));
+    let (least, greatest) = known.map_or((SMALLEST, greatest), |disc| (disc.outline, disc.outline));
+    let mut best: Option<(f64, Motion, i64)> = None;
+    let mut radius = least;
+    while radius <= greatest {
+        let cells = Cells::new(first, now, click, size(radius, CELLS[0]), extent(radius));
+        let found = cells.search(radius / cells.size as f64, is_known);
+        if let Some((value, motion)) = found.filter(|found| best.is_none_or(|best| found.0 > best.0)) {
+            best = Some((value, motion, cells.size));
+        }
+        radius = (radius * RATIO).max(radius + 1.0);
+    }
+    let (_, coarse, side) = best.filter(|best| best.0 > 0.0)?;
+    let radius = coarse.radius * side as f64;
+    let cells = Cells::new(first, now, click, size(radius, CELLS[1]), 1.5 * extent(radius));
+    let scaled = |place: [i64; 2]| place.map(|at| (at * side + cells.size / 2).div_euclid(cells.size));
+    let (middle, way) = (scaled(coarse.middle), scaled(coarse.way));
+    let start = Motion { middle, way, radius: radius / cells.size as f64 };
+    let (explained, motion) = cells.climb((cells.value(&start, is_known), start), is_known);
+    let [middle, way] = [motion.middle, motion.way].map(|place| place.map(|at| (at * cells.size) as f64));
+    let radius = motion.radius * cells.size as f64;
+    let moved = libm::hypot(way[0], way[1]) >= SHORTEST;
+    let enough = explained > EVIDENT.max(EXPLAINED * std::f64::consts::PI * radius * radius);
+    (moved && enough).then_some(Departure {
+        disc: known.unwrap_or(Disc::of(middle, radius)),
+        way,
+        explained,
+        coherence: cells.coherence(&motion),
+    })
+}

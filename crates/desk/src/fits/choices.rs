@@ -271,15 +271,28 @@ impl Desk {
 
     /// True if a plot is zoomed to a time range that can become the fitted window.
     pub fn has_part_in_plot(&self) -> bool {
-        self.play.zoomed_part().is_some()
+        self.part_in_plot().is_some()
     }
 
     /// Sets the fitted time window to the range of the zoomed plot.
     pub fn take_part_in_plot(&mut self) {
-        if let Some(part) = self.play.zoomed_part() {
-            let unit = &self.play.model().independent.unit;
-            self.fits.setup.window = [part.low, part.high].map(|end| Some(unit.to_si(end)));
-            self.revision.fits += 1;
+        if let Some(part) = self.part_in_plot() {
+            self.set_fitted_part(part.map(Some));
         }
+    }
+
+    /// Time range of the zoomed plot on the clocks of the records that take part, SI. `None` if no plot is zoomed, or if the
+    /// model begins at different readings of these clocks, so that no common range corresponds to the plot.
+    fn part_in_plot(&self) -> Option<[f64; 2]> {
+        let part = self.play.zoomed_part()?;
+        let model = self.play.model();
+        let taking_part: Vec<u32> =
+            self.fit_records().iter().filter(|choice| choice.taking_part).map(|choice| choice.id).collect();
+        let mut origins = (self.data.records.iter())
+            .filter(|record| taking_part.contains(&record.id))
+            .map(|record| record.origin(&model.independent.name, model.is_autonomous()));
+        let origin = origins.next()?;
+        let unit = &model.independent.unit;
+        origins.all(|other| other == origin).then(|| [part.low, part.high].map(|end| unit.to_si(end) + origin))
     }
 }

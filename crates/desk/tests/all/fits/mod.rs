@@ -5,6 +5,8 @@ mod several;
 
 use desk::document;
 use desk::{Desk, FitDetail};
+use figure::{Direction, Settings};
+use play::PlotId;
 use std::path::Path;
 
 fn theory(name: &str) -> document::Document {
@@ -105,5 +107,32 @@ fn a_best_value_at_an_end_of_its_range_is_in_doubt() {
         assert_eq!(why.contains("The search has stopped at an end of the range: γ."), doubtful, "{why}");
         desk.apply_fit(desk.fits()[0].id);
         assert_ne!(length(&desk), 0.2);
+    }
+}
+
+/// Points are drawn from the beginning of the model, but the window counts on the record's clock.
+#[test]
+fn the_part_in_a_plot_is_that_of_the_record_wherever_its_clock_begins() {
+    for begin in [0.0, 2.5, -1.25, 1000.0] {
+        let mut desk = Desk::open(theory("linear"));
+        let shifted = |row: &str| {
+            let (time, value) = row.split_once(' ').unwrap();
+            format!("{} {value}\n", time.parse::<f64>().unwrap() + begin)
+        };
+        let record: String = film(0.24, DAMPING, 1).lines().map(shifted).collect();
+        desk.add_record("tube.txt", record.as_bytes()).unwrap();
+        assert!(!desk.has_part_in_plot());
+        let plot = PlotId::at(0);
+        desk.follow();
+        desk.play_mut().layout_plot(plot, &Settings::default());
+        desk.play_mut().zoom_plot(plot, None, 2.0, Direction::Horizontal);
+        let part = desk.play().zoomed_part().unwrap();
+        desk.take_part_in_plot();
+        let [from, until] = desk.fitted_part().map(Option::unwrap);
+        assert!((from - part.low - begin).abs() < 1e-9 && (until - part.high - begin).abs() < 1e-9, "{begin}: {from} {until}");
+        // With two records whose clocks begin at different readings there is no such part.
+        desk.add_record("other.txt", film(0.24, DAMPING, 2).as_bytes()).unwrap();
+        together(&mut desk);
+        assert_eq!(desk.has_part_in_plot(), begin == 0.0, "{begin}");
     }
 }

@@ -272,7 +272,19 @@ fn every(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Every
                 );
                 return None;
             };
-            Some(f64::from_bits(bits)).filter(|from| from.is_finite() && *from >= 0.0)
+            let from = f64::from_bits(bits);
+            if !(from.is_finite() && from >= 0.0) {
+                expressions.error(
+                    "plot-syntax",
+                    words(
+                        "the first moment must not lie before 0, where the run begins",
+                        "el primer momento no puede estar antes de 0, donde empieza la simulación",
+                    ),
+                    place,
+                );
+                return None;
+            }
+            Some(from)
         }
         None => None,
     };

@@ -1,8 +1,9 @@
 //! Reading of measured data: text, spreadsheets, and Tracker projects.
 
 use crate::arguments::assignments::{Assignment, Observe};
-use crate::arguments::variable::{Stated, choices, choose, find, quoted};
+use crate::arguments::variable::{Stated, choices, choose, find};
 use crate::failure::Failure;
+use crate::terminal::quoted::quoted;
 use analysis::finding::Finding;
 use analysis::import::{self, Format};
 use analysis::inspection::{Derived, doubtful_times, inspect};
@@ -172,7 +173,7 @@ impl Measured {
         if let Some(text) = unit.and_then(|time| time.origin.unit.unknown()) {
             return Err(Failure::with_hint(
                 format!("{}: `{text}`, the unit of {name}, is not a known unit", self.name),
-                format!("state it, such as --unit {}=ms", quoted(&name)),
+                format!("state it, such as --unit {}=ms", quoted(name)),
             ));
         }
         if !table.has_times(column) {
@@ -196,7 +197,7 @@ impl Measured {
         let name = self.called(column);
         Err(Failure::with_hint(
             format!("{}: `{text}`, the unit of {name}, is not a known unit", self.name),
-            format!("state it, such as --unit {}=cm", quoted(&name)),
+            format!("state it, such as --unit {}=cm", quoted(name)),
         ))
     }
 

@@ -228,7 +228,7 @@ fn folder(path: &Path) -> Failure {
     let (name, shown) = (path.display(), quoted(path));
     let hint = match document {
         Some(document) => {
-            let document = quoted(&path.join(document));
+            let document = quoted(path.join(document));
             words!(
                 "name a document in it, such as {document}; `meniscus check {shown}/*.md` checks all of them",
                 "nombra un documento de ella, por ejemplo {document}; `meniscus check {shown}/*.md` los comprueba todos"

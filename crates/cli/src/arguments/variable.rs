@@ -2,6 +2,7 @@
 
 use super::assignments::{Assignment, Observe};
 use crate::failure::{Failure, listed};
+use crate::terminal::quoted::quoted;
 use analysis::lookup::LookupError;
 use analysis::origin::Reason;
 use analysis::roles::Remark;
@@ -55,7 +56,7 @@ pub fn find(file: &str, table: &Table, which: &str, option: &dyn Fn(&str) -> Str
         LookupError::Several(found) => {
             let described = |index: &usize| format!("column {}, named `{}`", table.number(*index), table.label(*index));
             let described: Vec<String> = found.iter().map(described).collect();
-            let typed: Vec<String> = found.iter().map(|index| option(&quoted(&table.typed(*index)))).collect();
+            let typed: Vec<String> = found.iter().map(|index| option(&quoted(table.typed(*index)))).collect();
             Failure::with_hint(
                 format!("{file}: `{which}` can be {}", described.join(", or ")),
                 format!("write {}", typed.join(" or ")),
@@ -69,17 +70,8 @@ pub fn choices(table: &Table) -> String {
     let option = |reading: &Vec<usize>| {
         let typed: Vec<String> = reading.iter().map(|index| table.typed(*index)).collect();
         let words = table.reading_in_words(reading, Language::English);
-        format!("--against {} ({words})", quoted(&typed.join(",")))
+        format!("--against {} ({words})", quoted(typed.join(",")))
     };
     let options: Vec<String> = table.readings.iter().map(option).collect();
     format!("write {}", options.join(", or "))
-}
-
-/// Quotes a name for a shell if necessary.
-pub fn quoted(name: &str) -> String {
-    if name.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.' | ',')) {
-        name.to_owned()
-    } else {
-        format!("'{name}'")
-    }
 }

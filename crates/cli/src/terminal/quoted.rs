@@ -1,10 +1,10 @@
-//! Quoting of paths in commands that users copy.
+//! Quoting of words in commands that users copy.
 
-use std::path::Path;
+use std::ffi::OsStr;
 
-/// Quotes a path for a shell if it contains blanks or special characters.
-pub fn quoted(path: &Path) -> String {
-    let text = path.display().to_string();
+/// Quotes a path or another word for a shell if it contains blanks or special characters.
+pub fn quoted(word: impl AsRef<OsStr>) -> String {
+    let text = word.as_ref().to_string_lossy().into_owned();
     let is_plain =
         |letter: char| letter.is_alphanumeric() || "-_./:,+@%".contains(letter) || cfg!(windows) && letter == '\\';
     if !text.is_empty() && text.chars().all(is_plain) {
@@ -28,7 +28,7 @@ mod tests {
             ("my folder/a.md", "'my folder/a.md'"),
             ("it's $a.md", r"'it'\''s $a.md'"),
         ] {
-            assert_eq!(quoted(Path::new(path)), expected);
+            assert_eq!(quoted(path), expected);
         }
     }
 }

@@ -6,15 +6,13 @@ use units::number::shortest;
 /// CSV dialect. Numbers have the fewest digits that read back exactly; a value that is not finite is an empty cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dialect {
-    /// Commas, decimal points and line ends `
-    /// `: for programs in a pipe.
+    /// Commas, decimal points and line ends `\n`: for programs in a pipe.
     Lines,
-    /// Commas, decimal points and line ends `\r
-    /// `: RFC 4180.
+    /// Commas, decimal points and line ends `\r\n`: RFC 4180.
     #[default]
     Commas,
-    /// Semicolons, decimal commas, line ends `\r
-    /// ` and a byte-order mark: for spreadsheets in regions with a decimal comma.
+    /// Semicolons, decimal commas, line ends `\r\n` and a byte-order mark: for spreadsheets in regions
+    /// with a decimal comma.
     Semicolons,
 }
 

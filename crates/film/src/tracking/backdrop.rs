@@ -256,7 +256,7 @@ impl Block {
     fn roughly(&self, plane: &Plane, by: [f64; 2], step: f64) -> f64 {
         let column = |k: usize| (self.place[0] + (k % SIDE) as f64 * step + by[0]) as i64;
         let row = |k: usize| (self.place[1] + (k / SIDE) as f64 * step + by[1]) as i64;
-        let some = || (0..self.values.len()).filter(|k| k % 2 == 0 && k / SIDE % 2 == 0);
+        let some = || (0..self.values.len()).filter(|k| k.is_multiple_of(2) && (k / SIDE).is_multiple_of(2));
         let seen: Vec<f64> = some().map(|k| f64::from(plane.pixel(column(k), row(k)))).collect();
         let mean = seen.iter().sum::<f64>() / seen.len() as f64;
         let norm = seen.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>().sqrt().max(1.0);

@@ -129,7 +129,10 @@ fn the_part_in_a_plot_is_that_of_the_record_wherever_its_clock_begins() {
         let part = desk.play().zoomed_part().unwrap();
         desk.take_part_in_plot();
         let [from, until] = desk.fitted_part().map(Option::unwrap);
-        assert!((from - part.low - begin).abs() < 1e-9 && (until - part.high - begin).abs() < 1e-9, "{begin}: {from} {until}");
+        assert!(
+            (from - part.low - begin).abs() < 1e-9 && (until - part.high - begin).abs() < 1e-9,
+            "{begin}: {from} {until}"
+        );
         // With two records whose clocks begin at different readings there is no such part.
         desk.add_record("other.txt", film(0.24, DAMPING, 2).as_bytes()).unwrap();
         together(&mut desk);

@@ -102,5 +102,5 @@ fn parts(hidden: &[bool]) -> Vec<std::ops::Range<usize>> {
     }
     parts.push(first..count);
     let kept: usize = parts.iter().map(ExactSizeIterator::len).sum();
-    if (kept as f64) < (1.0 - MOST_HIDDEN) * count as f64 { vec![0..count] } else { parts }
+    if (kept as f64) < (1.0 - MOST_HIDDEN) * count as f64 { std::iter::once(0..count).collect() } else { parts }
 }

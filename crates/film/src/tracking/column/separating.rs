@@ -75,6 +75,8 @@ impl Separating {
                 }
             }
             Stage::Finding(mut finding) => match finding.step(signals) {
+                // Where nothing else moves, the path is not that of a reflection either.
+                Some(reflection) if self.tried == 1 && reflection.is_faint() => Stage::Finished,
                 Some(reflection) => {
                     (self.profiles, self.signals) = Default::default();
                     Stage::Cleaning(reflection)

@@ -1,5 +1,5 @@
-// Points on a film: corners of a rectangle, both arms, points by hand, several bodies and their radius, resting marks; moved and removed one by one, by
-// pointer, keys and finger.
+// Points on a film: corners of a rectangle, both arms, points by hand, several bodies, the radius of one, resting marks; moved and
+// removed one by one, by pointer, keys and finger.
 
 import assert from "node:assert/strict";
 import { eventually, number, visit } from "../lab.mjs";

@@ -41,9 +41,9 @@ pub use announcement::Announcement;
 pub use cycles::{CycleColumn, CyclesView};
 pub use desk::{Desk, Revision};
 pub use films::{
-    CalibrationForm, CameraSettings, Clip, Doubt, DoubtfulFrame, FILMED_SIZE, FilmIdentity, FilmOpening, FilmRecipe,
-    FilmTruth, FilmedBody, FilmedSurface, Lacking, LengthsForm, MOST_BODIES, MOST_SURFACES, OpenFilm, POINT_SIGMA,
-    ParallaxForm, ProjectFilm, SpaceTimePicture, Subject, TrackingProgress, TruthComparison,
+    BodyOutline, CalibrationForm, CameraSettings, Clip, Doubt, DoubtfulFrame, FILMED_SIZE, FilmIdentity, FilmOpening,
+    FilmRecipe, FilmTruth, FilmedBody, FilmedSurface, Lacking, LengthsForm, MOST_BODIES, MOST_SURFACES, OpenFilm,
+    POINT_SIGMA, ParallaxForm, ProjectFilm, SpaceTimePicture, Subject, TrackingProgress, TruthComparison,
 };
 pub use fits::{
     ChoiceView, EstimateView, Export, ExportKind, FitDetail, FitProgress, FitRecordView, FitView, Imprint, KnownView,

@@ -1,5 +1,5 @@
-// Points on a film: corners of a rectangle, both arms, points by hand, several bodies, resting marks; moved and removed one by one, by
-// pointer, keys and finger.
+// Points on a film: corners of a rectangle, both arms, points by hand, several bodies, the radius of one, resting marks; moved and
+// removed one by one, by pointer, keys and finger.
 
 import assert from "node:assert/strict";
 import { eventually, number, visit } from "../lab.mjs";
@@ -101,6 +101,63 @@ visit("two bodies", async (lab) => {
   const text = await lab.page.locator("#film-truth").innerText();
   const rms = [...text.matchAll(/truth (\d): RMS ([\d.]+) px/g)].map(([, , value]) => Number(value));
   assert.ok(rms.length === 2 && Math.max(...rms) < 0.3, text);
+});
+
+visit("the radius of a body is found from the click, typed, refused, and found again", async (lab) => {
+  await openTheory(lab, "Coupled oscillators");
+  await filmSimulation(lab, { seconds: "2" });
+  await lab.page.locator("#film-kind-body").click();
+  assert.equal(await lab.page.locator("#film-radius").count(), 0);
+  await clickFilmed(lab, [258, 110]);
+  await tracked(lab);
+  const field = lab.page.getByRole("textbox", { name: "Radius", exact: true });
+  const find = lab.page.getByRole("button", { name: "Find from the click", exact: true });
+  const said = () => lab.page.locator("#film-radius-said").innerText();
+  /** The field shows this radius, and so does the circle in the picture. */
+  const shows = (radius) => eventually(async () => {
+    assert.equal(number(await field.inputValue()), radius);
+    const circle = await lab.page.locator(".film-lines .body-outline").evaluate((path) => path.getBBox().width / 2);
+    assert.ok(Math.abs(circle - radius) < 0.1, `${circle} px, not ${radius} px`);
+  });
+  await eventually(async () => assert.match(await said(), /found from the click/));
+  const found = number(await field.inputValue());
+  assert.ok(found >= 3 && found <= 40, `${found} px`);
+  await shows(found);
+  assert.equal(await find.isVisible(), false);
+
+  const typed = found + 5;
+  await field.fill(String(typed));
+  await field.press("Enter");
+  await shows(typed);
+  await eventually(async () => assert.doesNotMatch(await said(), /found/));
+  // The ruler is asked for next: 200 pixels are 2 m.
+  for (const mark of [[100, 300], [300, 300]]) await clickFilmed(lab, mark);
+  await lab.page.locator("#film-length").fill("2 m");
+  await lab.page.locator("#film-length").press("Enter");
+  await eventually(async () => {
+    const [, metres] = (await said()).match(/= ([\d.]+) m/);
+    assert.ok(Math.abs(number(metres) / (0.01 * typed) - 1) < 0.02, metres);
+  });
+
+  for (const refused of ["1", "1000", "large"]) {
+    await field.fill(refused);
+    await field.press("Enter");
+    await eventually(async () => assert.match(await lab.page.locator("#film-radius-refused").innerText(), /from 3 to 100 px/));
+    const circle = await lab.page.locator(".film-lines .body-outline").evaluate((path) => path.getBBox().width / 2);
+    assert.ok(Math.abs(circle - typed) < 0.1, `${refused}: ${circle} px`);
+  }
+  await field.fill("");
+  await field.press("Enter");
+  await shows(found);
+  assert.equal(await lab.page.locator("#film-radius-refused").innerText(), "");
+  assert.equal((await lab.focused()).id, "film-radius");
+
+  await field.fill(String(typed));
+  await field.press("Enter");
+  await shows(typed);
+  await find.click();
+  await shows(found);
+  assert.equal((await lab.focused()).id, "film-radius");
 });
 
 visit("resting marks are placed, and removed one by one", async (lab) => {

@@ -35,6 +35,6 @@ pub use recipe::{CameraSettings, FILMED_SIZE, FilmRecipe};
 pub use subject::{FilmedBody, FilmedSurface, MOST_BODIES, MOST_SURFACES, POINT_SIGMA, Subject};
 pub use tracking::TrackingProgress;
 pub use truth::{FilmTruth, TruthComparison};
-pub use view::OpenFilm;
+pub use view::{BodyOutline, OpenFilm};
 
 pub use film::tracking::column::SpaceTimePicture;

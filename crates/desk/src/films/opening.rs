@@ -55,7 +55,7 @@ impl Desk {
             work.stated_factor = clip.stated_factor().unwrap_or(1.0);
             work.ends = clip.ends(work.part);
             // Stored text is not trusted: what does not fit this film is not followed in it.
-            if work.subject.check(clip.size(), clip.times().len()).is_err() {
+            if work.subject.check(&clip).is_err() {
                 work.subject = Subject::Nothing;
             }
         }

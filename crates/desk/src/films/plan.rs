@@ -4,7 +4,7 @@ use crate::films::clip::Clip;
 use crate::films::subject::{FilmedBody, FilmedSurface, Subject};
 use crate::films::work::{Found, Work};
 use film::tracking::column::{self, Click, SpaceTimePicture};
-use film::tracking::{Following, Known, Plan, Point, Surface, Track, body};
+use film::tracking::{Following, Known, Outline, Plan, Point, Surface, Track, body};
 use units::{Words, words};
 
 /// Half the width of the strip around a tube, as a part of the height of the upright picture.
@@ -64,6 +64,7 @@ pub(crate) fn found(following: &Following, clip: &Clip, factor: f64) -> Found {
     let track = |track: &&Track| Track {
         points: track.points.iter().map(point).collect(),
         direction: track.direction.map(|direction| clip.upright_direction(direction)),
+        outline: track.outline.map(|outline| Outline { offset: clip.upright_direction(outline.offset), ..outline }),
         ..(*track).clone()
     };
     Found {

@@ -66,7 +66,7 @@ impl Desk {
                 count = Words::same(masses.len().to_string())
             )));
         }
-        subject.check(clip.size(), clip.times().len()).map_err(|refusal| self.film_refusal(&refusal.words()))?;
+        subject.check(clip).map_err(|refusal| self.film_refusal(&refusal.words()))?;
         let mut found = Found { factor: factor.unwrap_or(work.stated_factor), ..Found::default() };
         for (_, clicks) in &masses {
             let one = by_hand(clicks, POINT_SIGMA, clip, found.factor);

@@ -1,7 +1,8 @@
 //! What is followed in a film.
 
-use film::tracking::Refusal;
+use crate::films::clip::Clip;
 use film::tracking::column::Click;
+use film::tracking::{Refusal, body};
 
 /// How many surfaces are followed at once.
 pub const MOST_SURFACES: usize = 2;
@@ -81,8 +82,10 @@ impl Subject {
         matches!(self, Self::Surfaces(_) | Self::Bodies(_)) && !self.is_nothing()
     }
 
-    /// Refuses what a film of this size and so many frames does not have.
-    pub(crate) fn check(&self, size: [f64; 2], frames: usize) -> Result<(), Refusal> {
+    /// Refuses clicks that this film does not have, radii that cannot be followed in it, and too many of either.
+    pub(crate) fn check(&self, clip: &Clip) -> Result<(), Refusal> {
+        let (size, frames) = (clip.size(), clip.times().len());
+        let [least, greatest] = body::radii(clip.plane_size()[1] as f64);
         let most = |count: usize, greatest: usize| match count <= greatest {
             true => Ok(()),
             false => Err(Refusal::Many { greatest }),
@@ -107,6 +110,9 @@ impl Subject {
                 for body in bodies {
                     most(body.keys.len(), MOST_CLICKS)?;
                     body.keys.iter().try_for_each(inside)?;
+                    if body.radius.is_some_and(|radius| !(least..=greatest).contains(&radius)) {
+                        return Err(Refusal::Radius { least, greatest: greatest.floor() });
+                    }
                 }
                 Ok(())
             }

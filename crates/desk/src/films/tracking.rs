@@ -30,10 +30,12 @@ impl Desk {
     /// Clicks outside the picture or the film, too many of them, and where no film is open.
     pub fn follow_in_film(&mut self, subject: Subject) -> Result<(), Refusal> {
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
-        if let Err(refusal) = subject.check(open.clip.size(), open.clip.times().len()) {
+        if let Err(refusal) = subject.check(&open.clip) {
             return Err(self.film_refusal(&refusal.words()));
         }
         work.subject = subject.settled();
+        // They belong to other clicks and radii.
+        work.found.iter_mut().flat_map(|found| &mut found.tracks).for_each(|track| track.outline = None);
         (open.following, open.running) = (None, false);
         open.pictures.clear();
         if let Subject::Points { clicks, sigma } = &work.subject {
@@ -42,6 +44,23 @@ impl Desk {
         }
         self.revision.films += 1;
         Ok(())
+    }
+
+    /// Sets the radius of a body in pixels; `None` lets it be found around the click. The record stays until the body has been tracked
+    /// again; a tracking that has begun is given up.
+    ///
+    /// # Errors
+    /// A radius that cannot be followed in this picture, and where no body of this number or no film is there.
+    pub fn set_radius(&mut self, body: usize, radius: Option<f64>) -> Result<(), Refusal> {
+        let Some((_, work)) = self.films.current() else { return Err(self.no_film()) };
+        let mut subject = work.subject.clone();
+        let own = match &mut subject {
+            Subject::Bodies(bodies) => bodies.get_mut(body),
+            _ => None,
+        };
+        let Some(own) = own else { return Err(self.film_refusal(&nothing_followed())) };
+        own.radius = radius;
+        self.follow_in_film(subject)
     }
 
     /// Takes marks that rest, against a camera that shakes, as they are in the first frame of the part. The next tracking uses them.
@@ -222,7 +241,7 @@ impl Desk {
         let Some(own) = own else { return Err(self.film_refusal(&nothing_followed())) };
         own.anchors.retain(|other| other.frame != frame);
         own.anchors.extend(anchor);
-        if let Err(refusal) = subject.check(open.clip.size(), open.clip.times().len()) {
+        if let Err(refusal) = subject.check(&open.clip) {
             return Err(self.film_refusal(&refusal.words()));
         }
         work.subject = subject;

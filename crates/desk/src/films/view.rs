@@ -11,9 +11,9 @@ use crate::films::subject::Subject;
 use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
 use crate::{Desk, number};
-use film::calibration::Calibration;
-use film::tracking::Track;
+use film::calibration::{Calibration, Lengths};
 use film::tracking::column::SpaceTimePicture;
+use film::tracking::{Outline, Track};
 use units::{Words, words};
 
 /// The film that is open, and the work on it.
@@ -21,6 +21,19 @@ use units::{Words, words};
 pub struct OpenFilm<'a> {
     open: &'a Open,
     work: &'a Work,
+}
+
+/// The circle by which a body is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyOutline {
+    /// The radius in pixels of the upright picture.
+    pub radius: f64,
+    /// The radius in metres at the first click, along the picture's rows; `None` while lengths are in pixels.
+    pub metres: Option<f64>,
+    /// Pixels to the right and downwards from the click to the centre.
+    pub offset: [f64; 2],
+    /// True for a radius that was set, false for one that was found.
+    pub is_set: bool,
 }
 
 impl Desk {
@@ -90,6 +103,21 @@ impl<'a> OpenFilm<'a> {
     /// What is followed.
     pub fn subject(self) -> &'a Subject {
         &self.work.subject
+    }
+
+    /// The outline of a body: by the radius that was set, or else as it was found. `None` before it was found.
+    pub fn body_outline(self, body: usize) -> Option<BodyOutline> {
+        let Subject::Bodies(bodies) = &self.work.subject else { return None };
+        let own = bodies.get(body)?;
+        let found = || self.work.found.as_ref()?.tracks.get(body)?.outline;
+        let set = own.radius.map(|radius| Outline { offset: [0.0; 2], radius });
+        let Outline { offset, radius } = set.or_else(found)?;
+        let [x, y] = own.keys.first()?.position;
+        let calibration = &self.work.calibration;
+        let [left, right] = [x - radius, x + radius].map(|x| calibration.apply([x + offset[0], y + offset[1]]));
+        let length = 0.5 * libm::hypot(right[0] - left[0], right[1] - left[1]);
+        let metres = (calibration.lengths != Lengths::Pixels && length.is_finite()).then_some(length);
+        Some(BodyOutline { radius, metres, offset, is_set: own.radius.is_some() })
     }
 
     /// Marks that rest.

@@ -70,6 +70,7 @@ impl Work {
             }),
             direction: track.direction,
             lost: track.lost,
+            outline: track.outline,
         };
         found.tracks.iter().map(track).collect()
     }

@@ -287,6 +287,9 @@ pub(crate) struct TrackInFilm {
     pub readout: Option<Place>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lost: Option<usize>,
+    /// Outline of a body: offset of its centre from the position, and radius, in pixels.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outline: Option<[Number; 3]>,
     /// Per point: frame; time, position, errors of both coordinates, score; true if it is doubtful.
     pub points: Vec<(usize, [Number; 6], bool)>,
 }

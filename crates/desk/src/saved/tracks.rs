@@ -4,7 +4,7 @@ use super::format::{FoundInFilm, TrackInFilm};
 use super::number::Number;
 use super::place::{factor, place, point};
 use crate::films::work::Found;
-use film::tracking::{Exposure, Point, Readout, Track};
+use film::tracking::{Exposure, Outline, Point, Readout, Track};
 
 pub(super) fn saved(found: &Found) -> FoundInFilm {
     FoundInFilm {
@@ -28,6 +28,7 @@ fn saved_track(track: &Track) -> TrackInFilm {
         }),
         readout: track.readout.map(|readout| place([readout.seconds, readout.sigma])),
         lost: track.lost,
+        outline: track.outline.map(|Outline { offset: [x, y], radius }| [x, y, radius].map(Number)),
         points: track.points.iter().map(saved).collect(),
     }
 }
@@ -61,5 +62,11 @@ fn restored_track(saved: &TrackInFilm) -> Option<Track> {
         readout: saved.readout.map(point).map(|[seconds, sigma]| Readout { seconds, sigma }),
         direction: saved.direction.map(point),
         lost: saved.lost,
+        outline: saved.outline.map(|numbers| numbers.map(|Number(number)| number)).and_then(outline),
     })
+}
+
+/// The outline; `None` if it is none of a body.
+fn outline([x, y, radius]: [f64; 3]) -> Option<Outline> {
+    (x.is_finite() && y.is_finite() && radius.is_finite() && radius > 0.0).then_some(Outline { offset: [x, y], radius })
 }

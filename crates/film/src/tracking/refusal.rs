@@ -41,6 +41,11 @@ pub enum Refusal {
     },
     /// The clicked place shows nothing that could be followed.
     Plain,
+    /// The picture shows nothing that could be followed within the radius that was stated.
+    PlainDisc {
+        /// Pixels.
+        radius: f64,
+    },
     /// The clicked place does not stand out of the noise.
     Noise {
         /// The frame of the click.
@@ -62,6 +67,13 @@ pub enum Refusal {
         number: usize,
         /// In which frame.
         frame: usize,
+    },
+    /// The radius of a body is not finite, or none that can be followed.
+    Radius {
+        /// The smallest in pixels.
+        least: f64,
+        /// The greatest in pixels.
+        greatest: f64,
     },
     /// More bodies or marks than can be followed.
     Many {
@@ -104,6 +116,10 @@ impl Refusal {
                 "The picture is uniform at the clicked place. Click an edge that moves.",
                 "La imagen es uniforme en el punto elegido. Pulsa un borde que se mueva.",
             ),
+            Self::PlainDisc { radius } => words!(
+                "The picture is uniform around the clicked place, within the radius of {radius:.0} px. Enter a larger radius, or click an edge that moves.",
+                "La imagen es uniforme alrededor del punto elegido, dentro del radio de {radius:.0} px. Escribe un radio mayor o pulsa un borde que se mueva."
+            ),
             Self::Noise { frame } => words!(
                 "The clicked place in frame {frame} does not stand out of the noise of the film. Click the edge of the surface.",
                 "El punto elegido en el fotograma {frame} no sobresale del ruido del vídeo. Pulsa el borde de la superficie.",
@@ -122,6 +138,10 @@ impl Refusal {
                 "Mark {number} cannot be found in frame {frame}. Choose marks that stay in the picture.",
                 "La marca {number} no se encuentra en el fotograma {frame}. Elige marcas que no salgan de la imagen.",
                 frame = counted(*frame)
+            ),
+            Self::Radius { least, greatest } => words!(
+                "The radius of a body must be a number from {least:.0} to {greatest:.0} px in this picture. Correct it, or clear it to find it around the click.",
+                "El radio de un cuerpo debe ser un número de {least:.0} a {greatest:.0} px en esta imagen. Corrígelo, o bórralo para hallarlo alrededor del clic."
             ),
             Self::Many { greatest } => words!(
                 "There are more than {greatest} marks. Choose at most {greatest}.",

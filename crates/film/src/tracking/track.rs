@@ -34,6 +34,17 @@ pub struct Track {
     pub direction: Option<[f64; 2]>,
     /// The first frame in which a body was lost; tracking ends before it.
     pub lost: Option<usize>,
+    /// The outline of a body, by its last key frame; none for a column.
+    pub outline: Option<Outline>,
+}
+
+/// The circle by which a body is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outline {
+    /// Pixels to the right and downwards from the position of the body, which is that of its click, to the centre.
+    pub offset: [f64; 2],
+    /// Pixels.
+    pub radius: f64,
 }
 
 impl Track {

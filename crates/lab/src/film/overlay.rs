@@ -1,12 +1,14 @@
 //! What lies over the frame that is shown: lines between clicks, what was found in this frame, and where the model has it.
 
 use super::aim::{Handle, Pixel};
+use super::tools::Held;
 use super::{now, tools};
 use crate::app::App;
+use desk::BodyOutline;
 use sycamore_web::SvgGlobalAttributes;
 use view::views::*;
 
-/// Lines: the axis of a tube, the ruler, the x axis, the rectangle.
+/// Lines: the axis of a tube, the ruler, the x axis, the rectangle, and the outlines of bodies in the frames in which they were clicked.
 pub fn lines(app: App, [width, height]: Pixel) -> View {
     let lines = memo(move || {
         let aim = app.films.aim.get();
@@ -15,18 +17,30 @@ pub fn lines(app: App, [width, height]: Pixel) -> View {
             let moved = aim.filter(|aim| aim.handle == Some(handle)).map(|aim| aim.at);
             moved.or_else(|| held.iter().find(|held| held.handle == handle).map(|held| held.at))
         };
-        let line = |class: &'static str, from: Handle, to: Handle| Some((class, at(from)?, at(to)?));
+        let line = |class: &'static str, from: Handle, to: Handle| {
+            let (from, to) = (at(from)?, at(to)?);
+            Some((class, format!("M{:.2} {:.2}L{:.2} {:.2}", from[0], from[1], to[0], to[1])))
+        };
+        let painted = app.films.painted.get();
+        let now = app.films.now.get_clone();
+        let outline = |held: &Held| {
+            let Handle::Body(body, _) = held.handle else { return None };
+            let BodyOutline { radius, offset, .. } =
+                now.as_ref()?.outlines.get(body).copied().flatten().filter(|_| held.frame == painted)?;
+            let [x, y] = at(held.handle)?;
+            let (left, middle) = (x + offset[0] - radius, y + offset[1]);
+            let arc = |across: f64| format!("a{radius:.2} {radius:.2} 0 1 0 {across:.2} 0");
+            Some(("body-outline", format!("M{left:.2} {middle:.2}{}{}", arc(2.0 * radius), arc(-2.0 * radius))))
+        };
         let mut lines =
             vec![line("ruler", Handle::Ruler(0), Handle::Ruler(1)), line("axis", Handle::Origin, Handle::Axis)];
         lines.extend((0..2).map(|number| line("tube", Handle::Tube(number, 0), Handle::Tube(number, 1))));
         lines.extend((0..4).map(|corner| line("ruler", Handle::Corner(corner), Handle::Corner((corner + 1) % 4))));
+        lines.extend(held.iter().map(outline));
         lines.into_iter().flatten().collect::<Vec<_>>()
     });
     let draw = move || {
-        each(lines.get_clone(), |(class, from, to)| {
-            let d = format!("M{:.2} {:.2}L{:.2} {:.2}", from[0], from[1], to[0], to[1]);
-            View::from((path().class("halo").d(d.clone()), path().class(class).d(d)))
-        })
+        each(lines.get_clone(), |(class, d)| View::from((path().class("halo").d(d.clone()), path().class(class).d(d))))
     };
     // The way of bodies; that of a surface is seen under the film.
     let trails = memo(move || {

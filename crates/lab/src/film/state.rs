@@ -1,7 +1,7 @@
 //! The open film, as the desk has it.
 
 use super::aim::Pixel;
-use desk::{CalibrationForm, Desk, DoubtfulFrame, OpenFilm, Subject};
+use desk::{BodyOutline, CalibrationForm, Desk, DoubtfulFrame, MOST_BODIES, OpenFilm, Subject};
 use film::calibration::{Calibration, Lengths};
 use film::tracking::Track;
 use units::number::{Style, plain};
@@ -23,6 +23,8 @@ pub struct Now {
     pub ends: [usize; 2],
     /// What is followed.
     pub subject: Subject,
+    /// The outline of each body, once it was found or its radius was set.
+    pub outlines: Vec<Option<BodyOutline>>,
     /// Marks that rest.
     pub marks: Vec<Pixel>,
     /// What has been said of lengths.
@@ -60,6 +62,7 @@ impl Now {
             part: film.part(),
             ends: film.ends(),
             subject: film.subject().clone(),
+            outlines: (0..MOST_BODIES).map(|body| film.body_outline(body)).collect(),
             marks: film.resting_marks().to_vec(),
             form: film.calibration_form().clone(),
             calibration: *film.calibration(),

@@ -110,6 +110,10 @@ table_of_words! {
     hint_hand: "A click in each frame, for what nothing else can follow.", "Un clic en cada fotograma, para lo que nada más puede seguir.";
     click_it: "Click it in the film", "Hacer clic en el vídeo";
     another_body: "Another body", "Otro cuerpo";
+    radius: "Radius", "Radio";
+    radius_found: "found from the click", "hallado a partir del clic";
+    find_radius: "Find from the click", "Hallar a partir del clic";
+    radius_note: "The circle around the click shows it. If the circle does not fit the body, enter its radius: the film is tracked again.", "El círculo alrededor del clic lo muestra. Si el círculo no se ajusta al cuerpo, escribe su radio: el vídeo se sigue de nuevo.";
     difficult: "Tilted tube, shaking camera", "Tubo inclinado, cámara que tiembla";
     tube: "Axis of the tube", "Eje del tubo";
     resting_marks: "Resting marks", "Marcas inmóviles";

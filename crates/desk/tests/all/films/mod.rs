@@ -3,6 +3,7 @@
 mod bodies;
 mod filmed;
 mod projects;
+mod radius;
 mod records;
 mod scene;
 mod work;

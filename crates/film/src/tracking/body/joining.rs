@@ -4,7 +4,7 @@ use crate::tracking::body::refining::Seen;
 use crate::tracking::body::template::Template;
 use crate::tracking::errors::scaled;
 use crate::tracking::similarity::Similarity;
-use crate::tracking::track::{Known, Point, Readout, Track};
+use crate::tracking::track::{Known, Outline, Point, Readout, Track};
 
 /// A point with less of the best agreement is doubtful.
 const AGREES: f64 = 0.5;
@@ -76,7 +76,9 @@ pub(super) fn joined(
     for at in resting(&points) {
         points[at].doubtful = true;
     }
-    Track { points, exposure: None, readout, direction: None, lost }
+    let outline =
+        templates.last().map(|template| Outline { offset: template.disc.shift, radius: template.disc.outline });
+    Track { points, exposure: None, readout, direction: None, lost, outline }
 }
 
 /// The distance of each value from the cubic through two neighbours on each side; zero near the ends and beside gaps.

@@ -121,6 +121,11 @@ fn greatest(high: f64) -> f64 {
     (high / 3.0).clamp(3.0, 100.0)
 }
 
+/// The smallest and the greatest radius, in pixels, that can be followed in a picture of so many rows, as it is stored.
+pub fn radii(high: f64) -> [f64; 2] {
+    [disc::SMALLEST, greatest(high)]
+}
+
 /// The tracking of a body.
 pub struct Body {
     settings: Settings,
@@ -225,7 +230,8 @@ impl Body {
         if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
             return Err(Refusal::Click { x, y });
         }
-        let disc = match self.given(high) {
+        let given = self.given(high);
+        let disc = match given {
             Some(disc) => disc,
             None => disc::around(plane, [x, y], (RADIUS * high).clamp(3.0, greatest(high))),
         };
@@ -236,7 +242,10 @@ impl Body {
         let continued = sighting.filter(near);
         let position = continued.as_ref().map_or([x, y], |one| one.found.position);
         let background = self.tracker.take().filter(|_| continued.is_some()).map(|tracker| tracker.background);
-        let found = self.start(plane, position, disc, background)?;
+        let found = self.start(plane, position, disc, background).map_err(|refusal| match given {
+            Some(Disc { outline, .. }) if refusal == Refusal::Plain => Refusal::PlainDisc { radius: outline },
+            _ => refusal,
+        })?;
         let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
         if let Some(tracker) = &mut self.tracker {
             tracker.begin = begin;

@@ -7,7 +7,7 @@ use crate::tracking::body::disc::Disc;
 use crate::tracking::body::look::Look;
 use crate::tracking::body::part::{Axis, Part};
 use crate::tracking::body::template::{Found, Template};
-use crate::tracking::body::{Body, MARGIN, RADIUS, Start, Tracker, greatest};
+use crate::tracking::body::{Body, MARGIN, RADIUS, Start, Tracker, greatest, radii};
 use crate::tracking::refusal::Refusal;
 
 /// From this coherence on a disc moves with its body: that of the outline in one picture, and that which is found by its motion.
@@ -23,7 +23,8 @@ impl Body {
     /// The disc where its radius is given, in a picture of so many rows.
     pub(super) fn given(&self, high: f64) -> Option<Disc> {
         let given = self.settings.radius.filter(|radius| radius.is_finite());
-        given.map(|radius| Disc::of([0.0; 2], radius.clamp(3.0, greatest(high))))
+        let [least, greatest] = radii(high);
+        given.map(|radius| Disc::of([0.0; 2], radius.clamp(least, greatest)))
     }
 
     /// Takes the template of the body at a position.

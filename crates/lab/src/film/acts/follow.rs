@@ -1,5 +1,6 @@
 //! The second act: what is followed.
 
+use super::radius;
 use super::tool::{fold, take_tool, tool_button};
 use crate::app::App;
 use crate::film::aim::{Kind, Tool};
@@ -43,6 +44,7 @@ pub fn view(app: App) -> View {
         div().class("chips").role("group").attr("aria-label", words.kinds).each(kinds, kind),
         note(text(hint)),
         click,
+        radius::view(app),
         help(app),
     ))
 }

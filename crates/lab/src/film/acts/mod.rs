@@ -4,6 +4,7 @@ mod follow;
 mod lengths;
 mod notes;
 mod opened;
+mod radius;
 mod record;
 mod tool;
 mod truth;

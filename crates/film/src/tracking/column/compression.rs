@@ -11,7 +11,8 @@ use crate::tracking::readout;
 const COMPARED: usize = 1500;
 /// Steps of 1/256 by which evened values that are the same differ at most.
 const SAME: u16 = 8;
-/// In a film without compression the noise changes more than this part of the values from each frame to the next.
+/// Least part of the values that stay the same from a frame to the next one (median of the film) in a film whose compression keeps changes back:
+/// noise without compression leaves fewer the same.
 const KEPT: f64 = 0.3;
 /// The error of a slow motion as a multiple of what a sinusoid misses: 1 to 5 in films with coarse steps.
 const PLAY: f64 = 3.0;

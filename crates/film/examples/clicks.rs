@@ -3,7 +3,7 @@
 //!     cargo run --release -p film --example clicks -- [KIND...] [--seeds N] [--clicks N] [--frames]
 //!
 //! `wrong` counts clicks with a frame more than 6 pixels wrong that is in no doubt, and `silent` such frames; `doubt` is the part of right frames
-//! that are in doubt, `refused` the clicks that were refused. `--frames` lists the frames of each click that are in doubt (?) or wrong (!).
+//! that are in doubt, `missing` the part of the frames that show the surface and have no point, `refused` the clicks that were refused. `--frames` lists the frames of each click that are in doubt (?) or wrong (!).
 
 #![allow(
     clippy::expect_used,
@@ -70,6 +70,7 @@ fn main() {
             let taken = film.film();
             let mut draw = Draw(seed ^ 0xc11c);
             let (mut wrong, mut silent, mut refused, mut right, mut doubted, mut hidden) = (0, 0, 0, 0, 0, 0);
+            let (mut missing, mut visible) = (0, 0);
             let (mut squares, mut relative, mut good) = (0.0, 0.0, 0.0);
             let started = Instant::now();
             for _ in 0..clicks {
@@ -98,6 +99,10 @@ fn main() {
                 sorted.sort_by(f64::total_cmp);
                 let middle = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0).clamp(-4.0, 4.0);
                 let mut bad = 0;
+                let has_point = |frame: usize| track.points.binary_search_by_key(&frame, |point| point.frame).is_ok();
+                let shown: Vec<usize> = (0..taken.hidden.len()).filter(|frame| !taken.hidden[*frame]).collect();
+                visible += shown.len();
+                missing += shown.iter().filter(|frame| !has_point(**frame)).count();
                 for (point, error) in track.points.iter().zip(&errors) {
                     let sigma = libm::hypot(point.sigma[0], point.sigma[1]);
                     let error = error - middle;
@@ -137,13 +142,14 @@ fn main() {
                 silent += bad;
             }
             println!(
-                "{name:13} {seed} {:?}x{} r {:.0} swing {:.0} T {:.0}: wrong {wrong:2} silent {silent:4} refused {refused:2} doubt {:.1} % hidden {hidden} rms {:.3} error/sigma {:.2}  {:.0} ms",
+                "{name:13} {seed} {:?}x{} r {:.0} swing {:.0} T {:.0}: wrong {wrong:2} silent {silent:4} refused {refused:2} doubt {:.1} % missing {:.1} % hidden {hidden} rms {:.3} error/sigma {:.2}  {:.0} ms",
                 film.size,
                 film.frames,
                 film.inner,
                 film.swing,
                 film.period,
                 100.0 * doubted as f64 / f64::max(right as f64, 1.0),
+                100.0 * missing as f64 / f64::max(visible as f64, 1.0),
                 f64::sqrt(squares / f64::max(good, 1.0)),
                 f64::sqrt(relative / f64::max(good, 1.0)),
                 started.elapsed().as_secs_f64() * 1e3 / f64::from(clicks),

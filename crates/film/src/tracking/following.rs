@@ -262,10 +262,18 @@ impl std::fmt::Debug for Following {
     }
 }
 
-/// The mean absolute difference of two pictures, by some of their pixels.
+/// The mean absolute difference of two pictures, by some of their pixels, once the other is as bright and as contrasty as the one: a change
+/// of the exposure is no motion.
 fn difference(one: &Plane, other: &Plane) -> f64 {
     let step = (one.grey().len() / COMPARED).max(1);
-    let pairs = one.grey().iter().zip(other.grey()).step_by(step);
-    let (sum, count) = pairs.fold((0_u64, 0_u64), |(sum, count), (a, b)| (sum + u64::from(a.abs_diff(*b)), count + 1));
-    sum as f64 / count.max(1) as f64
+    let pairs = || one.grey().iter().zip(other.grey()).step_by(step).map(|(a, b)| (f64::from(*a), f64::from(*b)));
+    let [count, sum, other_sum, product, square] =
+        pairs().fold([0.0; 5], |[count, sum, other_sum, product, square], (a, b)| {
+            [count + 1.0, sum + a, other_sum + b, product + a * b, square + b * b]
+        });
+    let count = f64::max(count, 1.0);
+    let (mean, other_mean) = (sum / count, other_sum / count);
+    let variance = square - other_sum * other_mean;
+    let gain = if variance > 0.0 { (product - sum * other_mean) / variance } else { 1.0 };
+    pairs().map(|(a, b)| (a - mean - gain * (b - other_mean)).abs()).sum::<f64>() / count
 }

@@ -68,6 +68,7 @@ fn of_track(track: &Track, quantities: &[Quantity], table: &Table) -> Value {
             None => Value::Null,
         },
         "readout": track.readout.map(|readout| json!({ "seconds": readout.seconds, "stderr": readout.sigma })),
+        "camera_shift": track.shift.map(|shift| json!({ "pixels": shift.pixels })),
         "lost_from_frame": track.lost,
         "points": points,
     })

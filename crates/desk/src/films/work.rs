@@ -71,6 +71,7 @@ impl Work {
             direction: track.direction,
             lost: track.lost,
             outline: track.outline,
+            shift: track.shift,
         };
         found.tracks.iter().map(track).collect()
     }

@@ -290,6 +290,9 @@ pub(crate) struct TrackInFilm {
     /// Outline of a body: offset of its centre from the position, and radius, in pixels.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outline: Option<[Number; 3]>,
+    /// Greatest shift of the picture by which positions are corrected, in pixels.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shift: Option<Number>,
     /// Per point: frame; time, position, errors of both coordinates, score; true if it is doubtful.
     pub points: Vec<(usize, [Number; 6], bool)>,
 }

@@ -4,7 +4,7 @@ use super::format::{FoundInFilm, TrackInFilm};
 use super::number::Number;
 use super::place::{factor, place, point};
 use crate::films::work::Found;
-use film::tracking::{Exposure, Outline, Point, Readout, Track};
+use film::tracking::{CameraShift, Exposure, Outline, Point, Readout, Track};
 
 pub(super) fn saved(found: &Found) -> FoundInFilm {
     FoundInFilm {
@@ -29,6 +29,7 @@ fn saved_track(track: &Track) -> TrackInFilm {
         readout: track.readout.map(|readout| place([readout.seconds, readout.sigma])),
         lost: track.lost,
         outline: track.outline.map(|Outline { offset: [x, y], radius }| [x, y, radius].map(Number)),
+        shift: track.shift.map(|shift| Number(shift.pixels)),
         points: track.points.iter().map(saved).collect(),
     }
 }
@@ -63,6 +64,7 @@ fn restored_track(saved: &TrackInFilm) -> Option<Track> {
         direction: saved.direction.map(point),
         lost: saved.lost,
         outline: saved.outline.map(|numbers| numbers.map(|Number(number)| number)).and_then(outline),
+        shift: saved.shift.map(|Number(pixels)| CameraShift { pixels }),
     })
 }
 

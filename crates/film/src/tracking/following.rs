@@ -8,7 +8,7 @@ use crate::tracking::column::{self, Click, Column, SpaceTime};
 use crate::tracking::marks::Marks;
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
-use crate::tracking::track::Track;
+use crate::tracking::track::{CameraShift, Track};
 
 /// Pixels of two pictures that are compared at most.
 const COMPARED: usize = 20_000;
@@ -63,6 +63,8 @@ pub struct Following {
     repeated: Option<Vec<usize>>,
     /// Frames and how far the picture has moved in them, in pixels; none where the camera stood still, or marks tell.
     shifts: Vec<(usize, [f64; 2])>,
+    /// The complete tracks.
+    tracks: Vec<Track>,
 }
 
 /// One reading of the film.
@@ -109,7 +111,7 @@ impl Following {
         if plan.marks.is_empty() && !plan.surfaces.is_empty() {
             pass.backdrop = Some(Backdrop::new(plan.surfaces.iter().map(|surface| surface.settings.axis()).collect()));
         }
-        Ok(Self { pass, plan, repeated: None, shifts: Vec::new() })
+        Ok(Self { pass, plan, repeated: None, shifts: Vec::new(), tracks: Vec::new() })
     }
 
     /// The frame that is needed next; `None` once all have been taken.
@@ -165,9 +167,10 @@ impl Following {
         self.pass.last = None;
         let places = repeats(&self.pass.differences);
         let repeated = places.iter().filter_map(|place| Some(self.plan.frames.get(*place)?.0)).collect();
-        let moved = self.pass.backdrop.take().and_then(|backdrop| backdrop.moved());
-        let frames = self.plan.frames.iter().map(|frame| frame.0);
-        self.shifts = frames.zip(moved.unwrap_or_default()).collect();
+        if let Some(backdrop) = self.pass.backdrop.take() {
+            let frames = self.plan.frames.iter().map(|frame| frame.0);
+            self.shifts = frames.zip(backdrop.moved().unwrap_or_default()).collect();
+        }
         if !places.is_empty() || !self.shifts.is_empty() {
             self.plan.move_clicks(&places);
             let mut place = 0..;
@@ -204,18 +207,29 @@ impl Following {
                 return Ok(false);
             }
         }
+        if self.tracks.is_empty() {
+            self.tracks = self.completed();
+        }
         Ok(true)
+    }
+
+    /// The tracks with the motion of the camera.
+    fn completed(&self) -> Vec<Track> {
+        let columns = self.pass.columns.iter().map(Column::track);
+        let tracks = columns.chain(self.pass.bodies.iter().map(Body::track)).flatten();
+        let shift = self.camera_shift().map(|pixels| CameraShift { pixels });
+        tracks.map(|track| Track { shift, ..track.clone() }).collect()
     }
 
     /// The tracks, surfaces first; empty before they are complete.
     pub fn tracks(&self) -> Vec<&Track> {
-        let columns = self.pass.columns.iter().map(Column::track);
-        columns.chain(self.pass.bodies.iter().map(Body::track)).collect::<Option<_>>().unwrap_or_default()
+        self.tracks.iter().collect()
     }
 
     /// Fixes a surface in a frame ([`Column::anchor`]). Only the path and what follows from it are computed again, by
     /// [`Following::advance`].
     pub fn anchor(&mut self, surface: usize, click: Click) {
+        self.tracks.clear();
         self.release(surface, click.frame);
         if let Some(surface) = self.plan.surfaces.get_mut(surface) {
             surface.anchors.push(click);
@@ -227,6 +241,7 @@ impl Following {
 
     /// Removes the anchor of a surface in a frame.
     pub fn release(&mut self, surface: usize, frame: usize) {
+        self.tracks.clear();
         if let Some(surface) = self.plan.surfaces.get_mut(surface) {
             surface.anchors.retain(|anchor| anchor.frame != frame);
         }

@@ -18,4 +18,4 @@ pub use following::{Following, Plan, Surface};
 pub use marks::Marks;
 pub use refusal::Refusal;
 pub use similarity::Similarity;
-pub use track::{Exposure, Known, Outline, Point, Readout, Track};
+pub use track::{CameraShift, Exposure, Known, Outline, Point, Readout, Track};

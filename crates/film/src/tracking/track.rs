@@ -36,6 +36,8 @@ pub struct Track {
     pub lost: Option<usize>,
     /// The outline of a body, by its last key frame; none for a column.
     pub outline: Option<Outline>,
+    /// The motion of the camera, where the picture beside a tube shows one and no marks were given.
+    pub shift: Option<CameraShift>,
 }
 
 /// The circle by which a body is followed.
@@ -69,12 +71,30 @@ impl Track {
                 sigma = milliseconds(readout.sigma)
             )
         });
-        exposure.into_iter().chain(readout).collect()
+        let shift = self.shift.map(CameraShift::words);
+        exposure.into_iter().chain(readout).chain(shift).collect()
     }
 }
 
 fn milliseconds(seconds: f64) -> Words {
     Words::each(|language| fixed(1e3 * seconds, 1, language.style()))
+}
+
+/// The motion of the camera by what stands still in the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CameraShift {
+    /// The greatest shift since the first frame by which positions are corrected, in pixels.
+    pub pixels: f64,
+}
+
+impl CameraShift {
+    fn words(self) -> Words {
+        words!(
+            "the picture moved by up to {px} px: the camera was not still; positions are corrected by the background. A plain background, or one with regular lines, can mislead: marks on things at rest make it certain",
+            "la imagen se movió hasta {px} px: la cámara no estaba quieta; las posiciones están corregidas según el fondo. Un fondo liso, o con líneas regulares, puede engañar: unas marcas en cosas inmóviles dan seguridad",
+            px = Words::each(|language| fixed(self.pixels, 1, language.style()))
+        )
+    }
 }
 
 /// The exposure time that was found.

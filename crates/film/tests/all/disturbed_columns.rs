@@ -113,6 +113,7 @@ fn assert_corrected(film: &Filmed, far: f64) {
     let (track, shift) = followed(&taken);
     let name = format!("{:?} {:?} {}", film.bump, film.drift, film.texture);
     assert!(shift.is_some_and(|shift| (shift - far).abs() < 0.5), "{name}: {shift:?}");
+    assert!(track.camera().iter().any(|note| note.english.starts_with("the picture moved by up to ")), "{name}");
     for point in track.points {
         let error = point.position[1] - taken.truth[point.frame][1];
         assert!(error.abs() < 0.7 || point.doubtful, "{name}, frame {}: {error}", point.frame);
@@ -143,5 +144,15 @@ fn one_mark_corrects_a_picture_that_moves_up() {
             let error = point.position[1] - taken.truth[point.frame][1];
             assert!(error.abs() < 0.7, "{up}, frame {}: {error}", point.frame);
         }
+    }
+}
+
+/// A camera that adjusts its exposure every few frames shows no picture twice.
+#[test]
+fn steps_of_the_exposure_are_no_repeated_pictures() {
+    for (name, seed) in [("steps", 1), ("steps", 2), ("steps", 3), ("steps", 4), ("dark", 1), ("clean", 1)] {
+        let taken = Filmed { tilt: 0.0, ..kind(name, seed, true) }.film();
+        let (track, shift) = followed(&taken);
+        assert_eq!((track.points.len(), shift), (taken.planes.len(), None), "{name} {seed}");
     }
 }

@@ -78,7 +78,7 @@ pub(super) fn joined(
     }
     let outline =
         templates.last().map(|template| Outline { offset: template.disc.shift, radius: template.disc.outline });
-    Track { points, exposure: None, readout, direction: None, lost, outline }
+    Track { points, readout, lost, outline, ..Track::default() }
 }
 
 /// The distance of each value from the cubic through two neighbours on each side; zero near the ends and beside gaps.

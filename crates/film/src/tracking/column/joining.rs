@@ -83,7 +83,7 @@ pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving
         between.for_each(|(point, certainty)| point.doubtful = !certainty.is_clear());
     }
     let points = kept().map(|at| points[at]).collect();
-    Track { points, exposure: solving.exposure, readout, direction: Some(line.direction), lost: None, outline: None }
+    Track { points, exposure: solving.exposure, readout, direction: Some(line.direction), ..Track::default() }
 }
 
 /// The places of the frames in which the surface is not hidden for long. Those at the ends of the film are among them: a gap has two sides.

@@ -49,11 +49,16 @@ pub fn read(app: App, files: Vec<File>) {
         !lab.files.is_empty() && !std::mem::replace(&mut lab.reading, true)
     });
     if begins.unwrap_or_default() {
-        messages::forget_errors(app.page);
         wasm_bindgen_futures::spawn_local(async move {
+            let mut all_read = true;
             while let Some(file) = app.with(|lab| lab.files.pop_front()).flatten() {
                 let refusal = read_file(app, &file).await;
                 app.record_progress.set(None);
+                all_read &= refusal.is_none();
+                if all_read {
+                    // Errors left by now are about earlier files.
+                    messages::forget_errors(app.page);
+                }
                 refuse(app, refusal);
                 app.tab.set(tabs::MEASURE);
             }

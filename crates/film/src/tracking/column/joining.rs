@@ -23,7 +23,7 @@ const MOST_GAIN: f64 = 1.25;
 /// So many frames between two that are in doubt are in doubt with them, unless the two regions are clear there.
 const BETWEEN: usize = 3;
 /// A surface that is hidden in fewer frames in a row has a value in doubt there, and no gap.
-const HIDDEN: usize = 2;
+const HIDDEN: usize = 4;
 /// A film in which the surface is hidden in more than this part of the frames shows something else.
 const MOST_HIDDEN: f64 = 0.5;
 

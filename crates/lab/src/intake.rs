@@ -52,13 +52,9 @@ pub fn read(app: App, files: Vec<File>) {
         wasm_bindgen_futures::spawn_local(async move {
             let mut all_read = true;
             while let Some(file) = app.with(|lab| lab.files.pop_front()).flatten() {
-                let refusal = read_file(app, &file).await;
+                let refusal = read_file(app, &file, all_read).await;
                 app.record_progress.set(None);
                 all_read &= refusal.is_none();
-                if all_read {
-                    // Errors left by now are about earlier files.
-                    messages::forget_errors(app.page);
-                }
                 refuse(app, refusal);
                 app.tab.set(tabs::MEASURE);
             }
@@ -67,8 +63,9 @@ pub fn read(app: App, files: Vec<File>) {
     }
 }
 
-/// Reads one file. Returns the reason if it could not be read.
-async fn read_file(app: App, file: &File) -> Option<String> {
+/// Reads one file. Returns the reason if it could not be read. `all_read` is true if no file before it in the queue was refused: the
+/// errors shown are then about earlier files, and are removed.
+async fn read_file(app: App, file: &File, all_read: bool) -> Option<String> {
     let name = file.name();
     refuse(app, None);
     app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
@@ -122,6 +119,9 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     browser::breathe().await;
     app.act(|_| ());
     if refusal.is_none() {
+        if all_read {
+            messages::forget_errors(app.page);
+        }
         film::open_of_project(app, file).await;
     }
     refusal

@@ -119,7 +119,7 @@ impl Table<'_> {
             equal(index) || !inexact && self.is(primary, &|one| self.is(*index, &|other| are_parallel(one, other)))
         };
         let beside = |index: &usize| parallel(index) && index.checked_sub(1) == Some(primary) && named.is_none();
-        // The same times in another unit, or from another zero, are not a separate clock.
+        // Equal times in another unit, or from another zero, are not a separate clock.
         clocks.retain(|index| !beside(index));
         if clocks.is_empty() {
             return self.single(primary, reason);

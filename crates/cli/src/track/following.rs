@@ -49,7 +49,7 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     let frames: Vec<usize> = following.frames().iter().map(|frame| frame.0).collect();
     let picture = |surface| Some(SpaceTimePicture::new(&following.space_time(surface)?, frames.clone()));
     let pictures = (0..).map_while(picture).collect();
-    Ok(Followed { tracks: following.tracks().into_iter().cloned().collect(), notes, still, pictures })
+    Ok(Followed { tracks: following.tracks(), notes, still, pictures })
 }
 
 /// A part with more frames than fit into memory, and how to end it in time.

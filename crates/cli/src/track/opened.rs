@@ -37,7 +37,7 @@ pub struct Opened {
     pub stated_rate: Option<f64>,
     /// Frames that the camera took in a second, if the file says so.
     pub capture_rate: Option<f64>,
-    /// Whether the file is cut or damaged: `ffmpeg` may decode more frames than are there as a whole.
+    /// True if the file is cut or damaged: `ffmpeg` may then decode more frames than are whole.
     pub cut: bool,
     /// What a person should know about the file.
     pub notes: Vec<Words>,

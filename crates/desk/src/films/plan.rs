@@ -61,14 +61,14 @@ pub(crate) fn found(following: &Following, clip: &Clip, factor: f64) -> Found {
         score: (point.score * 1e3).round() / 1e3,
         ..*point
     };
-    let track = |track: &&Track| Track {
+    let track = |track: Track| Track {
         points: track.points.iter().map(point).collect(),
         direction: track.direction.map(|direction| clip.upright_direction(direction)),
         outline: track.outline.map(|outline| Outline { offset: clip.upright_direction(outline.offset), ..outline }),
-        ..(*track).clone()
+        ..track
     };
     Found {
-        tracks: following.tracks().iter().map(track).collect(),
+        tracks: following.tracks().into_iter().map(track).collect(),
         frames: following.frames().to_vec(),
         factor,
         repeated: following.repeated().to_vec(),

@@ -22,7 +22,7 @@ impl Crossing {
         Self { low: f64::from_bits(low), high: f64::from_bits(high) }
     }
 
-    /// The same moment relative to `start`.
+    /// This crossing with its moments counted from `start`.
     pub fn since(self, start: f64) -> Self {
         Self { low: self.low - start, high: self.high - start }
     }

@@ -3,6 +3,7 @@
 //! Leaves that move behind a tube are no camera's motion: the tube has to go along with them.
 
 use crate::plane::Plane;
+use crate::tracking::median::median;
 
 /// Blocks at most: beside the tubes, and in their strips.
 const BESIDE: usize = 28;
@@ -48,7 +49,7 @@ pub(crate) struct Backdrop {
     axes: Vec<([f64; 2], [f64; 2])>,
     /// Pixels between samples.
     step: f64,
-    /// Those beside the tubes first.
+    /// Blocks beside the tubes, then blocks in their strips.
     blocks: Vec<Block>,
     beside: usize,
     shifts: Vec<Shift>,
@@ -263,9 +264,4 @@ impl Block {
         let differences = some().zip(&seen).map(|(k, seen)| 2.0 * self.values[k][0] - (seen - mean) / norm);
         differences.map(|difference| difference * difference).sum()
     }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }

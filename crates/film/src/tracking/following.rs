@@ -63,8 +63,6 @@ pub struct Following {
     repeated: Option<Vec<usize>>,
     /// Frames and how far the picture has moved in them, in pixels; none where the camera stood still, or marks tell.
     shifts: Vec<(usize, [f64; 2])>,
-    /// The complete tracks.
-    tracks: Vec<Track>,
 }
 
 /// One reading of the film.
@@ -111,7 +109,7 @@ impl Following {
         if plan.marks.is_empty() && !plan.surfaces.is_empty() {
             pass.backdrop = Some(Backdrop::new(plan.surfaces.iter().map(|surface| surface.settings.axis()).collect()));
         }
-        Ok(Self { pass, plan, repeated: None, shifts: Vec::new(), tracks: Vec::new() })
+        Ok(Self { pass, plan, repeated: None, shifts: Vec::new() })
     }
 
     /// The frame that is needed next; `None` once all have been taken.
@@ -207,29 +205,20 @@ impl Following {
                 return Ok(false);
             }
         }
-        if self.tracks.is_empty() {
-            self.tracks = self.completed();
-        }
         Ok(true)
     }
 
-    /// The tracks with the motion of the camera.
-    fn completed(&self) -> Vec<Track> {
-        let columns = self.pass.columns.iter().map(Column::track);
-        let tracks = columns.chain(self.pass.bodies.iter().map(Body::track)).flatten();
+    /// The tracks, surfaces first, with the motion of the camera; empty before they are complete.
+    pub fn tracks(&self) -> Vec<Track> {
         let shift = self.camera_shift().map(|pixels| CameraShift { pixels });
-        tracks.map(|track| Track { shift, ..track.clone() }).collect()
-    }
-
-    /// The tracks, surfaces first; empty before they are complete.
-    pub fn tracks(&self) -> Vec<&Track> {
-        self.tracks.iter().collect()
+        let columns = self.pass.columns.iter().map(Column::track);
+        let tracks = columns.chain(self.pass.bodies.iter().map(Body::track));
+        tracks.map(|track| Some(Track { shift, ..track?.clone() })).collect::<Option<_>>().unwrap_or_default()
     }
 
     /// Fixes a surface in a frame ([`Column::anchor`]). Only the path and what follows from it are computed again, by
     /// [`Following::advance`].
     pub fn anchor(&mut self, surface: usize, click: Click) {
-        self.tracks.clear();
         self.release(surface, click.frame);
         if let Some(surface) = self.plan.surfaces.get_mut(surface) {
             surface.anchors.push(click);
@@ -241,7 +230,6 @@ impl Following {
 
     /// Removes the anchor of a surface in a frame.
     pub fn release(&mut self, surface: usize, frame: usize) {
-        self.tracks.clear();
         if let Some(surface) = self.plan.surfaces.get_mut(surface) {
             surface.anchors.retain(|anchor| anchor.frame != frame);
         }

@@ -7,6 +7,7 @@ mod errors;
 mod following;
 mod linear;
 mod marks;
+mod median;
 mod motion;
 mod readout;
 mod refusal;

@@ -172,7 +172,7 @@ impl Elsewhere {
         let numbers = best.x.len() - problem.scales();
         let rival = |(x, sum): &(Vec<f64>, f64)| {
             let growth = (sum - best.sum) / variance;
-            // The same curve from other numbers is not another minimum: terms of a sum have changed places.
+            // Other numbers with an equal curve are no other minimum: terms of a sum have changed places.
             let same = *sum <= best.sum * (1.0 + Self::EQUAL);
             (growth <= Self::AS_WELL && !same && growth_at(best, x) > Self::APART * variance)
                 .then(|| Rival { growth, values: x[..numbers].to_vec() })

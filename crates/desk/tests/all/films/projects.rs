@@ -175,7 +175,7 @@ fn a_stated_slow_motion_is_taken_and_known_work_is_kept() {
     assert_eq!(opening, Ok(FilmOpening::New));
     assert!((desk.film().expect("it is open").factor() - 8.0).abs() < 1e-6);
     assert!((columns(&desk)[0][0] - 1.0 / 240.0).abs() < 1e-5);
-    // The same film in another project keeps the work done on it.
+    // A film that comes with another project keeps the work done on it.
     desk.add_record("again.trz", &packed(1, |text| text)).unwrap();
     let film = desk.take_project_film().expect("its film is in the archive");
     assert_eq!(desk.open_project_film(&film, identity("swing.mp4"), container(40)), Ok(FilmOpening::TakenUp));

@@ -3,8 +3,8 @@
 //! A slow and small motion then lags behind by up to the change that is kept back, like a gear with play. The lag has nearly the frequency of the
 //! motion itself: differences of the track do not show it, and the part that a sinusoid misses is about a third of it.
 
-use crate::tracking::column::median::median;
 use crate::tracking::column::strip::Strip;
+use crate::tracking::median::median;
 use crate::tracking::readout;
 
 /// Values of two strips that are compared at most.

@@ -1,5 +1,7 @@
 //! How clearly the clicked place stands out of the noise.
 
+use crate::tracking::median::median;
+
 /// The median of absolute normal deviates, in standard deviations.
 const MEDIAN: f64 = 0.6745;
 
@@ -36,11 +38,6 @@ fn about_line(values: &[f32]) -> f64 {
     // The line takes two degrees of freedom.
     let residuals: f64 = places().map(|(x, y)| (y - slope * x) * (y - slope * x)).sum();
     (residuals / (count - 2.0).max(1.0)).sqrt()
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

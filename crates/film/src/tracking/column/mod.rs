@@ -9,7 +9,6 @@ mod compression;
 mod contrast;
 mod exposure;
 mod joining;
-mod median;
 mod path;
 mod pattern;
 mod picture;
@@ -84,6 +83,28 @@ impl Settings {
         let length = (u * u + v * v).sqrt();
         if length > 0.0 { (from, [u / length, v / length]) } else { upright }
     }
+
+    /// Length of the axis in pixels, in a picture of this height in pixels.
+    fn length(&self, high: f64) -> f64 {
+        self.tube.map_or(high - 1.0, |[[x, y], [u, v]]| {
+            let (along, down) = (u - x, v - y);
+            (along * along + down * down).sqrt()
+        })
+    }
+
+    /// Rows and bins of a strip, in pictures of this width and height in pixels.
+    fn grid(&self, [wide, high]: [f64; 2]) -> Grid {
+        let half = self.half_width.filter(|half| half.is_finite()).unwrap_or(HALF_WIDTH * high).min(wide).max(2.0);
+        // A bin is no narrower than a pixel.
+        let bins = BINS.min((2.0 * half) as usize).max(1);
+        let rows = (self.length(high) as usize).saturating_add(1).min(ROWS);
+        Grid { rows, bins, width: 2.0 * half / bins as f64 }
+    }
+
+    /// Number of frames that can be tracked, in pictures of this width and height in pixels.
+    pub(crate) fn most_frames(&self, size: [usize; 2]) -> usize {
+        most_frames(self.grid(size.map(|side| side as f64)))
+    }
 }
 
 /// The grey values of the space-time picture.
@@ -97,6 +118,11 @@ pub struct SpaceTime {
     pub direction: [f64; 2],
     /// Where the bore begins and ends, in pixels from the axis to the right of a tube that points downwards.
     pub bore: [f64; 2],
+}
+
+/// Number of frames whose strips fit into memory.
+fn most_frames(grid: Grid) -> usize {
+    VALUES / (grid.rows * grid.bins).max(1)
 }
 
 /// The tracking of a surface.
@@ -126,22 +152,18 @@ impl Layout {
             if inside { Ok([x, y]) } else { Err(Refusal::Click { x, y }) }
         };
         let [x, _] = inside(settings.click.position)?;
-        let (origin, direction, length) = match settings.tube {
-            None => ([x, 0.5], [0.0, 1.0], high - 1.0),
+        let length = settings.length(high);
+        let (origin, direction) = match settings.tube {
+            None => ([x, 0.5], [0.0, 1.0]),
             Some([from, to]) => {
                 let (from, to) = (inside(from)?, inside(to)?);
-                let (u, v) = (to[0] - from[0], to[1] - from[1]);
-                let length = (u * u + v * v).sqrt();
-                (from, [u / length, v / length], length)
+                (from, [(to[0] - from[0]) / length, (to[1] - from[1]) / length])
             }
         };
         if length.is_nan() || length < SHORTEST {
             return Err(Refusal::Tube { length, least: SHORTEST });
         }
-        let half = settings.half_width.filter(|half| half.is_finite()).unwrap_or(HALF_WIDTH * high).min(wide).max(2.0);
-        // A bin is no narrower than a pixel.
-        let bins = BINS.min((2.0 * half) as usize).max(1);
-        let grid = Grid { rows: (length as usize + 1).min(ROWS), bins, width: 2.0 * half / bins as f64 };
+        let grid = settings.grid([wide, high]);
         Ok(Layout { size, line: Line { origin, direction }, grid, changes: Changes::new(grid) })
     }
 }
@@ -169,7 +191,7 @@ impl Column {
         if !time.is_finite() || self.strips.last().is_some_and(|last| last.time >= time || last.frame >= frame) {
             return Err(Refusal::Order { frame });
         }
-        let most = VALUES / (layout.grid.rows * layout.grid.bins).max(1);
+        let most = most_frames(layout.grid);
         if self.strips.len() >= most {
             return Err(Refusal::Long { frames: most });
         }

@@ -1,7 +1,7 @@
 //! The path of the surface through the space-time picture: the cheapest sequence of rows (A. J. Viterbi, *IEEE Trans. Inf.
 //! Theory* 13 (1967) 260).
 
-use crate::tracking::column::median::median;
+use crate::tracking::median::median;
 
 /// The cost of rows in which a person has not seen the surface.
 const FORBIDDEN: f32 = 1e6;

@@ -1,9 +1,9 @@
 //! Light that moves along the bore besides the surface, such as the reflection of a person: its path and its shape, so that both can be
 //! taken from the strips before the surface is sought.
 
-use crate::tracking::column::median::median;
 use crate::tracking::column::path::Search;
 use crate::tracking::column::regions::{Regions, Shape};
+use crate::tracking::median::median;
 
 /// Rows to both sides of its middle in which a reflection is modelled.
 const HALF: usize = 28;

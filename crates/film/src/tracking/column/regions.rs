@@ -2,7 +2,7 @@
 //! lies below, and something goes along with the surface. What rests, such as the marks of a graduated tube, is in both regions and
 //! says nothing about the surface.
 
-use crate::tracking::column::median::median;
+use crate::tracking::median::median;
 
 /// Residuals of so many standard deviations of the noise count half as much as larger ones.
 const LARGE: f32 = 3.0;

@@ -1,9 +1,9 @@
 //! The path of the surface from the click: several candidates, each improved by what all frames then show of the two regions, and
 //! the one that leaves the least unexplained.
 
-use crate::tracking::column::median::median;
 use crate::tracking::column::path::{Search, Template, strengths};
 use crate::tracking::column::regions::{Regions, Shape, Sums};
+use crate::tracking::median::median;
 
 /// The cost of a step by one row: for the correlation of profiles, and for each channel of the regions.
 const TEMPLATE_STEP: f32 = 0.004;

@@ -1,7 +1,7 @@
 //! The strip along a tube in each frame.
 
 use crate::plane::Plane;
-use crate::tracking::column::median::median;
+use crate::tracking::median::median;
 use crate::tracking::similarity::Similarity;
 
 /// Grey values are kept in steps of 1/256.

@@ -7,7 +7,7 @@ use std::fmt;
 /// A number that keeps its bits when stored and read. JSON has no infinities and NaN; they are written as texts,
 /// `"inf"` or `"NaN"`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Number(pub f64);
+pub struct Number(pub f64);
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

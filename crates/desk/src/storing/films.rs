@@ -1,9 +1,9 @@
 //! Conversion between work on films and stored items: the user's settings and the tracks as numbers. The film itself is
 //! not stored.
 
-use super::Item;
-use super::format::{self, Content, Followed, Place};
-use super::number::Number;
+use saved::format::{self, Content, Followed, Place};
+use saved::{Item, Number};
+
 use super::place::{factor, place, point};
 use super::tracks;
 use crate::Desk;

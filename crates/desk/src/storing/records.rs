@@ -1,8 +1,8 @@
 //! Conversion between records and stored items.
 
-use super::Item;
-use super::format::{self, Content};
-use super::number::Number;
+use saved::format::{self, Content};
+use saved::{Item, Number};
+
 use crate::Desk;
 use crate::records::recognise::Meaning;
 use crate::records::record::{LONGEST_SAVED, Origin, Record, Use};

@@ -1,9 +1,9 @@
 //! Conversion between answers to questions and stored items.
 
-use super::Item;
-use super::format::{self, Content};
 use crate::Desk;
 use play::{Answer, Grade};
+use saved::Item;
+use saved::format::{self, Content};
 
 impl Desk {
     /// The answers to store, with the names of their questions.

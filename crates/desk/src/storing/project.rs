@@ -1,8 +1,8 @@
 //! Items of a project file besides its document.
 
-use super::Item;
 use super::films::MOST_WORKS;
 use crate::{Desk, MOST_FITS, MOST_RECORDS};
+use saved::Item;
 use std::collections::HashSet;
 
 /// Maximum number of items that are tried, because a file of unknown origin may have thousands.
@@ -23,22 +23,20 @@ impl Desk {
         let mut here: HashSet<String> = records.chain(others).collect();
         let (mut refused, mut tried) = (0, 0);
         for (name, text) in items {
-            let Some((_, items)) = Item::read(text) else {
+            let Some((_, item)) = Item::read(text) else {
                 refused += 1;
                 continue;
             };
             if here.contains(name) {
                 continue;
             }
-            for item in &items {
-                if self.restore_answer(name, item) {
-                    continue;
-                }
-                tried += 1;
-                let taken = if tried > MOST_TRIED { None } else { self.restore_measured(item) };
-                refused += usize::from(taken.is_none());
-                here.extend(taken);
+            if self.restore_answer(name, &item) {
+                continue;
             }
+            tried += 1;
+            let taken = if tried > MOST_TRIED { None } else { self.restore_measured(&item) };
+            refused += usize::from(taken.is_none());
+            here.extend(taken);
         }
         refused
     }

@@ -1,7 +1,8 @@
 //! Conversion of points and slow-motion factors of films.
 
-use super::format::Place;
-use super::number::Number;
+use saved::Number;
+use saved::format::Place;
+
 use film::timing::LARGEST_FACTOR;
 
 pub(super) fn place([x, y]: [f64; 2]) -> Place {

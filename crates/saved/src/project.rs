@@ -9,7 +9,7 @@
 //!
 //! Unknown fields are ignored. The items are those of the laboratory's storage and are not interpreted here.
 
-use crate::page::Source;
+use document::page::Source;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use units::{Words, words};

@@ -1,9 +1,9 @@
 //! Conversion between fits and stored items: the definition and the values found. A fit is reconstructed from them in a
 //! few trials, so its outcome is not stored.
 
-use super::Item;
-use super::format::{self, Content};
-use super::number::Number;
+use saved::format::{self, Content};
+use saved::{Item, Number};
+
 use super::records::{line, take_uses, write_uses};
 use crate::Desk;
 use crate::fits::fit::{Definition, Found, Part, Waiting, texts};
@@ -70,14 +70,10 @@ impl Desk {
         Some(Waiting { definition, texts: saved.documents.clone(), found })
     }
 
-    /// Part of a fit if its record is there. The record is found by its name in the storage; in formats of earlier
-    /// versions by its index.
+    /// Part of a fit if its record is there. The record is found by its name in the storage.
     fn part(&self, saved: &format::Part, names: &[(u32, String)]) -> Option<Part> {
-        let record = match names.iter().find(|(_, name)| *name == saved.record) {
-            Some((id, _)) => self.record(*id)?,
-            None => self.data.records.get(saved.record.parse::<usize>().ok()?)?,
-        };
-        let record = Some(record).filter(|record| line(&record.name) == saved.name)?;
+        let (id, _) = names.iter().find(|(_, name)| *name == saved.record)?;
+        let record = self.record(*id).filter(|record| line(&record.name) == saved.name)?;
         let mut uses = record.uses.clone();
         take_uses(&mut uses, &saved.columns).then_some(())?;
         let fixed = saved.fixed.iter().map(|&(index, Number(value))| (index, value)).collect();

@@ -1,7 +1,8 @@
 //! Conversion between tracks of a film and stored numbers.
 
-use super::format::{FoundInFilm, TrackInFilm};
-use super::number::Number;
+use saved::Number;
+use saved::format::{FoundInFilm, TrackInFilm};
+
 use super::place::{factor, place, point};
 use crate::films::work::Found;
 use film::tracking::{CameraShift, Exposure, Outline, Point, Readout, Track};

@@ -6,20 +6,19 @@
 //!
 //! An item is stored as a single text, so that the storage never holds an incomplete one.
 
-use super::earlier;
-use super::format::Content;
+use crate::format::Content;
 use serde::{Deserialize, Serialize};
 
-/// Version of the format. Records also had a version 1, fits versions 1 and 2, answers none: see [`earlier`].
+/// Version of the format.
 const VERSION: u32 = 3;
 
 /// Maximum length of the text of an item that is read, in bytes. Written items are shorter: a record of 1 MiB with six
 /// bytes per character if all are escaped.
-pub(crate) const LONGEST_ITEM: usize = 8 << 20;
+const LONGEST_ITEM: usize = 8 << 20;
 
 /// An item stored for the next visit: a record, a fit, an answer or the work on a film.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Item(pub(super) Content);
+pub struct Item(pub Content);
 
 #[derive(Serialize, Deserialize)]
 struct Stored<C> {
@@ -36,17 +35,13 @@ impl Item {
         serde_json::to_string(&Stored { version: VERSION, since, item: &self.0 }).unwrap_or_default()
     }
 
-    /// Reads a stored text: the time when it was first stored, in milliseconds, and its items. There is one item, or
-    /// several in texts of earlier versions. `None` if this version cannot read the text.
-    pub fn read(text: &str) -> Option<(u64, Vec<Self>)> {
+    /// Reads a stored text: the time when it was first stored, in milliseconds, and its item. `None` if this version
+    /// cannot read the text.
+    pub fn read(text: &str) -> Option<(u64, Self)> {
         if text.len() > LONGEST_ITEM {
             return None;
         }
-        if !text.starts_with('{') {
-            let (since, items) = earlier::read(text)?;
-            return Some((since, items.into_iter().map(Self).collect()));
-        }
         let stored: Stored<Content> = serde_json::from_str(text).ok()?;
-        (stored.version <= VERSION).then(|| (stored.since, vec![Self(stored.item)]))
+        (stored.version == VERSION).then_some((stored.since, Self(stored.item)))
     }
 }

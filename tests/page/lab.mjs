@@ -158,6 +158,7 @@ export class Lab {
     const page = this.page.evaluate(() => ({
       heading: document.querySelector("h1")?.innerText,
       visibility: document.visibilityState,
+      messages: document.querySelector("#messages")?.innerText,
       fragment: location.hash.slice(0, 80),
       history: String(history.state).slice(0, 80),
       stored: Object.keys(localStorage),

@@ -7,6 +7,7 @@ pub(crate) mod variable;
 
 use crate::authoring::arguments::{FORMAT_EXAMPLES, Format as FormatDocuments, NEW_EXAMPLES, New};
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
+use crate::handing::arguments::{HAND_IN_EXAMPLES, HandIn, VERIFY_EXAMPLES, Verify};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
 use assignments::{Assignment, Observe, assignment, observe, press};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -34,7 +35,8 @@ pub struct Arguments {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  the document has errors, its run failed, a claim of it does not hold, or its layout differs (format --check)
+  1  the document has errors, its run failed, a claim of it does not hold, its layout differs (format --check), or a hand-in does not
+     hold (verify)
   2  wrong arguments, or a file that cannot be read or written";
 
 /// Choice of coloured messages.
@@ -75,6 +77,12 @@ pub enum Command {
     /// Track a liquid's surface or a body in films
     #[command(after_help = TRACK_EXAMPLES)]
     Track(Track),
+    /// Make a hand-in from a project: the work, and the values that follow from it
+    #[command(after_help = HAND_IN_EXAMPLES)]
+    HandIn(HandIn),
+    /// Compute the values of hand-ins again from their data
+    #[command(after_help = VERIFY_EXAMPLES)]
+    Verify(Verify),
     /// Make one offline page of a document, with its source inside
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),

@@ -15,7 +15,7 @@ mod plan;
 mod project;
 mod project_opening;
 mod recipe;
-mod record;
+pub(crate) mod record;
 mod reporting;
 pub(crate) mod state;
 mod subject;

@@ -2,6 +2,7 @@
 //! storage.
 
 mod answers;
+mod facts;
 mod films;
 mod fits;
 mod place;

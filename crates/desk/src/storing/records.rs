@@ -20,7 +20,7 @@ impl Desk {
     }
 
     /// Hash of the document's text. Results of a fit for a record are valid only with this document.
-    fn document_name(&self) -> String {
+    pub(super) fn document_name(&self) -> String {
         name_of(&[&self.document.source])
     }
 

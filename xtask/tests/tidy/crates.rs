@@ -24,7 +24,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
     ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
-    ("lab", &["desk", "document", "figure", "film", "model", "play", "program", "units", "view"]),
+    ("lab", &["class", "desk", "document", "figure", "film", "model", "play", "program", "units", "view"]),
     (
         "cli",
         &["analysis", "class", "document", "engine", "figure", "film", "model", "program", "report", "saved", "units"],

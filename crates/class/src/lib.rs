@@ -2,6 +2,8 @@
 //!
 //! | module | content |
 //! |---|---|
+//! | [`pooling`] | the pooled value of the results of groups, and outliers |
 //! | [`verify`] | hand-ins: making them, computing them again, and data that two of them share |
 
+pub mod pooling;
 pub mod verify;

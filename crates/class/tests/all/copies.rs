@@ -23,8 +23,11 @@ fn found(one: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<Copied> {
     copies(&curves.iter().enumerate().flat_map(|(index, one)| Curve::of(index, one)).collect::<Vec<_>>())
 }
 
+/// Name, relation, and the rows made from others.
+type Transformation = (&'static str, Relation, fn(&Rows) -> Rows);
+
 /// Transformations without noise, with the relation that they are to be found by.
-fn transformations() -> Vec<(&'static str, Relation, fn(&Rows) -> Rows)> {
+fn transformations() -> Vec<Transformation> {
     vec![
         ("equal", Relation::Equal, |rows| rows.clone()),
         ("later", Relation::Equal, |rows| rows.iter().map(|(time, level)| (time + 3.0, *level)).collect()),

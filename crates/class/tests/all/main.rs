@@ -4,5 +4,6 @@
 
 mod copies;
 mod pooling;
+mod results;
 mod support;
 mod verify;

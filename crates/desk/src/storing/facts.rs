@@ -93,6 +93,7 @@ fn facts_of_fit(fit: &Fitted, facts: &mut Facts) {
     let outcome = &fit.outcome;
     let name = format!("{}: {}", fit.document.program.title, fit.record_names().join(" + "));
     let item = facts.item(Part::Fit, name);
+    facts.text(Part::Fit, &item, "theory", fit.document.program.title.clone());
     facts.number(Part::Fit, &item, "values", outcome.n as f64);
     facts.number(Part::Fit, &item, "RMSE", outcome.rmse);
     facts.number(Part::Fit, &item, "sum of squares", outcome.chi2);

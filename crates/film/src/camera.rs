@@ -7,7 +7,7 @@ use crate::plane::{Colour, Plane};
 use libm::{cos, log, sqrt};
 use units::split_mix::SplitMix64;
 
-/// Normal deviates that are computed once; each row of a picture reads them from another place on.
+/// Number of precomputed normal deviates. Each row of a picture starts at another one.
 const DEVIATES: usize = 1 << 16;
 /// Grey value at which the standard deviation of the noise is given.
 const REFERENCE: f64 = 128.0;

@@ -86,7 +86,7 @@ impl Parallax {
     }
 }
 
-/// The map from pixels of the stored picture to metres, `x` to the right and `y` upwards as the film is seen upright.
+/// Map from px of the stored picture to m. In the upright picture `x` points to the right and `y` up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Calibration {
     /// Definition of lengths.

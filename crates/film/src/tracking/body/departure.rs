@@ -38,9 +38,9 @@ pub(crate) struct Departure {
 
 /// Mean shades of square cells around a click, in two frames.
 struct Cells {
-    /// Pixels of a cell's side.
+    /// Side of a cell, px.
     size: i64,
-    /// Cells on each side of the one in the middle.
+    /// Number of cells on each side of the middle one.
     reach: i64,
     shades: [Vec<[f32; 3]>; 2],
     /// Squared distance of shades that may be due to noise.

@@ -96,7 +96,7 @@ struct Tracker {
     since: usize,
     /// Index of the first sighting of the present motion.
     begin: usize,
-    /// The part of the ring around the body that usually does not show the background: smear, a rod.
+    /// Usual fraction of the ring around the body that does not show the background: smear, a rod.
     around: f32,
     /// Frame of the click, until the body has moved.
     start: Option<Start>,

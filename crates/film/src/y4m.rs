@@ -13,6 +13,7 @@ const PIXELS: usize = 64 << 20;
 pub enum Fault {
     /// The file does not begin with the signature of the format.
     Signature,
+    /// The header has no valid size or frame rate.
     Header {
         /// Header line, at most 100 characters.
         line: String,

@@ -7,6 +7,7 @@ use units::{Words, words};
 pub enum Refusal {
     /// The marks are too close together, or a coordinate is not finite.
     Close,
+    /// A length is not positive.
     Length,
     /// The corners are not those of a rectangle seen from one side.
     Corners,

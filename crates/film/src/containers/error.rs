@@ -22,6 +22,7 @@ pub enum FilmError {
     NoVideo,
     /// The video track has no frames.
     NoFrames,
+    /// The frames are encrypted.
     Encrypted,
     /// The browser has no decoder for this codec. Never returned by the readers, only by the decoding side.
     NoDecoder(Codec),
@@ -37,7 +38,7 @@ pub enum FilmError {
     },
     /// The frames are compressed once more, or one block holds several. No camera does this.
     Packed,
-    /// The film has more than [`MOST_SAMPLES`](super::MOST_SAMPLES) frames, or a table or number of parts beyond the
+    /// The film has more than [`MOST_SAMPLES`] frames, or a table or number of parts beyond the
     /// limits.
     TooLarge,
 }

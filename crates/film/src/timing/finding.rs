@@ -24,6 +24,7 @@ pub enum Finding {
     },
     /// The container stores times in whole milliseconds.
     Rounded,
+    /// Frames are missing.
     Gap {
         /// Number of missing frames.
         missing: usize,

@@ -45,11 +45,11 @@ pub struct Track {
     #[arg(long, value_name = "X1,Y1,X2,Y2=10 [cm]", value_parser = scale)]
     pub scale: Option<Ruler>,
 
-    /// The point that becomes zero [default: the bottom left corner of the picture]
+    /// Origin of the coordinates [default: the bottom left corner of the picture]
     #[arg(long, value_name = "X,Y", value_parser = point)]
     pub origin: Option<Point>,
 
-    /// How many times slower the film plays than things happened [default: as the file says, or 1]
+    /// Factor of slow motion: how many times slower the film plays than things happened [default: as the file says, or 1]
     #[arg(long, value_name = "FACTOR", value_parser = factor, allow_hyphen_values = true)]
     pub rate: Option<f64>,
 
@@ -61,11 +61,11 @@ pub struct Track {
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub until: Option<String>,
 
-    /// How long a rolling shutter takes from the first row to the last, in seconds [default: auto; 0 for bodies]
+    /// Readout time of a rolling shutter, from the first row to the last, in seconds [default: auto; 0 for bodies]
     #[arg(long, value_name = "auto|S", value_parser = readout, allow_hyphen_values = true)]
     pub readout: Option<Given>,
 
-    /// How long each frame was exposed, in seconds [default: auto]
+    /// Exposure time of each frame, in seconds [default: auto]
     #[arg(long, value_name = "auto|S", value_parser = exposure, allow_hyphen_values = true, conflicts_with = "body")]
     pub exposure: Option<Given>,
 

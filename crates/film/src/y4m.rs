@@ -128,7 +128,7 @@ fn quotient(text: &str) -> Option<Option<f64>> {
     }
 }
 
-enum Part {
+enum Section {
     /// Header line of the film.
     Header(Vec<u8>),
     /// Header line of a frame.
@@ -140,13 +140,13 @@ enum Part {
 /// Incremental reader. Accepts the bytes of a film in parts of any size.
 pub struct Reader {
     header: Option<Header>,
-    part: Part,
+    part: Section,
     read: usize,
 }
 
 impl Default for Reader {
     fn default() -> Self {
-        Reader { header: None, part: Part::Header(Vec::new()), read: 0 }
+        Reader { header: None, part: Section::Header(Vec::new()), read: 0 }
     }
 }
 
@@ -164,27 +164,27 @@ impl Reader {
     pub fn frame(&mut self, bytes: &mut &[u8]) -> Result<Option<Plane>, Fault> {
         while !bytes.is_empty() {
             match &mut self.part {
-                Part::Header(line) => {
+                Section::Header(line) => {
                     if take_line(line, bytes).map_err(|()| Fault::Signature)? {
                         self.header = Some(Header::read(line)?);
-                        self.part = Part::Line(Vec::new());
+                        self.part = Section::Line(Vec::new());
                     }
                 }
-                Part::Line(line) => {
+                Section::Line(line) => {
                     let fault = Fault::Frame { read: self.read };
                     if take_line(line, bytes).map_err(|()| fault.clone())? {
                         if !line.starts_with(b"FRAME") {
                             return Err(fault);
                         }
-                        self.part = Part::Pixels(Vec::new());
+                        self.part = Section::Pixels(Vec::new());
                     }
                 }
-                Part::Pixels(pixels) => {
+                Section::Pixels(pixels) => {
                     let Some(header) = self.header else { return Err(Fault::Signature) };
                     take(pixels, header.bytes(), bytes);
                     if pixels.len() == header.bytes() {
                         let pixels = std::mem::take(pixels);
-                        self.part = Part::Line(Vec::new());
+                        self.part = Section::Line(Vec::new());
                         self.read += 1;
                         return Ok(header.plane(pixels));
                     }

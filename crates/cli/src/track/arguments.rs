@@ -49,11 +49,13 @@ pub struct Track {
     #[arg(long, value_name = "X,Y", value_parser = point)]
     pub origin: Option<Point>,
 
-    /// Factor of slow motion: how many times slower the film plays than things happened [default: as the file says, or 1]
+    /// Factor of slow motion: how many times slower the film plays than things happened [default: as the file
+    /// says, or 1]
     #[arg(long, value_name = "FACTOR", value_parser = factor, allow_hyphen_values = true)]
     pub rate: Option<f64>,
 
-    /// Begin at this time of the film, in seconds or as '500 [ms]'; the points are those of the first frame from there on
+    /// Begin at this time of the film, in seconds or as '500 [ms]'; the points are those of the first frame from
+    /// there on
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub from: Option<String>,
 
@@ -82,8 +84,8 @@ pub struct Track {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// Write a report (.html) besides: a frame with the marks, the space-time picture, times and calibration; for several films into
-    /// this folder
+    /// Write a report (.html) besides: a frame with the marks, the space-time picture, times and calibration; for
+    /// several films into this folder
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
 }

@@ -58,7 +58,7 @@ pub fn open(app: App, file: File) {
     });
 }
 
-/// Takes away what was said of another file, which would stand over this film.
+/// Removes messages about other files.
 fn forget_errors(app: App) {
     messages::forget_errors(app.page);
     app.record_refusal.set(None);

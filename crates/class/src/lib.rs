@@ -1,4 +1,4 @@
-//! What a class does with Meniscus, without files, network, clock and DOM.
+//! Work of a class with Meniscus, without files, network, clock and DOM.
 //!
 //! | module | content |
 //! |---|---|

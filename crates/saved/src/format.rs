@@ -101,7 +101,7 @@ pub struct FoundOfRecord {
 pub struct Fit {
     /// Text of the theory and of its translations.
     pub documents: Vec<String>,
-    /// What was asked for.
+    /// Task as requested: records, time window, varied numbers and loss.
     pub task: Task,
     /// The values found.
     pub found: Found,

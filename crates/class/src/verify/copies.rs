@@ -67,7 +67,7 @@ pub enum Relation {
 pub struct Copied {
     /// Index of the first hand-in, and names of its record and column.
     pub one: (usize, String, String),
-    /// The same of the second hand-in.
+    /// Index of the second hand-in, and names of its record and column.
     pub other: (usize, String, String),
     /// Relation between the columns.
     pub relation: Relation,

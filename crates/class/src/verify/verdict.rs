@@ -67,7 +67,7 @@ fn shortened(text: &str) -> String {
     if text.chars().nth(MOST).is_some() { format!("{line}…") } else { line }
 }
 
-/// What a verification shows and what it does not.
+/// Explanation of what a verification shows and what it does not.
 pub fn meaning() -> Words {
     words(
         "Equal values follow from the data of the hand-in. This does not show who took the data or did the work.",

@@ -18,7 +18,7 @@ use units::Language;
 #[derive(Debug, Parser)]
 #[command(name = "meniscus", version, after_help = EXIT_CODES, disable_help_subcommand = true)]
 pub struct Arguments {
-    /// What to do.
+    /// Command to run.
     #[command(subcommand)]
     pub command: Command,
 
@@ -165,7 +165,7 @@ pub struct Run {
     #[arg(long = "draw", value_name = "TABLE=FILE", value_parser = assignment)]
     pub draw: Vec<Assignment>,
 
-    /// How the equations are solved [default: the document's, or rk4]
+    /// Method of integration [default: the document's, or rk4]
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,
 
@@ -177,11 +177,11 @@ pub struct Run {
     #[arg(long, value_name = "X")]
     pub tolerance: Option<f64>,
 
-    /// Where the run ends [default: the document's, or 100 s]
+    /// End of the run [default: the document's, or 100 s]
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub until: Option<String>,
 
-    /// Which columns, in this order, also constants and parameters [default: all that changes]
+    /// Columns in this order, also constants and parameters [default: all that changes]
     #[arg(long, value_name = "NAMES")]
     pub columns: Option<Vec<String>>,
 
@@ -269,7 +269,7 @@ pub struct Cycles {
     #[arg(value_name = "DATA")]
     pub data: PathBuf,
 
-    /// What is observed, and its column by name, body.name or number [default: the column that moves most]
+    /// Observed quantity, and its column by name, body.name or number [default: the column that moves most]
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe)]
     pub observe: Option<Observe>,
 
@@ -317,7 +317,7 @@ pub struct Derivatives {
     #[arg(value_name = "DATA")]
     pub data: PathBuf,
 
-    /// What is differentiated, and its column by name, body.name or number
+    /// Quantity to differentiate, and its column by name, body.name or number
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe)]
     pub observe: Observe,
 

@@ -7,7 +7,7 @@ use saved::hand_in::FactValue;
 use serde_json::{Value, json};
 use units::{Language, Words};
 
-/// What was found of one hand-in.
+/// Result for one hand-in.
 pub enum State {
     /// It cannot be read, for this reason.
     Unreadable(Words),

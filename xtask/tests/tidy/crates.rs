@@ -34,6 +34,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
 const CORE: [&str; 13] = [
     "units", "program", "model", "document", "engine", "analysis", "film", "figure", "report", "play", "saved", "desk",
+    "class",
 ];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];

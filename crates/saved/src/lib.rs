@@ -2,14 +2,14 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | [`format`] | content of an item: a record, a fit, an answer or the work on a film |
+//! | [`mod@format`] | content of an item: a record, a fit, an answer or the work on a film |
 //! | [`item`] | an item as one JSON object |
 //! | [`project`] | a document with its items as one file |
 //! | [`hand_in`] | a project with its sender and the numbers that follow from it |
 //! | [`storage`] | the storage of a page, as a trait |
 //! | [`shelf`] | synchronisation of the items of a page with its storage |
 //!
-//! The types of [`format`] are not those of the laboratory, so that a change there does not change what is stored.
+//! The types of [`mod@format`] are not those of the laboratory, so that a change there does not change what is stored.
 
 pub mod format;
 pub mod hand_in;

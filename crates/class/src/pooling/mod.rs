@@ -1,23 +1,16 @@
 //! The pooled value of the results of groups, by random effects: besides its own error, each result may deviate from the
 //! common value by what groups do differently, with standard deviation tau.
 
+mod measured;
 mod outliers;
 mod quantiles;
 
+pub use measured::Measured;
 pub use outliers::Reason;
 
 use outliers::{is_outlier, reason};
 use quantiles::{bisected, chi_squared, student};
 use units::{Language, Words, words};
-
-/// Result of a group, in any unit that is common to all.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measured {
-    /// The value.
-    pub value: f64,
-    /// Its standard error, above 0.
-    pub error: f64,
-}
 
 /// A pooled value. Intervals hold with a probability of 95 %.
 #[derive(Clone, Debug, PartialEq)]

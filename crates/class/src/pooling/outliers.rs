@@ -1,6 +1,6 @@
 //! Results that lie far from the others, and likely reasons.
 
-use super::Measured;
+use super::measured::Measured;
 use units::{Words, words};
 
 /// Distance from the median from which on a result is an outlier, in standard deviations of its error and of the scatter

@@ -76,7 +76,7 @@ pub struct Copied {
 }
 
 impl Curve {
-    /// Measured columns of a hand-in, at most [`MOST_CURVES`] with at most [`MOST_ROWS`] rows each. `index`: index of the
+    /// Measured columns of a hand-in, at most 40 with at most 2,000 rows each. `index`: index of the
     /// hand-in in the list.
     pub fn of(index: usize, hand_in: &HandIn) -> Vec<Self> {
         let items: Vec<(&str, Item)> =

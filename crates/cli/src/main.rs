@@ -3,6 +3,7 @@
 mod arguments;
 mod authoring;
 mod check;
+mod class;
 mod columns;
 mod command;
 mod cycles;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         Command::Rank(rank) => fitting::rank(rank, terminal),
         Command::Track(track) => track::run(track, terminal),
         Command::Export(export) => export::export(export, terminal),
+        Command::Class(class) => class::run(class, terminal),
         Command::New(new) => authoring::new(new, terminal),
         Command::Format(format) => authoring::format(format, terminal),
         Command::Lsp => lsp::serve(terminal.language),

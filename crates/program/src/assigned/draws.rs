@@ -22,7 +22,7 @@ impl<'a> Draws<'a> {
     }
 
     /// Indices of the values of the eight seats of a block, one per parameter. `draw` counts the draws of this block.
-    fn block(&self, block: u32, draw: u32) -> Vec<Vec<u32>> {
+    pub(super) fn block(&self, block: u32, draw: u32) -> Vec<Vec<u32>> {
         let mut seats = vec![Vec::with_capacity(self.parameters.len()); BLOCK as usize];
         for (key, grid) in &self.parameters {
             let place = u64::from(block) << 32 | u64::from(draw);

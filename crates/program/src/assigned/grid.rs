@@ -15,7 +15,7 @@ pub struct Grid {
     first: i64,
     step: i64,
     count: u32,
-    decimals: u8,
+    pub(super) decimals: u8,
 }
 
 /// Reason why there is no grid.

@@ -9,6 +9,8 @@ mod draws;
 mod grid;
 mod hash;
 pub(crate) mod seat;
+#[cfg(test)]
+mod tests;
 
 pub use grid::{Assigned, Grid, GridFault};
 pub use seat::Seat;

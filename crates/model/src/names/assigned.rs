@@ -60,8 +60,8 @@ fn grid(parameter: &ParameterStatement, assigned: &AssignedRange) -> Option<Diag
     let (wrong, hint) = match fault {
         GridFault::Empty => (
             words!(
-                "`{name}` has no assigned values: they rise from {low} to {high} by {step}",
-                "`{name}` no tiene valores asignados: suben de {low} a {high} de {step} en {step}"
+                "`{name}` has no assigned values from {low} to {high} with the step {step}",
+                "`{name}` no tiene valores asignados de {low} a {high} con el paso {step}"
             ),
             words(
                 "write the smaller number first, and a step greater than 0",

@@ -195,7 +195,7 @@ impl Reader<'_> {
         for text in values {
             let admitted = text.split_once(':').and_then(|(name, value)| {
                 let index = self.play.model().parameters.iter().position(|parameter| parameter.name == name)?;
-                let parameter = self.play.model().parameters.get(index).filter(|parameter| parameter.is_shown())?;
+                let parameter = self.play.model().parameters.get(index)?;
                 let value = match parameter.choices {
                     program::Choices::Numbers | program::Choices::Seed => number(value)?,
                     _ => parameter.chosen(&decode(value)?, &self.play.model().texts)?,

@@ -1,7 +1,7 @@
 //! Parameters that readers see, and those with values for the seats of a class.
 
 use super::{Model, Parameter};
-use crate::Grid;
+use crate::{Grid, NodeId};
 
 impl Parameter {
     /// True if readers see the parameter: in controls, values, links, records, exports and as a name in what they type.
@@ -14,6 +14,13 @@ impl Model {
     /// Parameters that readers see, with their indices.
     pub fn shown_parameters(&self) -> impl Iterator<Item = (usize, &Parameter)> {
         self.parameters.iter().enumerate().filter(|(_, parameter)| parameter.is_shown())
+    }
+
+    /// True for a value that gives a hidden parameter away: it depends on one, and not on the run.
+    pub fn is_secret(&self, node: NodeId) -> bool {
+        let dependence = self.depends(node);
+        let hidden = |index: &u32| self.parameters.get(*index as usize).is_some_and(|parameter| parameter.hidden);
+        !dependence.varies() && dependence.parameters.iter().any(hidden)
     }
 
     /// Indices of the parameters with assigned values.

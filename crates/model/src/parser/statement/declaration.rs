@@ -183,8 +183,9 @@ impl Cursor<'_> {
         let form = range_form();
         let Some(low) = self.signed_number() else {
             let wrong = words!(
-                "after the `in` of a parameter its range is expected, not {found}",
-                "después del `in` de un parámetro se espera su intervalo, no {found}",
+                "after the `{word}` of a parameter its range is expected, not {found}",
+                "después del `{word}` de un parámetro se espera su intervalo, no {found}",
+                word = Words::same(self.source[keyword.range()].to_owned()),
                 found = self.found()
             );
             return self.fail(Diagnostic::error("parameter-range", wrong, keyword).with_hint(form.clone()));

@@ -20,5 +20,6 @@ mod projects;
 mod rank;
 mod roles;
 mod run;
+mod seats;
 mod strangers;
 mod track;

@@ -61,11 +61,9 @@ fn what_has_no_seat_says_so() {
 /// Few values cannot differ for many seats, and that is said.
 #[test]
 fn equal_seats_are_named() {
-    let directory = crate::common::directory_with(&[(
-        "few.md",
-        "---\nassignment: few\n---\n```model\nparameter n = 1 assigned 1..8 step 1\nx' = -n*1 [1/s]*x\nx(0) = 1\n```\n",
-    )]);
-    let few = directory.path().join("few.md");
+    let text =
+        "---\nassignment: few\n---\n```model\nparameter n = 1 [1/s] assigned 1..8 step 1\nx' = -n*x\nx(0) = 1\n```\n";
+    let (_directory, few) = crate::common::directory_with(text);
     let done = meniscus(&["class", "assign", few.to_str().unwrap(), "--seats", "16"]);
     assert_eq!((done.code, done.stdout.matches("have equal values").count()), (0, 8), "{}", done.stdout);
 }

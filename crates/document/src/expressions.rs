@@ -224,25 +224,6 @@ impl<'a> Expressions<'a> {
         found.filter(|&index| self.is_shown(index, name.span))
     }
 
-    /// True if readers see the parameter. Reports another one, which they would set here.
-    pub fn is_shown(&mut self, parameter: usize, place: Span) -> bool {
-        let own = &self.model().parameters[parameter];
-        if own.is_shown() {
-            return true;
-        }
-        let message = words!("`{0}` is hidden from readers", "`{0}` está oculto para los lectores", own.name);
-        let hint = words(
-            "leave it out here, or take the word `hidden` away where it is declared",
-            "omítelo aquí, o quita la palabra `hidden` donde se declara",
-        );
-        let declared = self.places.parameters.get(parameter).copied().unwrap_or_default();
-        let diagnostic = Diagnostic::error("hidden-parameter", message, place)
-            .with_label(declared, words("it is declared here", "se declara aquí"))
-            .with_hint(hint);
-        self.diagnostics.push(diagnostic);
-        false
-    }
-
     /// Parses definitions `name = expression`, which later expressions may use.
     pub fn define(&mut self, range: Range<usize>) {
         let (statements, diagnostics) = model::parse(self.source, &[range]);

@@ -300,9 +300,8 @@ impl Play {
                 with("{}; the run starts from there", "{}; la serie parte de ahí", &format!("{label}: {value}"))
             }
             Announcement::StartSet { state, value, before } => {
-                let is_new =
-                    |now: &crate::ParameterView| before.get(now.index).is_some_and(|before| now.value != *before);
-                let changed = self.parameters().into_iter().filter(is_new);
+                let changed = self.parameters().into_iter();
+                let changed = changed.filter(|now| before.get(now.index).is_some_and(|before| now.value != *before));
                 let changed: Vec<String> = changed.map(|now| format!("{}: {}", now.label, now.spoken)).collect();
                 let unit = self.model().states.get(*state).map(|state| &state.unit);
                 let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));

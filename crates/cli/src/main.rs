@@ -3,6 +3,7 @@
 mod arguments;
 mod authoring;
 mod check;
+mod class;
 mod columns;
 mod command;
 mod cycles;
@@ -49,6 +50,7 @@ fn main() -> ExitCode {
         Command::HandIn(arguments) => handing::hand_in(arguments, terminal),
         Command::Verify(verify) => handing::verify(verify, terminal),
         Command::Export(export) => export::export(export, terminal),
+        Command::Class(class) => class::run(class, terminal),
         Command::New(new) => authoring::new(new, terminal),
         Command::Format(format) => authoring::format(format, terminal),
         Command::Lsp => lsp::serve(terminal.language),

@@ -221,7 +221,7 @@ impl<'a> Expressions<'a> {
             };
             self.diagnostics.push(diagnostic);
         }
-        found
+        found.filter(|&index| self.is_shown(index, name.span))
     }
 
     /// Parses definitions `name = expression`, which later expressions may use.

@@ -16,6 +16,7 @@ mod expressions;
 mod extent;
 pub mod form;
 mod format;
+mod hidden;
 mod open;
 pub mod page;
 mod prose;

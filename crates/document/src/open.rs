@@ -3,7 +3,7 @@
 use crate::blocks::questions;
 use crate::blocks::questions::{QUESTIONS, RawQuestion};
 use crate::blocks::settings;
-use crate::blocks::{plots, presets, vary};
+use crate::blocks::{assignment, plots, presets, vary};
 use crate::card;
 use crate::checks::Checks;
 use crate::document::{Document, Opened};
@@ -108,6 +108,7 @@ impl<'a> File<'a> {
         let Checked { mut model, statements, places, functions } = checked;
         let settings = settings::read(self.outline.front_matter(), &model, &mut self.diagnostics);
         card::check(self.outline.front_matter(), &mut self.diagnostics);
+        let assignment = assignment::read(self.outline.front_matter(), &model, &places, &mut self.diagnostics);
         let mut expressions = Expressions::new(self.outline.source(), &mut model, &places, &functions);
         let vary =
             self.outline.front_matter().get("vary").map_or_else(Vec::new, |value| vary::read(&mut expressions, value));
@@ -179,6 +180,8 @@ impl<'a> File<'a> {
             until: settings.until,
             speed: settings.speed,
             tolerance: settings.tolerance,
+            assignment,
+            seat: None,
             vary,
             plots,
             presets,

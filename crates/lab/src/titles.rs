@@ -117,8 +117,12 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "default-out-of-range"
         | "empty-range"
         | "out-of-range"
+        | "hidden-parameter"
         | "varies"
         | "vary" => ("Parameters", "Parámetros"),
+        "assigned-form" | "assigned-out-of-range" | "assigned-step" | "assigned-values" | "assignment" => {
+            ("Assigned values", "Valores asignados")
+        }
         "missing-initial-value"
         | "initial-value-of-highest"
         | "initial-value-of-constant"

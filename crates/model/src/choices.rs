@@ -38,6 +38,7 @@ fn parameter(choice: &ChoiceStatement) -> ParameterStatement {
         range: None,
         step: None,
         form: ParameterForm::Choice(texts),
+        assigned: None,
     }
 }
 

@@ -12,7 +12,7 @@ use crate::{
     Diagnostic, Expression, ExpressionKind, Places, Span, Statement, StatementKind, has_errors, limits, parse,
 };
 use crate::{bare_numbers, chance, choices, discrete_kinds, maps, moments, so_far, ticks};
-use program::{Model, Size};
+use program::{Model, NodeId, Size};
 use std::borrow::Cow;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -192,9 +192,13 @@ fn hide(model: &mut Model, statements: &[Statement], vectors: &Vectors) {
             _ => hidden.extend(declared(statement).map(|name| (name, 0))),
         }
     }
+    // What follows from hidden parameters alone would give them away.
+    let hides = model.parameters.iter().any(|parameter| parameter.hidden);
+    let values = model.quantities.iter().map(|quantity| quantity.value.node).filter(|_| hides);
+    let secret: HashSet<NodeId> = values.filter(|&node| model.is_secret(node)).collect();
     let is_hidden = |name: &str, order: u32| hidden.contains(&(vector_or_family(name).unwrap_or(name), order));
     for quantity in &mut model.quantities {
-        quantity.hidden = is_hidden(&quantity.name, 0);
+        quantity.hidden = is_hidden(&quantity.name, 0) || secret.contains(&quantity.value.node);
         let has_point = quantity.name.contains('.') && !vectors.is_component(&quantity.name);
         quantity.remembered = has_point || quantity.name.contains(['(', ' ']);
     }

@@ -62,6 +62,8 @@ pub enum Announcement {
     QuestionSetup(usize),
     /// A state was restored from a link or from the last visit.
     Restored,
+    /// The assigned parameters have the values of this seat, or without one those of the document.
+    Seated(Option<u32>),
     /// The sizes of families have changed. Lists what was dropped (settings, kept runs, answers), in the chosen
     /// language.
     Resized(Vec<String>),
@@ -113,6 +115,7 @@ impl Announcement {
             | Self::Undone
             | Self::QuestionSetup(_)
             | Self::Restored
+            | Self::Seated(_)
             | Self::Resized(_)
             | Self::Replaced(_) => Prominence::Shown,
         }

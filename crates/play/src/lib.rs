@@ -26,6 +26,7 @@ mod questions;
 mod refusal;
 mod removed;
 mod replacement;
+mod seat;
 mod share;
 mod time;
 mod undo;
@@ -51,6 +52,7 @@ pub use plots::{
 };
 pub use questions::{Answer, AnswerView, Grade, Verdict};
 pub use refusal::Refusal;
+pub use seat::SeatView;
 pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};
 pub use time::{Course, LONGEST_GAP, Problem, SPEEDS, Status, WORK_PER_TICK};
 pub use values::{Follows, Index, Members, Outline, Readout, ReadoutKind, symbol};

@@ -79,6 +79,8 @@ pub enum Refusal {
         /// Name or number that was requested.
         name: String,
     },
+    /// The input is no seat of a class.
+    NoSeat,
     /// A saved state was not written by this program or was written by a later version.
     UnreadableState,
     /// The document in a link is too long.

@@ -224,6 +224,12 @@ pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
             format!("This link is about the document {name}, which is not in this page. Open that file, and you will see what the link shows."),
             format!("Este enlace trata del documento {name}, que no está en esta página. Abre ese archivo y verás lo que muestra el enlace."),
         ),
+        Refusal::NoSeat => language
+            .pick(
+                "A seat is a whole number from 1, as your teacher has given it to you.",
+                "Un puesto es un número entero desde 1, el que te dio tu docente.",
+            )
+            .to_owned(),
         Refusal::PartlyRestored { left_out } => {
             let parts = left_out.join(", ");
             language.pick(
@@ -294,8 +300,9 @@ impl Play {
                 with("{}; the run starts from there", "{}; la serie parte de ahí", &format!("{label}: {value}"))
             }
             Announcement::StartSet { state, value, before } => {
-                let changed = self.parameters().into_iter().zip(before).filter(|(now, before)| now.value != **before);
-                let changed: Vec<String> = changed.map(|(now, _)| format!("{}: {}", now.label, now.spoken)).collect();
+                let changed = self.parameters().into_iter();
+                let changed = changed.filter(|now| before.get(now.index).is_some_and(|before| now.value != *before));
+                let changed: Vec<String> = changed.map(|now| format!("{}: {}", now.label, now.spoken)).collect();
                 let unit = self.model().states.get(*state).map(|state| &state.unit);
                 let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
                 format!("{}: {value}; {}", self.state_label(*state), changed.join(", "))
@@ -336,6 +343,14 @@ impl Play {
                 "El documento cambiado está en marcha; se omitió lo que no encaja: {}",
                 &lost.join(", "),
             ),
+            Announcement::Seated(Some(seat)) => with(
+                "Seat {}: your own values are set",
+                "Puesto {}: tus propios valores están puestos",
+                &seat.to_string(),
+            ),
+            Announcement::Seated(None) => {
+                say("No seat: the values of the document are set", "Sin puesto: están los valores del documento")
+            }
             Announcement::Restored => say("The saved state is back", "Se recuperó el estado guardado"),
         }
     }

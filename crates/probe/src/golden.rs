@@ -1,6 +1,8 @@
 //! Golden runs: documents whose runs must have the same bits on every machine.
 
 use engine::{Advance, Method, Run, Setup};
+use program::Seat;
+use units::split_mix::scramble;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Name, text, method and end (SI) of each golden run. They cover every method, every function, events, random draws,
@@ -38,16 +40,30 @@ const CHAIN: &str = include_str!("../../../simulations/chain.md");
 const FUNCTIONS: &str = include_str!("../golden/functions.md");
 const CHANCE: &str = include_str!("../golden/chance.md");
 const TABLES: &str = include_str!("../golden/tables.md");
+const ASSIGNED: &str = include_str!("../golden/assigned.md");
 
-/// Fingerprints of all golden runs, one line each: `name method end fingerprint`. They are stored in `golden.txt`.
+/// Seats of the golden draws: with four assigned parameters 10^5 values.
+const SEATS: u32 = 25_000;
+
+/// Fingerprints of all golden runs, one line each: `name method end fingerprint`, and of the values assigned to seats:
+/// `assigned seats learners fingerprint`. They are stored in `golden.txt`.
 #[wasm_bindgen]
 pub fn golden() -> String {
-    RUNS.iter()
-        .map(|(name, text, method, until)| {
-            let found = fingerprint(text, method.name(), *until);
-            format!("{name} {} {until} {found}\n", method.name())
-        })
-        .collect()
+    let runs = RUNS.iter().map(|(name, text, method, until)| {
+        let found = fingerprint(text, method.name(), *until);
+        format!("{name} {} {until} {found}\n", method.name())
+    });
+    let assigned = assigned().unwrap_or_else(|message| message);
+    runs.chain([format!("assigned {SEATS} {SEATS} {assigned}\n")]).collect()
+}
+
+/// Hash of the values of the first seats, and of the seats of as many learners.
+fn assigned() -> Result<String, String> {
+    let program = setup(ASSIGNED)?.0.program;
+    let values = program.assigned_values(SEATS).into_iter().flatten().map(f64::to_bits);
+    let learners = (0..SEATS).map(|learner| Seat::of_learner("golden", &format!("learner {learner}")));
+    let all = values.chain(learners.map(|seat| u64::from(seat.number())));
+    Ok(format!("{:016x}", all.fold(0, |hash, bits| scramble(hash ^ bits))))
 }
 
 /// Fingerprint of a run from its start to `until`, SI: the hash of its history in 16 hexadecimal digits, or an error

@@ -11,7 +11,7 @@ use crate::{
 /// Signature at the start of a bundle.
 const SIGNATURE: &[u8] = b"meniscus";
 /// Format version; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 8;
+const VERSION: u8 = 9;
 /// Maximum length of a bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
@@ -72,7 +72,10 @@ fn check(program: &Program) -> Result<(), BundleError> {
     let nodes = model.states.iter().flat_map(|state| [&state.initial, &state.derivative]);
     let good = model.sensitive.is_none()
         && inputs_exist(model)
-        && model.parameters.iter().all(|one| one.takes(one.value) && texts_exist(one, model.texts.len()))
+        && model
+            .parameters
+            .iter()
+            .all(|one| one.takes(one.value) && assigned_exist(one) && texts_exist(one, model.texts.len()))
         && nodes.into_iter().all(known)
         && orders_ascend(model)
         && model.tables.iter().all(|table| (table.interpolation as usize) < model.graph.interpolations().len())
@@ -186,6 +189,12 @@ fn drawings_exist(model: &Model) -> bool {
             .iter()
             .filter_map(|curve| curve.drawing())
             .all(|of| of.derivative <= DEEPEST && drawn(of.table as usize).is_some())
+}
+
+/// True if the assigned values of a parameter are consistent.
+fn assigned_exist(parameter: &Parameter) -> bool {
+    let Some(assigned) = &parameter.assigned else { return true };
+    parameter.choices == Choices::Numbers && assigned.grid.is_sound() && assigned.stated.is_finite()
 }
 
 /// True if the texts of a choice exist.

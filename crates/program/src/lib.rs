@@ -1,6 +1,7 @@
 //! The compiled form of a document, without source text and source positions: equations as a graph, drawing, plots,
 //! presets, questions, checks and finished prose. The engine runs it; [`bundle`] writes and reads it.
 
+mod assigned;
 mod bandwidth;
 pub mod bundle;
 mod chance;
@@ -15,8 +16,10 @@ mod program;
 mod prose;
 mod questions;
 mod scene;
+mod seating;
 mod speed;
 
+pub use assigned::{Assigned, Grid, GridFault, Seat};
 pub use bandwidth::{band_width, banded_order, bandwidth, places};
 pub use chance::binomial;
 pub use checks::{Check, Claim, Moment, Relation, Sides, Test};

@@ -1,6 +1,6 @@
 //! A program: a checked model and everything that is shown with it.
 
-use crate::{Check, Method, Model, Plot, Preset, Question, QuestionText, Scene, Section, Speed};
+use crate::{Check, Method, Model, Plot, Preset, Question, QuestionText, Scene, Seat, Section, Speed};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -25,6 +25,10 @@ pub struct Program {
     pub speed: Option<Speed>,
     /// Relative tolerance of adaptive methods stated by the document.
     pub tolerance: Option<f64>,
+    /// Name of the assignment, on which the values of the seats depend.
+    pub assignment: Option<String>,
+    /// Seat whose values the assigned parameters have; `None`: they have the stated ones.
+    pub seat: Option<Seat>,
     /// Parameters that a fit varies by default, as indices in [`Model::parameters`].
     pub vary: Vec<usize>,
     /// The plots, in the order of the text.

@@ -21,8 +21,7 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
     }
     page.raw("</div>\n");
     let varied = |index: usize| report.outcome.parameters.iter().any(|one| one.parameter() == Some(index));
-    let held: Vec<(usize, &Parameter)> =
-        model.parameters.iter().enumerate().filter(|(index, _)| !varied(*index)).collect();
+    let held: Vec<(usize, &Parameter)> = model.shown_parameters().filter(|(index, _)| !varied(*index)).collect();
     if held.is_empty() {
         return;
     }

@@ -4,6 +4,7 @@ use crate::app::App;
 use crate::browser;
 use crate::member;
 use crate::readouts::followed;
+use crate::seat;
 use crate::sizes;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
@@ -27,7 +28,7 @@ pub fn view(app: App) -> HtmlSection {
         .each(app.read(|play| play.parameter_groups()).into_iter().enumerate(), |group| parameter_group(app, group));
     let controls = part("controls", "controls card", words.controls).child(buttons::view(app));
     let values = View::from((parameters, drawings::view(app), presets(app)));
-    controls.child(lockable(app, values))
+    controls.child(seat::view(app)).child(lockable(app, values))
 }
 
 /// Controls of a parameter group under its heading.

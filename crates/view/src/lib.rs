@@ -29,6 +29,7 @@ pub mod question;
 pub mod reading;
 mod readouts;
 mod scene;
+mod seat;
 pub mod shell;
 pub mod sight;
 mod sizes;

@@ -1,5 +1,7 @@
 //! Arguments with a name and a value: `NAME=VALUE`, and observed quantities, `y=COLUMN`.
 
+use program::Seat;
+
 /// A name with a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assignment {
@@ -7,6 +9,11 @@ pub struct Assignment {
     pub name: String,
     /// Text after the equals sign.
     pub value: String,
+}
+
+/// Parses the number of a seat.
+pub fn seat(text: &str) -> Result<Seat, String> {
+    text.trim().parse().map_err(|()| "a seat is a whole number from 1, such as 7".to_owned())
 }
 
 /// Parses `NAME=VALUE`.

@@ -6,11 +6,13 @@ pub(crate) mod settings;
 pub(crate) mod variable;
 
 use crate::authoring::arguments::{FORMAT_EXAMPLES, Format as FormatDocuments, NEW_EXAMPLES, New};
+use crate::class::arguments::Class;
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use crate::handing::arguments::{HAND_IN_EXAMPLES, HandIn, VERIFY_EXAMPLES, Verify};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
-use assignments::{Assignment, Observe, assignment, observe, press};
+use assignments::{Assignment, Observe, assignment, observe, press, seat};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use program::Seat;
 use std::path::PathBuf;
 use units::Language;
 
@@ -86,6 +88,9 @@ pub enum Command {
     /// Make one offline page of a document, with its source inside
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),
+    /// Prepare a lesson: the assigned values of a class
+    #[command(subcommand)]
+    Class(Class),
     /// Begin a document in a folder of its own
     #[command(after_help = NEW_EXAMPLES)]
     New(New),
@@ -132,6 +137,7 @@ Methods:
 Examples:
   meniscus run simulations/utube.md                          as the document says, as CSV
   meniscus run utube.md --set b=200 --set h_l='40 [dm]'      in the declared unit or another
+  meniscus run tube.md --seat 7                              the values assigned to this seat
   meniscus run utube.md --preset Mercury --until 20          a preset, for 20 s
   meniscus run kicked.md --press Kick=3.2 --press Kick=5     presses its button Kick at 3.2 s and at 5 s
   meniscus run utube.md --method dormand-prince --tolerance 1e-9
@@ -144,6 +150,10 @@ pub struct Run {
     /// The document; `-` reads it from the standard input
     #[arg(value_name = "DOC")]
     pub document: PathBuf,
+
+    /// Take the assigned values of this seat
+    #[arg(long, value_name = "N", value_parser = seat)]
+    pub seat: Option<Seat>,
 
     /// Change a parameter: a bare number is in the declared unit, `b='0.2 [t/s]'` names its own
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]

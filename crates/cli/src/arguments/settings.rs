@@ -2,6 +2,7 @@
 
 use super::assignments::Assignment;
 use crate::arguments::Run;
+use crate::class::take_seat;
 use crate::failure::{Failure, listed};
 use crate::load::Sources;
 use crate::terminal::Terminal;
@@ -16,6 +17,7 @@ use units::nearest;
 /// Setup of a run, and the value of the independent variable at its end, SI.
 pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Result<(Setup, f64), Failure> {
     let parameters = resize(document, &arguments.set)?;
+    take_seat(&mut document.program, arguments.seat)?;
     let mut setup = Setup::of(&document.program);
     for name in &arguments.preset {
         apply_preset(document, name, &mut setup.parameters)?;

@@ -1,8 +1,9 @@
 //! Arguments of `meniscus fit` and `meniscus rank`.
 
-use crate::arguments::assignments::{Assignment, Observe, assignment, observe};
+use crate::arguments::assignments::{Assignment, Observe, assignment, observe, seat};
 use analysis::fit::Loss;
 use clap::{Args, ValueEnum};
+use program::Seat;
 use std::path::PathBuf;
 
 /// Shown after the help of `meniscus fit`.
@@ -43,6 +44,10 @@ pub struct Common {
     /// State the unit of a column that the file does not, such as t=ms
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
     pub unit: Vec<Assignment>,
+
+    /// Take the assigned values of this seat
+    #[arg(long, value_name = "N", value_parser = seat)]
+    pub seat: Option<Seat>,
 
     /// Parameters to vary, also t_origin and y_offset [default: as the document's front matter says]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]

@@ -5,6 +5,7 @@ use crate::arguments::assignments::Assignment;
 use crate::arguments::limits::nothing_between;
 use crate::arguments::settings::{Reader, positive, unknown};
 use crate::arguments::variable::find;
+use crate::class::take_seat;
 use crate::data::Measured;
 use crate::failure::Failure;
 use crate::load::{self, Loaded, Sources};
@@ -43,6 +44,7 @@ pub fn task(
     arguments: &Common,
     terminal: Terminal,
 ) -> Result<Task, Failure> {
+    take_seat(&mut document.program, arguments.seat)?;
     let time = document.program.model.independent.unit.clone();
     let parameters: Vec<f64> = document.program.model.parameters.iter().map(|parameter| parameter.value).collect();
     let mut task = Task { parameters, loss: arguments.loss.into(), ..Task::default() };

@@ -21,5 +21,6 @@ mod projects;
 mod rank;
 mod roles;
 mod run;
+mod seats;
 mod strangers;
 mod track;

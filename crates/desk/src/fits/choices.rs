@@ -88,7 +88,7 @@ impl Desk {
 
     /// Numbers that a fit can vary: the numeric parameters, then the zero of the clock, then the zero of the scale.
     pub fn fit_choices(&self) -> Vec<ChoiceView> {
-        let parameters = self.play.model().parameters.iter().enumerate();
+        let parameters = self.play.model().shown_parameters();
         let numbers = parameters.filter(|(_, parameter)| parameter.choices == program::Choices::Numbers);
         let parameters = numbers.map(|(index, parameter)| {
             let varied = self.fits.setup.varied.get(index).copied().unwrap_or(false);
@@ -165,7 +165,7 @@ impl Desk {
     /// The text is not a number, has the wrong unit, or lies outside the range of the parameter.
     pub fn set_known(&mut self, choice: usize, record: u32, typed: &str) -> Result<(), Refusal> {
         let unknown = || Refusal::unknown(choice);
-        let parameter = self.play.model().parameters.get(choice).ok_or_else(unknown)?;
+        let parameter = self.play.model().parameters.get(choice).filter(|own| own.is_shown()).ok_or_else(unknown)?;
         let (name, unit) = (parameter.name.clone(), parameter.unit.clone());
         let shown = self.known_views(choice).into_iter().find(|view| view.record == record);
         let value = match typed.trim() {
@@ -190,7 +190,7 @@ impl Desk {
         let parameters = &self.play.model().parameters;
         match choice.checked_sub(parameters.len()) {
             Some(zero) => ZEROS.get(zero).map(|name| (*name).to_owned()),
-            None => parameters.get(choice).map(|parameter| parameter.name.clone()),
+            None => parameters.get(choice).filter(|own| own.is_shown()).map(|parameter| parameter.name.clone()),
         }
     }
 

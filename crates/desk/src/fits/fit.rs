@@ -12,7 +12,7 @@ pub(crate) struct Definition {
     /// The records, in the order of the task.
     pub parts: Vec<Part>,
     pub varied: Vec<Varied>,
-    /// Values of all parameters, SI. Varied ones start there.
+    /// Values of all parameters, SI; NaN for those that readers do not see. Varied ones start there.
     pub parameters: Vec<f64>,
     /// Start and end of the fitted time window on the record clocks, SI; `None` is open.
     pub window: [Option<f64>; 2],

@@ -6,6 +6,7 @@ use crate::words::fit_error;
 use crate::{Announcement, Desk, Refusal};
 use analysis::fit::{Fit, FitError, Varied};
 use document::Document;
+use program::{Model, Parameter};
 
 /// Progress of the fits started by the user.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +35,7 @@ impl Desk {
             file: file.to_owned(),
             parts: self.parts(&self.document, &varied, true),
             varied,
-            parameters: self.play.course().parameters().to_vec(),
+            parameters: shown(self.play.model(), self.play.parameter_values()),
             window: self.fits.setup.window,
             loss: self.fits.setup.loss,
         };
@@ -65,7 +66,10 @@ impl Desk {
                 file,
                 parts,
                 varied,
-                parameters: parameters.iter().map(|parameter| parameter.value).collect(),
+                parameters: shown(
+                    &document.program.model,
+                    &parameters.iter().map(|parameter| parameter.value).collect::<Vec<_>>(),
+                ),
                 window: self.fits.setup.window,
                 loss: self.fits.setup.loss,
             };
@@ -124,7 +128,8 @@ impl Desk {
         Ok(())
     }
 
-    fn ready(&self, job: Job) -> Result<Running, Refusal> {
+    fn ready(&self, mut job: Job) -> Result<Running, Refusal> {
+        job.document.program.set_seat(self.play.program().seat);
         let task = self.task(&job)?;
         let model = &job.document.program.model;
         let fit = match &job.found {
@@ -204,4 +209,10 @@ impl Desk {
         };
         job.definition.parts.get(place).map_or_else(|| why.clone(), |part| format!("{}: {why}", part.name))
     }
+}
+
+/// Values of the parameters that readers see, NaN for the others, whose values are not stored.
+fn shown(model: &Model, values: &[f64]) -> Vec<f64> {
+    let value = |(own, value): (&Parameter, &f64)| if own.is_shown() { *value } else { f64::NAN };
+    model.parameters.iter().zip(values).map(value).collect()
 }

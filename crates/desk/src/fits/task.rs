@@ -66,8 +66,9 @@ impl Desk {
                 scale_error: record.table.scale_error,
             });
         }
+        let parameters = definition.parameters.iter().zip(&model.parameters);
         Ok(Task {
-            parameters: definition.parameters.clone(),
+            parameters: parameters.map(|(value, own)| if own.is_shown() { *value } else { own.value }).collect(),
             method: document.program.method.unwrap_or_default(),
             records,
             varied: definition.varied.clone(),

@@ -69,9 +69,7 @@ impl Desk {
     pub fn measure(&mut self, name: &str, form: &MeasurementForm) -> Result<u32, (usize, Refusal)> {
         let camera = self.camera(form)?;
         let text = self.measured_text(&form.quantity, &camera).map_err(|refusal| (0, refusal))?;
-        let model = self.play.model();
-        let truth = model.parameters.iter().zip(self.play.course().parameters());
-        let truth = truth.map(|(parameter, value)| (parameter.name.clone(), *value)).collect();
+        let truth = self.play.parameters().into_iter().map(|one| (one.name, one.value)).collect();
         self.insert_record(name, text.as_bytes(), Some(truth)).map_err(|refusal| (0, refusal))
     }
 

@@ -31,7 +31,7 @@ pub(crate) fn measurable(document: &Document) -> Vec<(String, Unit)> {
     for subject in subjects(document) {
         for order in 0..=2 {
             let name = format!("{subject}{}", "'".repeat(order as usize));
-            found.extend(model.lookup(subject, order).map(|value| (name, value.unit)));
+            found.extend(model.lookup_shown(subject, order).map(|value| (name, value.unit)));
         }
     }
     for (index, state) in model.states.iter().enumerate() {
@@ -39,7 +39,7 @@ pub(crate) fn measurable(document: &Document) -> Vec<(String, Unit)> {
         // The highest derivative of a variable follows its last state.
         if model.states.get(index + 1).is_none_or(|next| next.order == 0) {
             let name = format!("{}'", state.name());
-            found.extend(model.lookup(&state.variable, state.order + 1).map(|value| (name, value.unit)));
+            found.extend(model.lookup_shown(&state.variable, state.order + 1).map(|value| (name, value.unit)));
         }
     }
     let varying = model.quantities.iter().filter(|quantity| quantity.varies && quantity.value.kind == Kind::Number);
@@ -62,7 +62,7 @@ fn subjects(document: &Document) -> Vec<&str> {
         .flat_map(|plot| &plot.curves)
     {
         let stem = curve.expression.trim_end_matches('\'');
-        if model.lookup(stem, 0).is_some() && !found.contains(&stem) {
+        if model.lookup_shown(stem, 0).is_some() && !found.contains(&stem) {
             found.push(stem);
         }
     }
@@ -72,7 +72,7 @@ fn subjects(document: &Document) -> Vec<&str> {
 /// Compiled expression of a name such as `y'`; `None` if the model does not have it.
 pub(crate) fn observed(model: &Model, name: &str) -> Option<program::Compiled> {
     let stem = name.trim_end_matches('\'');
-    model.lookup(stem, (name.len() - stem.len()) as u32)
+    model.lookup_shown(stem, (name.len() - stem.len()) as u32)
 }
 
 /// Meaning of each column. `labels` gives a label in all languages of the document, in lower case.

@@ -19,6 +19,13 @@ pub const KEYS: &[Entry] = &[
     ("speed", ("model time for a second of watching", "tiempo del modelo por segundo de observación")),
     ("tolerance", ("relative error allowed in a step", "error relativo admitido en un paso")),
     ("vary", ("parameters that a fit varies first", "parámetros que un ajuste varía primero")),
+    (
+        "assignment",
+        (
+            "name on which the values of the seats depend: tube-2026",
+            "nombre del que dependen los valores de los puestos: tubo-2026",
+        ),
+    ),
 ];
 
 /// Kinds of blocks.
@@ -76,7 +83,7 @@ pub const STATEMENTS: &[Entry] = &[
         "independent",
         ("another independent variable: independent x in [m]", "otra variable independiente: independent x in [m]"),
     ),
-    ("hidden", ("keeps a definition out of the readouts", "no muestra una definición entre los valores")),
+    ("hidden", ("keeps a value or a parameter from the reader", "no muestra al lector una magnitud o un parámetro")),
 ];
 
 /// Keywords inside expressions and statements.
@@ -88,6 +95,13 @@ pub const OPERATORS: &[Entry] = &[
     ("or", ("at least one condition holds", "se cumple al menos una condición")),
     ("not", ("the condition does not hold", "no se cumple la condición")),
     ("in", ("states a unit or a range", "declara una unidad o un intervalo")),
+    (
+        "assigned",
+        (
+            "values for the seats of a class: assigned 0.1..0.5 step 0.02",
+            "valores para los puestos de una clase: assigned 0.1..0.5 step 0.02",
+        ),
+    ),
     ("for", ("for each value of an index: for i in 1..N", "para cada valor de un índice: for i in 1..N")),
     ("against", ("of a plot: the horizontal axis", "de una gráfica: el eje horizontal")),
 ];

@@ -7,11 +7,23 @@ use std::ops::Range;
 use units::{nearest, words};
 
 /// Known keys.
-const KEYS: [&str; 11] =
-    ["title", "language", "summary", "topics", "translates", "method", "step", "until", "speed", "tolerance", "vary"];
+const KEYS: [&str; 12] = [
+    "title",
+    "language",
+    "summary",
+    "topics",
+    "translates",
+    "method",
+    "step",
+    "until",
+    "speed",
+    "tolerance",
+    "vary",
+    "assignment",
+];
 
 /// Spanish keys and other synonyms, with the keys that they mean.
-const OTHER_KEYS: [(&str, &str); 19] = [
+const OTHER_KEYS: [(&str, &str); 21] = [
     ("titulo", "title"),
     ("nombre", "title"),
     ("idioma", "language"),
@@ -31,6 +43,8 @@ const OTHER_KEYS: [(&str, &str); 19] = [
     ("end", "until"),
     ("velocidad", "speed"),
     ("tolerancia", "tolerance"),
+    ("tarea", "assignment"),
+    ("asignacion", "assignment"),
 ];
 
 /// A value of the front matter and its place.
@@ -239,7 +253,7 @@ mod tests {
             [
                 "the front matter has no key `titel`; did you mean `title`?",
                 "the front matter has no key `wibble`; the keys are title, language, summary, topics, translates, method, \
-                 step, until, speed, tolerance, vary",
+                 step, until, speed, tolerance, vary, assignment",
                 "`title` has no value",
                 "`step` is given twice",
             ]

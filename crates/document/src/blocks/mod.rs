@@ -1,6 +1,7 @@
 //! Blocks of a document other than model and drawing: their syntax, and the parts of the program made from them.
 
 pub(crate) mod asked;
+pub(crate) mod assignment;
 pub(crate) mod curves;
 pub(crate) mod front_matter;
 pub(crate) mod members;

@@ -91,7 +91,10 @@ pub(super) fn row(source: &str, statement: &Statement) -> Option<(String, Vec<Ce
             "switch" => Parts { unit: false, range: false, step: false },
             _ => Parts { unit: false, range: true, step: false },
         };
-        cells.extend(of_parameter(source, &body, has));
+        // The assigned values are edited in the text.
+        let assigned = find_any_word(source, body.clone(), "assigned").filter(|_| word == "parameter");
+        let own = body.start..assigned.map_or(body.end, |word| word.start);
+        cells.extend(of_parameter(source, &own, has));
     }
     let end = trimmed_end(source, &body);
     cells.push(match quote {

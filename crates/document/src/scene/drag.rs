@@ -57,7 +57,8 @@ impl Builder<'_, '_> {
             return Some(Dragged::State(state));
         }
         if let Some(parameter) = model.parameters.iter().position(|parameter| parameter.name == name) {
-            return Some(Dragged::Parameter(parameter));
+            let place = Span::new(place.start, place.end);
+            return self.expressions.is_shown(parameter, place).then_some(Dragged::Parameter(parameter));
         }
         let parameters = model.parameters.iter().map(|parameter| parameter.name.as_str());
         let near = units::nearest(&name, states.iter().map(String::as_str).chain(parameters)).map(str::to_owned);

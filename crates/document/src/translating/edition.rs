@@ -118,7 +118,7 @@ impl File<'_> {
                 );
             }
         }
-        for key in ["method", "step", "until", "speed", "tolerance", "vary"] {
+        for key in ["method", "step", "until", "speed", "tolerance", "vary", "assignment"] {
             if let Some(value) = self.outline.front_matter().get(key) {
                 let message =
                     words!("`{key}` in a translation means nothing", "`{key}` no significa nada en una traducción");

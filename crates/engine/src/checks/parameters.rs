@@ -1,7 +1,7 @@
 //! Parameters of a check, and values known before its run.
 
 use crate::{Readings, Setup};
-use program::{Assignment, Model, NodeId, Program};
+use program::{Assignment, Model, NodeId, Program, Question};
 
 /// The parameters of the document with the assignments of a check applied in order, one value per parameter, SI units. Each
 /// assignment sees those before it.
@@ -14,6 +14,11 @@ pub fn supposed(program: &Program, setup: &[Assignment]) -> Vec<f64> {
         }
     }
     parameters
+}
+
+/// Right answer of a question with the parameters of the document and those that it assumes, SI units.
+pub fn answer(program: &Program, question: &Question) -> f64 {
+    at_start(&program.model, &supposed(program, &question.setup), question.answer.node)
 }
 
 /// Value of a node that is constant during a run with these parameters, SI units.

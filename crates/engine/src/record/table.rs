@@ -3,7 +3,7 @@
 mod write;
 
 use crate::{History, Readings};
-use program::{Kind, Model, NodeId, State};
+use program::{Kind, Model, NodeId, Quantity, State};
 use std::rc::Rc;
 use units::Unit;
 
@@ -174,23 +174,25 @@ fn find(model: &Model, name: &str) -> Result<(Column, Origin), UnknownColumn> {
     if let Some(index) = model.states.iter().position(|state| state.name() == name) {
         return Ok(state(model, index));
     }
-    if let Some(index) = model.quantities.iter().position(|quantity| quantity.name == name) {
+    let is_meant = |one: &Quantity| one.name == name && !model.is_secret(one.value.node);
+    if let Some(index) = model.quantities.iter().position(is_meant) {
         return Ok(quantity(model, index));
     }
-    if let Some(index) = model.parameters.iter().position(|parameter| parameter.name == name) {
+    if let Some((index, _)) = model.shown_parameters().find(|(_, parameter)| parameter.name == name) {
         return Ok(parameter(model, index));
     }
     let bare = name.trim_end_matches('\'');
     let order = (name.len() - bare.len()) as u32;
-    if let Some(value) = model.lookup(bare, order) {
+    if let Some(value) = model.lookup_shown(bare, order) {
         let column = Column { name: name.to_owned(), label: None, unit: value.unit };
         return Ok((column, Origin::Node(value.node, value.kind)));
     }
     let states: Vec<String> = model.states.iter().map(State::name).collect();
+    let seen = model.quantities.iter().filter(|quantity| !model.is_secret(quantity.value.node));
     let known = std::iter::once(model.independent.name.as_str())
         .chain(states.iter().map(String::as_str))
-        .chain(model.quantities.iter().map(|quantity| quantity.name.as_str()))
-        .chain(model.parameters.iter().map(|parameter| parameter.name.as_str()));
+        .chain(seen.map(|quantity| quantity.name.as_str()))
+        .chain(model.shown_parameters().map(|(_, parameter)| parameter.name.as_str()));
     let near = units::nearest(name, known).map(str::to_owned);
     Err(UnknownColumn { name: name.to_owned(), near })
 }

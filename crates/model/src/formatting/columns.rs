@@ -36,17 +36,19 @@ enum Column {
     Unit,
     In,
     Step,
+    Assigned,
     For,
     Label,
     Comment,
 }
 
-const COLUMNS: [Column; 8] = [
+const COLUMNS: [Column; 9] = [
     Column::Titled,
     Column::Equals,
     Column::Unit,
     Column::In,
     Column::Step,
+    Column::Assigned,
     Column::For,
     Column::Label,
     Column::Comment,
@@ -87,7 +89,9 @@ fn kind(line: &Line) -> Kind {
         [title, colon, ..] if title.role == Role::Text && colon.role == Role::Colon => Kind::Titled,
         [text, equals, ..] if text.role == Role::Text && is_equals(equals) => Kind::Translated,
         [word, ..] if word.role != Role::Text && !is_function(cells) => match cells.iter().position(is_equals) {
-            Some(at) if is_defined(&cells[..at]) && word.text == "parameter" => Kind::Parameter,
+            Some(at) if is_defined(&cells[..at]) && cells[..at].iter().any(|cell| cell.text == "parameter") => {
+                Kind::Parameter
+            }
             Some(at) if is_defined(&cells[..at]) && is_rate(&cells[..at]) => Kind::Rate,
             Some(at) if is_defined(&cells[..at]) => Kind::Definition,
             _ => Kind::Other,
@@ -151,6 +155,7 @@ fn column(before: &Cell, cell: &Cell, kind: Kind) -> Option<Column> {
         (_, Role::Keyword | Role::Name) => match &*cell.text {
             "in" => Some(Column::In),
             "step" => Some(Column::Step),
+            "assigned" => Some(Column::Assigned),
             "for" => Some(Column::For),
             _ => None,
         },

@@ -33,8 +33,22 @@ pub(super) enum Role {
 
 /// Words before an expression. All of them are also valid names: only the blanks around a following `-` tell a sign from an
 /// operator.
-const WORDS: [&str; 13] =
-    ["of", "at", "from", "until", "against", "points", "within", "than", "step", "changes", "every", "by", "histogram"];
+const WORDS: [&str; 14] = [
+    "of",
+    "at",
+    "from",
+    "until",
+    "against",
+    "points",
+    "within",
+    "than",
+    "step",
+    "changes",
+    "every",
+    "by",
+    "histogram",
+    "assigned",
+];
 
 /// Role of each token.
 pub(super) fn roles(source: &str, tokens: &[Token]) -> Vec<Role> {

@@ -55,6 +55,8 @@ const WORDS: &[(&str, &str, Place)] = &[
     ("o", "or", Place::Between),
     ("en", "in", Place::Between),
     ("paso", "step", Place::Between),
+    ("asignado", "assigned", Place::Between),
+    ("asignada", "assigned", Place::Between),
     ("desde", "from", Place::Between),
     ("hasta", "until", Place::Between),
     ("como", "as", Place::Between),

@@ -8,10 +8,12 @@ use crate::dimensions::{Type, Types};
 use crate::matching::blocks;
 use crate::names::{Declarations, EventEntry, Meaning, TableEntry, Unknown, crossing, list};
 use crate::notation::primed;
-use crate::{Diagnostic, Expression, ExpressionKind, ParameterForm, Places, Span, StatedUnit, TableStatement};
+use crate::{
+    Diagnostic, Expression, ExpressionKind, ParameterForm, ParameterStatement, Places, Span, StatedUnit, TableStatement,
+};
 use program::{
-    Binary, Button, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, Role,
-    State, Table,
+    Assigned, Binary, Button, Choices, Compiled, Event, Graph, Grid, Independent, Kind, Model, Node, NodeId, Parameter,
+    Quantity, Role, State, Table,
 };
 use units::{Dimension, Exponent, Unit, words};
 
@@ -169,10 +171,18 @@ fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Param
             range: statement.range.as_ref().map(|bounds| (unit.to_si(bounds.low), unit.to_si(bounds.high))),
             step: statement.step.map(|step| unit.to_si(step)),
             restarts: statement.form == ParameterForm::Seed,
+            hidden: entry.hidden,
+            assigned: assigned(statement, value),
             unit,
         }
     };
     declarations.parameters.iter().map(parameter).collect()
+}
+
+/// Values for the seats of a class. `stated`: value without a seat, SI units.
+fn assigned(statement: &ParameterStatement, stated: f64) -> Option<Assigned> {
+    let own = statement.assigned.as_ref()?;
+    Some(Assigned { grid: Grid::new(own.bounds.low, own.bounds.high, own.step?).ok()?, stated })
 }
 
 /// The functions defined by tables, including those that no expression of the model calls.

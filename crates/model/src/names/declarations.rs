@@ -1,6 +1,7 @@
 //! The statements of a model by kind, and the checks that need only the statements: duplicate names, reserved names, ranges
 //! of parameters.
 
+use super::assigned::check_assigned;
 use super::scope::{Meaning, PI, Scope};
 use crate::notation::primed;
 use crate::{
@@ -33,6 +34,8 @@ pub(crate) struct ParameterEntry<'a> {
     pub label: Option<&'a str>,
     /// Group of its control.
     pub group: Option<&'a str>,
+    /// True if readers do not see it.
+    pub hidden: bool,
     pub span: Span,
 }
 
@@ -104,6 +107,7 @@ impl<'a> Declarations<'a> {
             match &statement.kind {
                 StatementKind::Parameter(parameter) => {
                     check_parameter(parameter, diagnostics);
+                    check_assigned(parameter, diagnostics);
                     if declarations.may_declare(&parameter.name, &mut declared, diagnostics) {
                         let meaning = Meaning::Parameter(declarations.parameters.len());
                         declarations.scope.declare(&parameter.name.text, meaning);
@@ -111,7 +115,9 @@ impl<'a> Declarations<'a> {
                         if let ParameterForm::Choice(texts) = &parameter.form {
                             declarations.scope.declare_choice(&parameter.name.text, texts.clone());
                         }
-                        declarations.parameters.push(ParameterEntry { statement: parameter, label, group, span });
+                        let hidden = statement.hidden;
+                        let entry = ParameterEntry { statement: parameter, label, group, hidden, span };
+                        declarations.parameters.push(entry);
                     }
                 }
                 StatementKind::Group(name) => group = Some(name.text.as_str()),

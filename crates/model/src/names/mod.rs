@@ -1,5 +1,6 @@
 //! Names: declarations, meaning of each name, evaluation order of the definitions, and the unknowns of the equations.
 
+mod assigned;
 mod check;
 mod counts;
 mod declarations;

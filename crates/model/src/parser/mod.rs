@@ -4,8 +4,8 @@
 //! model       = { statement line-end }
 //! statement   = parameter | switch | random | choice | independent | size | event | button | next | function | table
 //!             | definition | initial | equation
-//! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ "/" NUMBER ] [ UNIT ]
-//!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
+//! parameter   = [ "hidden" ] "parameter" NAME "=" [ "-" ] NUMBER [ "/" NUMBER ] [ UNIT ]
+//!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ "assigned" signed ".." signed "step" NUMBER ] [ TEXT ]
 //! switch      = "switch" NAME "=" ( "on" | "off" | "true" | "false" ) [ TEXT ]
 //! random      = "random" NAME "=" NUMBER [ "in" signed ".." signed ] [ TEXT ]
 //! choice      = "choice" NAME [ TEXT ] "{" alternative { separator alternative } "}"

@@ -9,8 +9,9 @@ mod statement;
 pub use expression::{BinaryOperator, Expansion, Expression, ExpressionKind, Over, UnaryOperator};
 pub use name::{Name, Quoted, StatedUnit};
 pub use statement::{
-    Action, Alternative, Assignment, Bounds, ChoiceStatement, ChosenValue, DrawnRange, EventExtras, FunctionStatement,
-    Members, ParameterForm, ParameterStatement, Point, SizeStatement, Statement, StatementKind, TableStatement,
+    Action, Alternative, AssignedRange, Assignment, Bounds, ChoiceStatement, ChosenValue, DrawnRange, EventExtras,
+    FunctionStatement, Members, ParameterForm, ParameterStatement, Point, SizeStatement, Statement, StatementKind,
+    TableStatement,
 };
 
 pub(crate) use parts::{expressions, expressions_mut, independent, rewrite};

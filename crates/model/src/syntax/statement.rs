@@ -164,6 +164,19 @@ pub struct ParameterStatement {
     pub step: Option<f64>,
     /// Kind of values.
     pub form: ParameterForm,
+    /// `assigned LOW..HIGH step S`: values for the seats of a class.
+    pub assigned: Option<AssignedRange>,
+}
+
+/// `assigned LOW..HIGH step S`, in the unit of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AssignedRange {
+    /// Least and greatest value.
+    pub bounds: Bounds,
+    /// Distance of the values; `None` if it is missing, which is an error.
+    pub step: Option<f64>,
+    /// Place, from the word to the step.
+    pub span: Span,
 }
 
 /// Kind of values of a parameter.

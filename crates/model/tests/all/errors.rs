@@ -30,6 +30,11 @@ fn check(file: &str) {
 }
 
 #[test]
+fn assigned() {
+    check("assigned.txt");
+}
+
+#[test]
 fn chance() {
     check("chance.txt");
 }

@@ -220,7 +220,7 @@ impl Reader<'_> {
         }
         if !self.take('(') {
             self.names.push(name.clone());
-            let meaning = self.model.lookup(&name, order).filter(|value| value.kind == Kind::Number)?;
+            let meaning = self.model.lookup_shown(&name, order).filter(|value| value.kind == Kind::Number)?;
             return Some(Value::new(meaning.node, meaning.dimension()));
         }
         // Dry friction is not a function with a value.

@@ -57,26 +57,26 @@ pub struct ChoiceView {
 }
 
 impl Play {
-    /// All parameters, in the order of the text.
+    /// All parameters that readers see, in the order of the text.
     pub fn parameters(&self) -> Vec<ParameterView> {
-        (0..self.model().parameters.len()).filter_map(|index| self.parameter(index)).collect()
+        self.model().shown_parameters().filter_map(|(index, _)| self.parameter(index)).collect()
     }
 
     /// All parameters by groups of the document, in the order of the text.
     pub fn parameter_groups(&self) -> Vec<ParameterGroup> {
-        let mut views = self.parameters().into_iter();
-        let groups = self.model().parameters.chunk_by(|one, next| one.group == next.group);
-        groups
-            .map(|group| {
-                let name = group.first().and_then(|first| first.group.as_deref()).map_or("", |name| self.text(name));
-                ParameterGroup { name: name.to_owned(), parameters: views.by_ref().take(group.len()).collect() }
-            })
-            .collect()
+        let shown: Vec<(usize, &Parameter)> = self.model().shown_parameters().collect();
+        let groups = shown.chunk_by(|(_, one), (_, next)| one.group == next.group);
+        let view = |group: &[(usize, &Parameter)]| {
+            let name = group.first().and_then(|(_, first)| first.group.as_deref()).map_or("", |name| self.text(name));
+            let parameters = group.iter().filter_map(|&(index, _)| self.parameter(index)).collect();
+            ParameterGroup { name: name.to_owned(), parameters }
+        };
+        groups.map(view).collect()
     }
 
-    /// One parameter; `None` for an unknown index.
+    /// One parameter; `None` for an unknown index, and for a parameter that readers do not see.
     pub fn parameter(&self, index: usize) -> Option<ParameterView> {
-        let parameter = self.model().parameters.get(index)?;
+        let parameter = self.model().parameters.get(index).filter(|parameter| parameter.is_shown())?;
         let &value = self.course.parameters().get(index)?;
         let shown = |value: f64| number::plain(parameter.unit.from_si(value), DIGITS, self.style);
         Some(ParameterView {
@@ -188,8 +188,8 @@ impl Play {
 
     /// Returns the value (SI), clamped to the range against rounding, or the reason why the parameter cannot take it.
     pub fn admit(&self, index: usize, value: f64) -> Result<f64, Refusal> {
-        let parameter =
-            self.model().parameters.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
+        let parameter = self.model().parameters.get(index).filter(|parameter| parameter.is_shown());
+        let parameter = parameter.ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
         let name = self.parameter_label(index).to_owned();
         if !parameter.takes(value) {
             return Err(Refusal::NoValue { name });

@@ -146,6 +146,8 @@ mod tests {
             unit,
             restarts: false,
             choices: program::Choices::Numbers,
+            hidden: false,
+            assigned: None,
         }
     }
 

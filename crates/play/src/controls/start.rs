@@ -36,7 +36,8 @@ impl Start {
     pub fn of(model: &Model, state: usize) -> Option<Self> {
         let initial = model.states.get(state)?.initial;
         let decides = |index: u32| {
-            let parameter = model.parameters.get(index as usize).filter(|own| own.choices == Choices::Numbers)?;
+            let parameter =
+                model.parameters.get(index as usize).filter(|own| own.choices == Choices::Numbers && own.is_shown())?;
             let range = parameter.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
             let width = range.1 - range.0;
             let size = if parameter.value == 0.0 { parameter.unit.to_si(1.0) } else { parameter.value };

@@ -151,7 +151,7 @@ impl Play {
         let model = &self.program.model;
         let last = recipe.last_parameters();
         let mut parts: Vec<String> = Vec::new();
-        for (index, parameter) in model.parameters.iter().enumerate() {
+        for (index, parameter) in model.shown_parameters() {
             let (Some(&first), Some(&value)) = (recipe.setup.parameters.get(index), last.get(index)) else {
                 continue;
             };

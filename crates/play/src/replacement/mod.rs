@@ -35,20 +35,22 @@ use program::Program;
 impl Play {
     /// Replaces the program. Time, parameters and the user's choices are kept by name as far as they fit. Dropped items
     /// are listed in [`Announcement::Replaced`].
-    pub fn replace_program(&mut self, program: Program) {
+    pub fn replace_program(&mut self, mut program: Program) {
+        program.set_seat(self.program.seat);
         let lost = self.replace(program);
         self.announce(Announcement::Replaced(lost));
     }
 
     /// Replaces the program by that of the same document with other sizes. Dropped items are listed in
     /// [`Announcement::Resized`].
-    pub fn resize(&mut self, program: Program) {
+    pub fn resize(&mut self, mut program: Program) {
+        program.set_seat(self.program.seat);
         let lost = self.replace(program);
         self.announce(Announcement::Resized(lost));
     }
 
     /// Replaces the program and returns what was dropped, in the chosen language.
-    fn replace(&mut self, program: Program) -> Vec<String> {
+    pub(crate) fn replace(&mut self, program: Program) -> Vec<String> {
         self.drag_end();
         let mut before = std::mem::replace(self, Self::open(program));
         let names = Names::between(before.model(), self.model());

@@ -8,7 +8,7 @@ use crate::plots::plot::PlotState;
 use crate::time::course::Course;
 use crate::time::recipe::{Change, Moments, Recipe};
 use crate::{Announcement, MOST_KEPT, Play, PlotId, Refusal};
-use engine::Method;
+use engine::{Method, Setup};
 use figure::{Interval, View};
 use units::number::compact as exact;
 
@@ -50,8 +50,9 @@ impl Play {
             (plot.shown, plot.view) = (!first.contains(&index), View::default());
         }
         self.revision.plots += 1;
-        let mut reader = Reader { play: self, left_out: Vec::new() };
         let fields: Vec<&str> = fields.collect();
+        self.restore_seat(&fields);
+        let mut reader = Reader { play: self, left_out: Vec::new() };
         let mut sections = fields.split(|field| *field == "k");
         let present = reader.recipe(sections.next().unwrap_or_default());
         // Limited before anything is computed: a link can name far more runs than can be kept.
@@ -82,6 +83,16 @@ impl Play {
             left_out.push("…".to_owned());
         }
         if left_out.is_empty() { Ok(()) } else { Err(Refusal::PartlyRestored { left_out }) }
+    }
+}
+
+impl Play {
+    /// Takes the seat of a link before its other fields. A link without a seat leaves the present one.
+    fn restore_seat(&mut self, fields: &[&str]) {
+        let seat = fields.iter().find_map(|field| field.strip_prefix("seat=")?.parse().ok());
+        if seat.is_some() && self.program.set_seat(seat) {
+            self.defaults = Setup::of(&self.program);
+        }
     }
 }
 
@@ -124,6 +135,8 @@ impl Reader<'_> {
                 };
                 return value.split(',').map(is_so).collect();
             }
+            // Read first: the values of a recipe differ from those of the seat.
+            "seat" => return (self.play.program.seat == Some(value.parse().ok()?)).then_some(()),
             "y" => {
                 let start: Vec<f64> = value.split(',').map(number).collect::<Option<_>>()?;
                 if start.len() != self.play.model().states.len() {

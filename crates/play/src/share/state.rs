@@ -7,6 +7,7 @@
 //! |---|---|
 //! | `p` | parameters at the start that differ from the document's: `b:200,h_l:3.5` |
 //! | `n` | sizes of families that differ from the document's: `N:50` |
+//! | `seat` | seat of a class: the assigned values follow from it |
 //! | `y` | a start state set by hand, one value per state: `0.5,0` |
 //! | `m`, `h` | method and step, if they differ |
 //! | `a` | a drawn curve, once for each: the table and the levels of its points, 12 bits per point in base64url |
@@ -53,6 +54,7 @@ impl Play {
         if !sizes.is_empty() {
             fields.push(format!("n={}", sizes.join(",")));
         }
+        fields.extend(self.program.seat.map(|seat| format!("seat={}", seat.number())));
         self.write_recipe(&recipe, &mut fields);
         if self.shows_hidden {
             fields.push("w".to_owned());
@@ -131,7 +133,7 @@ impl Play {
     /// Entries such as `b:200` for each parameter that differs.
     fn differing(&self, from: &[f64], to: &[f64]) -> Vec<String> {
         let values = self.model().parameters.iter().zip(from.iter().zip(to));
-        let differing = values.filter(|(_, (from, to))| from.to_bits() != to.to_bits());
+        let differing = values.filter(|(parameter, (from, to))| parameter.is_shown() && from.to_bits() != to.to_bits());
         let texts = &self.model().texts;
         let written = |(parameter, (_, to)): (&program::Parameter, (&f64, &f64))| {
             let value = parameter.word(*to, texts).map_or_else(|| exact(*to), encode);

@@ -18,6 +18,7 @@ mod members;
 mod plots;
 mod profiles;
 mod replacement;
+mod seats;
 mod sharing;
 mod simulations;
 mod sizes;

@@ -57,6 +57,11 @@ impl Model {
         self.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| quantity.value.clone())
     }
 
+    /// Value of a name as in [`Self::lookup`], for readers: `None` for a value that they do not see.
+    pub fn lookup_shown(&self, name: &str, order: u32) -> Option<Compiled> {
+        self.lookup(name, order).filter(|value| !self.is_secret(value.node))
+    }
+
     /// True if runs depend on random draws.
     pub fn is_random(&self) -> bool {
         self.parameters.iter().any(|parameter| parameter.choices == Choices::Seed)

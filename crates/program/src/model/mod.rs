@@ -1,5 +1,6 @@
 //! The checked model: a system of first-order equations, with quantities, tables, events and buttons.
 
+mod assigned;
 mod compared;
 mod drawings;
 mod drawn;
@@ -16,7 +17,7 @@ pub use lookup::Dependence;
 pub use slopes::{Slope, Slopes};
 pub use switches::{Held, Switch, Timed};
 
-use crate::{Graph, NodeId};
+use crate::{Assigned, Graph, NodeId};
 use serde::{Deserialize, Serialize};
 use units::{Dimension, Unit};
 
@@ -83,6 +84,10 @@ pub struct Parameter {
     pub restarts: bool,
     /// Kind of values the user can choose.
     pub choices: Choices,
+    /// True if readers do not see it; see [`Parameter::is_shown`].
+    pub hidden: bool,
+    /// Values for the seats of a class.
+    pub assigned: Option<Assigned>,
 }
 
 /// Kind of values of a parameter.

@@ -4,7 +4,10 @@ use super::{Salvaged, nothing};
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::parser::cursor::{Cursor, Read};
 use crate::parser::unread;
-use crate::{Assignment, Bounds, Diagnostic, Edit, ParameterForm, ParameterStatement, Span, StatedUnit, StatementKind};
+use crate::{
+    AssignedRange, Assignment, Bounds, Diagnostic, Edit, ParameterForm, ParameterStatement, Span, StatedUnit,
+    StatementKind,
+};
 use units::{Words, words};
 
 impl Cursor<'_> {
@@ -24,6 +27,7 @@ impl Cursor<'_> {
             range: None,
             step: None,
             form: ParameterForm::Number,
+            assigned: None,
         };
         let read = self.parameter_parts(&mut parameter);
         (StatementKind::Parameter(parameter), read)
@@ -80,6 +84,7 @@ impl Cursor<'_> {
         };
         if let TokenKind::Name { .. } = self.peek()
             && !self.at_word("step")
+            && !self.at_word("assigned")
         {
             return self.refuse_bare_unit(parameter.value_span);
         }
@@ -133,22 +138,32 @@ impl Cursor<'_> {
                 parameter.range = Some(self.bounds(start)?);
             } else if parameter.range.is_none() && ["from", "de", "desde"].iter().any(|word| self.at_word(word)) {
                 return self.refuse_range_in_words();
-            } else if parameter.step.is_none() && self.at_word("step") {
+            } else if parameter.assigned.is_none() && self.at_word("assigned") {
                 self.advance();
-                let Some(step) = self.signed_number() else {
-                    let wrong = words!(
-                        "after `step` a number is expected, not {found}",
-                        "después de `step` se espera un número, no {found}",
-                        found = self.found()
-                    );
-                    return self.fail(Diagnostic::error("parameter-step", wrong, start));
-                };
-                self.refuse_unit(&words("a step", "un paso"))?;
-                parameter.step = Some(step);
+                let bounds = self.bounds(start)?;
+                let step = if self.at_word("step") { Some(self.step()?) } else { None };
+                parameter.assigned = Some(AssignedRange { bounds, step, span: start.to(self.last_span()) });
+            } else if parameter.step.is_none() && self.at_word("step") {
+                parameter.step = Some(self.step()?);
             } else {
                 return Ok(());
             }
         }
+    }
+
+    /// `step 0.002`
+    fn step(&mut self) -> Read<f64> {
+        let start = self.advance();
+        let Some(step) = self.signed_number() else {
+            let wrong = words!(
+                "after `step` a number is expected, not {found}",
+                "después de `step` se espera un número, no {found}",
+                found = self.found()
+            );
+            return self.fail(Diagnostic::error("parameter-step", wrong, start));
+        };
+        self.refuse_unit(&words("a step", "un paso"))?;
+        Ok(step)
     }
 
     /// Parses `0..30` after `in`.
@@ -168,8 +183,9 @@ impl Cursor<'_> {
         let form = range_form();
         let Some(low) = self.signed_number() else {
             let wrong = words!(
-                "after the `in` of a parameter its range is expected, not {found}",
-                "después del `in` de un parámetro se espera su intervalo, no {found}",
+                "after the `{word}` of a parameter its range is expected, not {found}",
+                "después del `{word}` de un parámetro se espera su intervalo, no {found}",
+                word = Words::same(self.source[keyword.range()].to_owned()),
                 found = self.found()
             );
             return self.fail(Diagnostic::error("parameter-range", wrong, keyword).with_hint(form.clone()));

@@ -19,7 +19,9 @@ use super::cursor::{Cursor, Read, Told};
 use super::expression::Tree;
 use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
-use crate::{Diagnostic, Expression, ExpressionKind, Members, Name, Quoted, Span, Statement, StatementKind};
+use crate::{
+    Diagnostic, Expression, ExpressionKind, Members, Name, ParameterForm, Quoted, Span, Statement, StatementKind,
+};
 use units::{Words, words};
 
 /// Words of other languages, and the keyword that each stands for here.
@@ -53,7 +55,8 @@ impl Cursor<'_> {
     fn statement(&mut self, first: bool) -> Statement {
         let start = self.span();
         self.depth = 0;
-        let hidden = self.begins_with("hidden");
+        let hides_parameter = self.at_word("hidden") && *self.peek_ahead(1) == TokenKind::Keyword(Keyword::Parameter);
+        let hidden = self.begins_with("hidden") || hides_parameter;
         if hidden {
             self.advance();
         }
@@ -109,6 +112,7 @@ impl Cursor<'_> {
             | StatementKind::Members { .. }
             | StatementKind::Discrete { .. }
             | StatementKind::InitialValue { .. } => true,
+            StatementKind::Parameter(parameter) => parameter.form == ParameterForm::Number,
             StatementKind::Event { extras, .. } => extras.next,
             _ => false,
         };
@@ -116,8 +120,8 @@ impl Cursor<'_> {
             return;
         }
         let wrong = words(
-            "only a definition, a discrete quantity or an unknown with its initial value can be hidden",
-            "solo se puede ocultar una definición, una magnitud discreta o una incógnita con su valor inicial",
+            "only a parameter, a definition, a discrete quantity or an unknown with its initial value can be hidden",
+            "solo se puede ocultar un parámetro, una definición, una magnitud discreta o una incógnita con su valor inicial",
         );
         self.say(
             Diagnostic::error("hidden-form", wrong, hidden)

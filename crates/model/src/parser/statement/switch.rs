@@ -34,6 +34,7 @@ impl Cursor<'_> {
             range: None,
             step: None,
             form: ParameterForm::Switch,
+            assigned: None,
         };
         let read = self.on_or_off(&mut switch);
         (StatementKind::Parameter(switch), read)

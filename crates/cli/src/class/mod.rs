@@ -1,0 +1,18 @@
+//! `meniscus class`: what a teacher does with a document for a class.
+
+pub mod arguments;
+mod assign;
+mod seat;
+
+use crate::failure::Failure;
+use crate::terminal::Terminal;
+use arguments::Class;
+
+pub use seat::take_seat;
+
+/// Runs one of the commands.
+pub fn run(class: &Class, terminal: Terminal) -> Result<(), Failure> {
+    match class {
+        Class::Assign(arguments) => assign::assign(arguments, terminal),
+    }
+}

@@ -185,7 +185,7 @@ impl Desk {
     pub fn refusal_text(&self, refusal: &Refusal) -> String {
         let language = self.play.language();
         match refusal {
-            Refusal::Play(refusal) => self.play.refusal_text(refusal),
+            Refusal::Play(refusal) => self.play.basis().refusal_text(refusal),
             Refusal::TooManyRecords { most } => language.pick(
                 format!("{most} records are open already; remove one first."),
                 format!("Ya hay {most} registros abiertos; quita uno primero."),

@@ -1,8 +1,8 @@
 //! Checks: claims of the author about runs of the simulation, and their results. They run on demand with the document's
 //! own values, one time slice per frame, and do not affect the visitor's run.
 
-use crate::Play;
 use crate::deviation::compared;
+use crate::{Changes, Play};
 use engine::checks::{Checking, claim_outcome, supposed};
 
 /// Approximate work on claims per frame, in floating-point operations.
@@ -36,40 +36,40 @@ pub struct ClaimsView {
 impl Play {
     /// True if the document contains checks.
     pub fn has_checks(&self) -> bool {
-        !self.program.checks.is_empty()
+        !self.basis.program().checks.is_empty()
     }
 
     /// All claims with the results known so far.
     pub fn checks(&self) -> Vec<ClaimsView> {
         let outcomes = self.checking.as_ref().map_or(&[][..], Checking::outcomes);
         let view = |(place, check): (usize, &program::Check)| {
-            let parameters = supposed(&self.program, &check.setup);
+            let parameters = supposed(self.basis.program(), &check.setup);
             let claim = |(number, claim): (usize, &program::Claim)| {
                 let outcome = outcomes.get(place).and_then(|outcomes| outcomes.get(number));
-                let text = outcome.map(|outcome| claim_outcome(&self.program, claim, outcome));
+                let text = outcome.map(|outcome| claim_outcome(self.basis.program(), claim, outcome));
                 ClaimView {
-                    name: self.program.text(&self.tag, &claim.name).to_owned(),
+                    name: self.basis.text(&claim.name).to_owned(),
                     written: claim.written.clone(),
                     is_drawn: compared(claim).is_some(),
                     holds: outcome.map(engine::checks::Outcome::held),
-                    outcome: text.map_or_else(String::new, |text| text.text(self.language).to_owned()),
+                    outcome: text.map_or_else(String::new, |text| text.text(self.basis.language()).to_owned()),
                 }
             };
             let claims = check.claims.iter().enumerate().map(claim).collect();
-            ClaimsView { setup: self.assigned(&check.setup, &parameters), claims }
+            ClaimsView { setup: self.basis.assigned(&check.setup, &parameters), claims }
         };
-        self.program.checks.iter().enumerate().map(view).collect()
+        self.basis.program().checks.iter().enumerate().map(view).collect()
     }
 
     /// Starts judging the claims; [`Play::advance_checks`] continues it.
     pub fn begin_checks(&mut self) {
         self.checking = Some(Checking::new());
-        self.revision.checks += 1;
+        self.note(Changes::CLAIMS);
     }
 
     /// True while claims remain to be judged after [`Play::begin_checks`].
     pub fn is_checking(&self) -> bool {
-        self.checking.as_ref().is_some_and(|checking| checking.outcomes().len() < self.program.checks.len())
+        self.checking.as_ref().is_some_and(|checking| checking.outcomes().len() < self.basis.program().checks.len())
     }
 
     /// Judges claims for part of one frame. Returns true if claims remain.
@@ -79,9 +79,9 @@ impl Play {
         }
         let Some(checking) = &mut self.checking else { return false };
         let judged = checking.outcomes().len();
-        let over = checking.advance(&self.program, WORK);
+        let over = checking.advance(self.basis.program(), WORK);
         if checking.outcomes().len() > judged {
-            self.revision.checks += 1;
+            self.note(Changes::CLAIMS);
         }
         !over
     }

@@ -47,11 +47,11 @@ impl Play {
         let Deviation { times, off, is_relative } = self.deviation(place)?;
         let unit = compared(claim).filter(|_| !is_relative).map_or("", |(value, ..)| &value.unit.text);
         let independent = &self.model().independent;
-        let settings = Settings { decimal_comma: self.style.decimal_comma, ..*settings };
+        let settings = Settings { decimal_comma: self.basis.style().decimal_comma, ..*settings };
         let plot = Plot {
-            title: self.program.text(&self.tag, &claim.name),
+            title: self.basis.text(&claim.name),
             x: Axis { label: &independent.name, unit: &independent.unit.text, include: None },
-            y: vec![Axis { label: words::deviation(self.language, is_relative), unit, include: None }],
+            y: vec![Axis { label: words::deviation(self.basis.language(), is_relative), unit, include: None }],
             series: vec![Series { x: &times, y: &off, ..Series::default() }],
             ordered: true,
             ..Plot::default()
@@ -60,7 +60,7 @@ impl Play {
     }
 
     fn claim(&self, (check, claim): (usize, usize)) -> Option<&Claim> {
-        self.program.checks.get(check)?.claims.get(claim)
+        self.basis.program().checks.get(check)?.claims.get(claim)
     }
 }
 

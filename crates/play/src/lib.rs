@@ -16,6 +16,8 @@
 //! the chosen language. No method panics; an index that does not exist is ignored or refused.
 
 mod announcement;
+mod basis;
+mod changes;
 mod checks;
 mod controls;
 mod deviation;
@@ -38,14 +40,17 @@ pub use program;
 pub use units::{Language, number};
 
 pub use announcement::{Announcement, Prominence};
+pub use basis::Basis;
+pub use basis::input::DIGITS;
+pub use changes::{Changes, Revision};
 pub use checks::{ClaimView, ClaimsView};
 pub use controls::{
-    ButtonView, ChoiceView, DIGITS, DrawingView, MethodView, ParameterGroup, ParameterView, PresetGroup, PresetView,
-    SizeView, Slider, StateView,
+    ButtonView, ChoiceView, DrawingView, MethodView, ParameterGroup, ParameterView, PresetGroup, PresetView, SizeView,
+    Slider, StateView,
 };
 pub use deviation::Deviation;
 pub use name::name_of;
-pub use play::{Play, Revision};
+pub use play::Play;
 pub use plots::{
     AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, PlotId, PlotView, Points, points_colour,
 };

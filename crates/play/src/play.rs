@@ -11,64 +11,18 @@ use crate::removed::Undo;
 use crate::time::course::Course;
 use crate::values::trails::Trails;
 use crate::values::{Lines, Outline};
+use crate::{Basis, Changes, Revision};
 use engine::checks::Checking;
 use engine::{Readings, Setup};
 use program::{Model, NodeId, Program, Speed};
 use units::Language;
 
-/// Change counters, so that the shell redraws only what has changed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Revision {
-    /// Time or state shown: scene, readouts, plots, table.
-    pub frame: u64,
-    /// Parameters, method, step.
-    pub parameters: u64,
-    /// Status, speed, problem.
-    pub transport: u64,
-    /// Rows recorded or discarded: table, length of the time line.
-    pub rows: u64,
-    /// Kept runs and ghost.
-    pub runs: u64,
-    /// Visibility and zoom of plots.
-    pub plots: u64,
-    /// Answers to questions.
-    pub answers: u64,
-    /// Results of the author's claims.
-    pub checks: u64,
-    /// Language.
-    pub language: u64,
-}
-
-impl Revision {
-    /// Copy with every counter raised by one.
-    pub(crate) fn raised(self) -> Self {
-        Self {
-            frame: self.frame + 1,
-            parameters: self.parameters + 1,
-            transport: self.transport + 1,
-            rows: self.rows + 1,
-            runs: self.runs + 1,
-            plots: self.plots + 1,
-            answers: self.answers + 1,
-            checks: self.checks + 1,
-            language: self.language + 1,
-        }
-    }
-}
-
 /// One simulation operated by a visitor.
 #[derive(Debug)]
 pub struct Play {
-    pub(crate) program: Program,
-    /// Language tag of the document's texts; any tag.
-    pub(crate) tag: String,
-    /// Language of all other texts.
-    pub(crate) language: Language,
-    pub(crate) style: Style,
+    pub(crate) basis: Basis,
     pub(crate) revision: Revision,
     pub(crate) announcements: Announcements,
-    /// Settings of the document.
-    pub(crate) defaults: Setup,
     pub(crate) course: Course,
     /// Number of rows at the last frame.
     rows_seen: usize,
@@ -103,8 +57,6 @@ pub struct Play {
     /// Progress and results of the author's claims; `None` until requested.
     pub(crate) checking: Option<Checking>,
     pub(crate) undo: Undo,
-    /// For each node of the model, true if its value is a count.
-    pub(crate) whole: Vec<bool>,
     /// Greatest magnitude in this run, one value per state (SI), then one per quantity.
     pub(crate) scales: Vec<f64>,
 }
@@ -139,11 +91,8 @@ impl Play {
         let tag = program.language.clone();
         let solved = vec![false; program.questions.len()];
         let mut play = Self {
-            language: Language::of(&tag),
-            style: Style::of(&tag),
             revision: Revision::default(),
             announcements: Announcements::default(),
-            whole: model.whole_numbers(),
             lines: Lines::of(model),
             scales: vec![0.0; model.states.len() + model.quantities.len()],
             evaluators: Evaluators::new(&program, &tag),
@@ -151,9 +100,7 @@ impl Play {
             rewritten: None,
             outline: None,
             pace: program.pace(),
-            program,
-            tag,
-            defaults,
+            basis: Basis::new(program),
             course,
             rows_seen: 0,
             playing: false,
@@ -178,48 +125,46 @@ impl Play {
         play
     }
 
+    /// The program in the chosen language.
+    pub fn basis(&self) -> &Basis {
+        &self.basis
+    }
+
+    /// Records what has changed.
+    pub(crate) fn note(&mut self, changes: Changes) {
+        self.revision = self.revision.after(changes);
+    }
+
     /// The program being played.
     pub fn program(&self) -> &Program {
-        &self.program
+        self.basis.program()
     }
 
     /// Model of the program.
     pub fn model(&self) -> &Model {
-        &self.program.model
-    }
-
-    /// Language tag of the program's texts, as chosen.
-    pub fn tag(&self) -> &str {
-        &self.tag
+        self.basis.model()
     }
 
     /// Language of all other texts.
     pub fn language(&self) -> Language {
-        self.language
+        self.basis.language()
     }
 
     /// Sets the language; any tag. Texts of the document without a translation stay in its own language; other texts
     /// fall back to English.
     pub fn set_language(&mut self, language: &str) {
-        language.clone_into(&mut self.tag);
-        self.language = Language::of(language);
-        self.style = Style::of(language);
-        self.evaluators.scene = Evaluators::scene(&self.program, language);
-        self.evaluators.trails = Trails::new(&self.program.model, self.program.scene(language));
+        self.basis.set_language(language);
+        self.evaluators.scene = Evaluators::scene(self.basis.program(), language);
+        self.evaluators.trails = Trails::new(self.basis.model(), self.basis.program().scene(language));
         self.evaluators.scene_frame = None;
         self.evaluators.scene_scales.clear();
         self.label_plots();
-        self.revision.language += 1;
+        self.note(Changes::LANGUAGE);
     }
 
     /// Number format of the chosen language.
     pub fn style(&self) -> Style {
-        self.style
-    }
-
-    /// Translation of a document text into the chosen language.
-    pub fn text<'a>(&'a self, original: &'a str) -> &'a str {
-        self.program.text(&self.tag, original)
+        self.basis.style()
     }
 
     /// Change counters.
@@ -269,11 +214,11 @@ impl Play {
 
     /// Must be called whenever the time, state or parameters shown have changed.
     pub(crate) fn frame_changed(&mut self) {
-        self.revision.frame += 1;
+        self.note(Changes::FRAME);
         let rows = self.course.rows();
         if rows != self.rows_seen {
             self.rows_seen = rows;
-            self.revision.rows += 1;
+            self.note(Changes::ROWS);
         }
         self.columns.present(&self.course, &mut self.present);
         for (scale, value) in self.scales.iter_mut().zip(self.course.state()) {
@@ -303,8 +248,8 @@ impl Play {
     /// Copy of this simulation, restarted at time 0 with the present parameters; without kept runs and ghost.
     #[must_use]
     pub fn from_start(&self) -> Self {
-        let mut play = Self::open(self.program.clone());
-        play.set_language(&self.tag);
+        let mut play = Self::open(self.basis.program().clone());
+        play.set_language(self.basis.tag());
         let parameters = self.course.parameters().to_vec();
         play.restart(Setup { parameters, ..self.course.begun().clone() });
         play.clear_ghost();
@@ -318,7 +263,7 @@ impl Play {
         self.keep_ghost(0);
         self.adopt_drawings(&setup.drawings);
         let overhead = self.columns.bytes_per_row();
-        let course = Course::start(&self.program.model, setup, overhead);
+        let course = Course::start(self.basis.model(), setup, overhead);
         self.replace_course(course);
     }
 
@@ -339,9 +284,9 @@ impl Play {
         self.evaluators.scene_scales.clear();
         self.full = false;
         self.slippage = 0.0;
-        self.revision.rows += 1;
-        self.revision.parameters += 1;
-        self.revision.transport += 1;
+        self.note(Changes::ROWS);
+        self.note(Changes::PARAMETERS);
+        self.note(Changes::TRANSPORT);
         if self.course.error().is_some() {
             self.playing = false;
             self.announce(Announcement::Failed);
@@ -351,7 +296,7 @@ impl Play {
 
     /// Initial state (SI) for given parameters (SI).
     pub(crate) fn initial_for(&mut self, parameters: &[f64]) -> Vec<f64> {
-        let nothing = vec![0.0; self.program.model.states.len()];
+        let nothing = vec![0.0; self.basis.model().states.len()];
         self.evaluators.initial.at(parameters, &nothing, 0.0, &nothing).to_vec()
     }
 }

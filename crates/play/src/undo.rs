@@ -1,7 +1,7 @@
 //! Undo: restores what was removed or overwritten last.
 
 use crate::removed::{Removed, Undo};
-use crate::{Announcement, Play};
+use crate::{Announcement, Changes, Play};
 
 impl Play {
     /// Number of the removal that [`Play::undo`] would restore; `None` if there is none.
@@ -18,11 +18,11 @@ impl Play {
             Removed::Run(place, kept) => {
                 let place = place.min(self.kept.len());
                 self.kept.insert(place, kept);
-                self.revision.runs += 1;
+                self.note(Changes::RUNS);
             }
             Removed::Ghost(ghost) => {
                 self.ghost = Some(ghost);
-                self.revision.runs += 1;
+                self.note(Changes::RUNS);
             }
             Removed::Parameters(parameters) => self.change_parameters(parameters),
             Removed::Start(setup) => self.restart(setup),

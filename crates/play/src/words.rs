@@ -235,14 +235,9 @@ pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
 }
 
 impl Play {
-    /// Text of a refusal in the chosen language.
-    pub fn refusal_text(&self, refusal: &Refusal) -> String {
-        refusal_text(self.language, refusal)
-    }
-
     /// Text of an announcement in the chosen language.
     pub fn announcement_text(&self, announcement: &Announcement) -> String {
-        let say = |english: &str, spanish: &str| self.language.pick(english, spanish).to_owned();
+        let say = |english: &str, spanish: &str| self.basis.language().pick(english, spanish).to_owned();
         let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
         let time = |time: f64| self.time_words(time);
         match announcement {
@@ -262,11 +257,11 @@ impl Play {
             Announcement::Restarted(index) => with(
                 "The run starts again: {} changed",
                 "La serie comienza de nuevo: cambió {}",
-                self.parameter_label(*index),
+                self.basis.parameter_label(*index),
             ),
             Announcement::ParameterSet(index, value) => {
-                let value = self.parameter_value_text(*index, *value);
-                format!("{}: {value}", self.parameter_label(*index))
+                let value = self.basis.parameter_value_text(*index, *value);
+                format!("{}: {value}", self.basis.parameter_label(*index))
             }
             Announcement::Drawn(index) => with(
                 "The run starts again: {} drawn",
@@ -277,7 +272,7 @@ impl Play {
                 with("{}: as in the document", "{}: como en el documento", &self.drawing_label(*index))
             }
             Announcement::Pressed(button, at) => {
-                let title = self.model().buttons.get(*button).map_or("", |button| self.text(&button.title));
+                let title = self.model().buttons.get(*button).map_or("", |button| self.basis.text(&button.title));
                 format!("{title}, {}", time(*at))
             }
             Announcement::DefaultsRestored => say(
@@ -285,20 +280,20 @@ impl Play {
                 "Valores restaurados: los parámetros y el inicio son los del documento",
             ),
             Announcement::Preset(index) => {
-                self.program.presets.get(*index).map_or("", |preset| self.text(&preset.name)).to_owned()
+                self.basis.program().presets.get(*index).map_or("", |preset| self.basis.text(&preset.name)).to_owned()
             }
             Announcement::StateSet(index, value) => {
                 let unit = self.model().states.get(*index).map(|state| &state.unit);
-                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
-                let label = self.state_label(*index);
+                let value = unit.map_or_else(String::new, |unit| self.basis.quantity_text(*value, unit));
+                let label = self.basis.state_label(*index);
                 with("{}; the run starts from there", "{}; la serie parte de ahí", &format!("{label}: {value}"))
             }
             Announcement::StartSet { state, value, before } => {
                 let changed = self.parameters().into_iter().zip(before).filter(|(now, before)| now.value != **before);
                 let changed: Vec<String> = changed.map(|(now, _)| format!("{}: {}", now.label, now.spoken)).collect();
                 let unit = self.model().states.get(*state).map(|state| &state.unit);
-                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
-                format!("{}: {value}; {}", self.state_label(*state), changed.join(", "))
+                let value = unit.map_or_else(String::new, |unit| self.basis.quantity_text(*value, unit));
+                format!("{}: {value}; {}", self.basis.state_label(*state), changed.join(", "))
             }
             Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &self.speed_text(*speed)),
             Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),
@@ -309,16 +304,18 @@ impl Play {
                 let failure = || self.problem().map(|problem| problem.message);
                 self.ending().or_else(failure).unwrap_or_default()
             }
-            Announcement::Method(method) => with("Method: {}", "Método: {}", method_name(self.language, *method)),
+            Announcement::Method(method) => {
+                with("Method: {}", "Método: {}", method_name(self.basis.language(), *method))
+            }
             Announcement::Step(step) => {
-                with("Step: {}", "Paso: {}", &self.quantity_text(*step, &self.model().independent.unit))
+                with("Step: {}", "Paso: {}", &self.basis.quantity_text(*step, &self.model().independent.unit))
             }
             Announcement::QuestionSetup(_) => {
                 say("Parameters set for the question", "Parámetros ajustados para la pregunta")
             }
             Announcement::Resized(lost) => {
                 let size = |size: crate::SizeView| format!("{}: {}", size.label, size.value);
-                let sizes = self.sizes().into_iter().map(size).collect::<Vec<_>>().join(", ");
+                let sizes = self.basis.sizes().into_iter().map(size).collect::<Vec<_>>().join(", ");
                 match lost.as_slice() {
                     [] => sizes,
                     lost => with(

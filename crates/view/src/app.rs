@@ -283,7 +283,7 @@ impl App {
 
     /// As [`App::act`], for actions that can be refused. Returns the text of the refusal.
     pub fn attempt(self, act: impl FnOnce(&mut Play) -> Result<(), Refusal>) -> Option<String> {
-        self.act(|play| act(play).err().map(|refusal| play.refusal_text(&refusal)))
+        self.act(|play| act(play).err().map(|refusal| play.basis().refusal_text(&refusal)))
     }
 
     /// Notifies the views of an action and redraws.
@@ -322,7 +322,7 @@ impl App {
             (before.transport != now.transport, changes.transport),
             (before.runs != now.runs, changes.runs),
             (before.plots != now.plots, changes.plots),
-            (before.checks != now.checks, changes.checks),
+            (before.claims != now.claims, changes.checks),
             (moved, changes.frame),
             ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
         ];

@@ -7,7 +7,7 @@ use play::ButtonView;
 /// A row with the document's buttons; empty if there are none.
 pub fn view(app: App) -> View {
     let words = app.words();
-    let buttons = app.read(|play| play.buttons());
+    let buttons = app.read(|play| play.basis().buttons());
     if buttons.is_empty() {
         return View::new();
     }

@@ -23,7 +23,7 @@ pub fn view(app: App) -> HtmlSection {
     let parameters = div()
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
-        .each(app.read(|play| play.sizes()), |size| sizes::control(app, size))
+        .each(app.read(|play| play.basis().sizes()), |size| sizes::control(app, size))
         .each(app.read(|play| play.parameter_groups()).into_iter().enumerate(), |group| parameter_group(app, group));
     let controls = part("controls", "controls card", words.controls).child(buttons::view(app));
     let values = View::from((parameters, drawings::view(app), presets(app)));

@@ -96,7 +96,7 @@ impl Desk {
             ChoiceView {
                 index,
                 name: parameter.name.clone(),
-                label: self.play.parameter_label(index).to_owned(),
+                label: self.play.basis().parameter_label(index).to_owned(),
                 varied,
                 same,
                 unit: number::unit_text(&parameter.unit.text),
@@ -170,8 +170,13 @@ impl Desk {
         let shown = self.known_views(choice).into_iter().find(|view| view.record == record);
         let value = match typed.trim() {
             "" => None,
-            typed => match self.play.read_field(typed, shown.as_ref().map_or("", |view| &view.text), &unit)? {
-                Some(value) => Some(self.play.admit(choice, value)?),
+            typed => match self.play.basis().read_field(
+                self.play.course(),
+                typed,
+                shown.as_ref().map_or("", |view| &view.text),
+                &unit,
+            )? {
+                Some(value) => Some(self.play.basis().admit(choice, value)?),
                 None => return Ok(()),
             },
         };
@@ -247,7 +252,7 @@ impl Desk {
     pub fn set_fit_window(&mut self, end: usize, typed: &str) -> Result<(), Refusal> {
         let value = match typed.trim() {
             "" => None,
-            typed => Some(self.play.read_value(typed, &self.play.model().independent.unit)?),
+            typed => Some(self.play.basis().read_value(typed, &self.play.model().independent.unit)?),
         };
         if let Some(place) = self.fits.setup.window.get_mut(end) {
             *place = value;

@@ -99,7 +99,7 @@ impl Desk {
     fn next_fit(&mut self) -> Result<(), Refusal> {
         let alone = self.fits.total == 1;
         while let Some(job) = self.fits.queue.pop() {
-            let theory = job.document.program.edition(self.play.tag()).title.clone();
+            let theory = job.document.program.edition(self.play.basis().tag()).title.clone();
             match self.ready(job) {
                 Ok(running) => {
                     self.fits.running = Some(running);
@@ -183,7 +183,7 @@ impl Desk {
     pub fn fit_progress(&self) -> Option<FitProgress> {
         let Running { job, fit, .. } = self.fits.running.as_ref().filter(|running| running.job.found.is_none())?;
         Some(FitProgress {
-            theory: job.document.program.edition(self.play.tag()).title.clone(),
+            theory: job.document.program.edition(self.play.basis().tag()).title.clone(),
             trials: fit.trials(),
             explained: fit.explained(),
             finished: (self.fits.total - self.fits.queue.len() - 1, self.fits.total),

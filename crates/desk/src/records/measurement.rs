@@ -84,7 +84,7 @@ impl Desk {
         let [rate, duration, pixel, noise, jitter, scale, seed] = &form.fields;
         let read = |field: usize, typed: &str, unit: &units::Unit, least: f64| -> Result<f64, (usize, Refusal)> {
             let typed = typed.trim().trim_end_matches('%');
-            let value = self.play.read_value(typed, unit).map_err(|refusal| (field, refusal.into()))?;
+            let value = self.play.basis().read_value(typed, unit).map_err(|refusal| (field, refusal.into()))?;
             if value > least || (field > 1 && value >= 0.0) || field == 5 {
                 Ok(value)
             } else {

@@ -1,6 +1,6 @@
 //! Buttons of the document. A press is an event at the moment shown and becomes part of the run.
 
-use crate::{Announcement, Play, Refusal};
+use crate::{Announcement, Basis, Changes, Play, Refusal};
 use engine::Press;
 use program::Button;
 use units::number::compact;
@@ -17,13 +17,15 @@ pub struct ButtonView {
     pub title: String,
 }
 
-impl Play {
+impl Basis {
     /// The buttons of the document, in the order of the text.
     pub fn buttons(&self) -> Vec<ButtonView> {
         let buttons = self.model().buttons.iter().enumerate();
         buttons.map(|(index, button)| ButtonView { index, title: self.text(&button.title).to_owned() }).collect()
     }
+}
 
+impl Play {
     /// True if a button can be pressed now. False if the run has failed, an event has ended it, or the recording is
     /// full, unless an earlier moment is shown.
     pub fn can_press(&self) -> bool {
@@ -49,8 +51,8 @@ impl Play {
         self.branch();
         self.course.press(index);
         self.note_rewritten(time);
-        self.revision.transport += 1;
-        self.revision.parameters += 1;
+        self.note(Changes::TRANSPORT);
+        self.note(Changes::PARAMETERS);
         self.frame_changed();
         self.announce(Announcement::Pressed(index, time));
         if self.course.error().is_some() && self.playing {
@@ -66,7 +68,7 @@ impl Play {
         /// Up to this number, presses are listed individually.
         const FEW: usize = 3;
         let presses: Vec<&Press> = presses.iter().filter(|press| press.time <= until).collect();
-        let title = |button: &Button| self.text(&button.title).to_owned();
+        let title = |button: &Button| self.basis.text(&button.title).to_owned();
         let buttons = &self.model().buttons;
         if presses.len() <= FEW {
             let one =
@@ -94,7 +96,7 @@ impl Play {
             match place(old) {
                 Some(button) => kept.push(Press { button, ..*press }),
                 None => {
-                    let title = before.text(&old.title).to_owned();
+                    let title = before.basis.text(&old.title).to_owned();
                     if !lost.contains(&title) {
                         lost.push(title);
                     }

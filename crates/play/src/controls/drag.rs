@@ -67,20 +67,20 @@ impl Play {
     /// Text of a length given in scene units; `None` if the drawing has no scale.
     pub fn scene_length(&mut self, units: f64) -> Option<String> {
         let (metres, unit) = self.scene_scale()?;
-        let text = number::plain(unit.from_si(units * metres), LENGTH_DIGITS, self.style);
+        let text = number::plain(unit.from_si(units * metres), LENGTH_DIGITS, self.basis.style());
         Some(format!("{text} {}", number::unit_text(&unit.text)))
     }
 
     /// Scale of the drawing at the time shown, in metres per scene unit, and the unit in which lengths are displayed.
     /// Taken from a handle that changes a length, otherwise from a frame of lengths; `None` if there is neither.
     pub fn scene_scale(&mut self) -> Option<(f64, Unit)> {
-        let scene = self.program.scene(&self.tag)?;
+        let scene = self.basis.scene()?;
         let mut drags = Vec::new();
         collect_drags(&scene.root, &mut drags);
         let lengths = drags.into_iter().filter_map(|drag| {
             let unit = match drag.target {
-                Dragged::State(index) => &self.program.model.states.get(index)?.unit,
-                Dragged::Parameter(index) => &self.program.model.parameters.get(index)?.unit,
+                Dragged::State(index) => &self.basis.model().states.get(index)?.unit,
+                Dragged::Parameter(index) => &self.basis.model().parameters.get(index)?.unit,
             };
             (unit.dimension == Dimension::LENGTH).then_some((drag.up.or(drag.right)?, unit.clone()))
         });
@@ -101,11 +101,11 @@ impl Play {
         if !at_start {
             self.rest(held, &mut from);
         }
-        let start = if at_start { Start::of(&self.program.model, held) } else { None };
+        let start = if at_start { Start::of(self.basis.model(), held) } else { None };
         let parameters = self.course.parameters().to_vec();
-        let reach = extent(&self.program, &self.tag);
+        let reach = extent(self.basis.program(), self.basis.tag());
         let mut shaping = Vec::new();
-        if let Some(scene) = self.program.scene(&self.tag) {
+        if let Some(scene) = self.basis.scene() {
             collect_shaping(&scene.root, &mut shaping);
         }
         let playing = self.playing;
@@ -154,7 +154,7 @@ impl Play {
         }
         let range = self.model().parameters.get(parameter).and_then(|parameter| parameter.range);
         let value = range.map_or(value, |(least, greatest)| value.max(least).min(greatest));
-        let Ok(value) = self.admit(parameter, value) else { return false };
+        let Ok(value) = self.basis.admit(parameter, value) else { return false };
         let mut parameters = self.course.parameters().to_vec();
         if let Some(old) = parameters.get_mut(parameter)
             && old.to_bits() != value.to_bits()
@@ -196,7 +196,7 @@ impl Play {
 
     /// Sets the higher derivatives of the dragged variable to 0.
     fn rest(&self, held: usize, state: &mut [f64]) {
-        let states = &self.program.model.states;
+        let states = &self.basis.model().states;
         let Some(held) = states.get(held) else { return };
         for (other, value) in states.iter().zip(state) {
             if other.variable == held.variable && other.order > held.order {

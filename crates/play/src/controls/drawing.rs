@@ -1,12 +1,12 @@
 //! Curves drawn by the reader: tables of the model whose points are set in the page. Changing a curve restarts the run.
 
-use crate::controls::input::DIGITS;
+use crate::basis::input::DIGITS;
 use crate::play::Evaluators;
 use crate::plots::plot::PlotState;
 use crate::plots::traces::Columns;
 use crate::removed::Removed;
 use crate::values::symbol::symbol;
-use crate::{Announcement, Play, Refusal, number};
+use crate::{Announcement, Changes, Play, Refusal, number};
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use engine::Setup;
@@ -60,25 +60,28 @@ impl Play {
             (place, height(drawn, curve.value(argument, curve.piece(argument))))
         });
         let symbol = format!("{}({})", symbol(&table.name), symbol(&table.argument));
-        let text =
-            |value: f64, unit: &Unit| self.with_unit(number::plain(unit.from_si(value), DIGITS, self.style), unit);
+        let text = |value: f64, unit: &Unit| {
+            number::with_unit(&number::plain(unit.from_si(value), DIGITS, self.basis.style()), unit)
+        };
         Some(DrawingView {
             index,
-            label: table.label.as_deref().map_or_else(|| symbol.clone(), |label| self.text(label).to_owned()),
+            label: table.label.as_deref().map_or_else(|| symbol.clone(), |label| self.basis.text(label).to_owned()),
             symbol,
             heights: values.iter().map(|&value| height(drawn, value)).collect(),
             line: line.collect(),
             zero: Some(height(drawn, 0.0)).filter(|zero| (0.0..=1.0).contains(zero)),
             values: [drawn.low, drawn.high].map(|value| text(value, &table.unit)),
             arguments: [drawn.from, drawn.until].map(|value| text(value, &table.argument_unit)),
-            is_default: self.defaults.drawings.get(index) == Some(values),
+            is_default: self.basis.defaults().drawings.get(index) == Some(values),
         })
     }
 
     /// Text for a point of a curve at a height: `t = 2 s: 1.5 m/s²`.
     pub fn drawn_text(&self, index: usize, point: usize, height: f64) -> String {
         let Some((table, drawn)) = table(self.model(), index) else { return String::new() };
-        let shown = |value: f64, unit: &Unit| self.with_unit(number::plain(unit.from_si(value), 4, self.style), unit);
+        let shown = |value: f64, unit: &Unit| {
+            number::with_unit(&number::plain(unit.from_si(value), 4, self.basis.style()), unit)
+        };
         let argument = shown(drawn.argument(point), &table.argument_unit);
         format!("{} = {argument}: {}", symbol(&table.argument), shown(value(drawn, level(height)), &table.unit))
     }
@@ -100,7 +103,7 @@ impl Play {
 
     /// Restores the document's own curve; the run restarts.
     pub fn clear_drawing(&mut self, index: usize) {
-        let Some(values) = self.defaults.drawings.get(index).cloned() else { return };
+        let Some(values) = self.basis.defaults().drawings.get(index).cloned() else { return };
         if self.course.begun().drawings.get(index) != Some(&values) {
             let before = Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() };
             self.redraw(index, values);
@@ -120,14 +123,15 @@ impl Play {
 
     /// Replaces the drawn curves of the model. Does nothing if they are unchanged.
     pub(crate) fn adopt_drawings(&mut self, drawings: &[Vec<f64>]) {
-        let Some(model) = self.program.model.with_drawings(drawings) else { return };
-        self.program.model = model;
-        self.columns = Columns::new(&self.program.model, &self.program.plots);
-        self.evaluators = Evaluators::new(&self.program, &self.tag);
-        for (own, new) in self.plots.iter_mut().zip(PlotState::of(&self.program, &self.columns)) {
+        if !self.basis.set_drawings(drawings) {
+            return;
+        }
+        self.columns = Columns::new(self.basis.model(), &self.basis.program().plots);
+        self.evaluators = Evaluators::new(self.basis.program(), self.basis.tag());
+        for (own, new) in self.plots.iter_mut().zip(PlotState::of(self.basis.program(), &self.columns)) {
             own.content = new.content;
         }
-        self.revision.parameters += 1;
+        self.note(Changes::PARAMETERS);
     }
 
     /// Label of a drawn curve in the chosen language.
@@ -137,9 +141,9 @@ impl Play {
 
     /// Maps the drawn curves of a run of the former program to this one. Adds the names of lost curves to `lost`.
     pub(crate) fn drawings_from(&self, former: &Setup, before: &Play, lost: &mut Vec<String>) -> Vec<Vec<f64>> {
-        let mut drawings = self.defaults.drawings.clone();
+        let mut drawings = self.basis.defaults().drawings.clone();
         for (index, values) in former.drawings.iter().enumerate() {
-            if before.defaults.drawings.get(index) == Some(values) {
+            if before.basis.defaults().drawings.get(index) == Some(values) {
                 continue;
             }
             let Some((old, old_drawn)) = table(before.model(), index) else { continue };

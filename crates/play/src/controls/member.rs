@@ -1,6 +1,6 @@
 //! Selection of the displayed member of a family.
 
-use crate::Play;
+use crate::{Changes, Play};
 
 impl Play {
     /// Displays another member of a family: sets the index at position `place` to `value`. If that member does not
@@ -15,7 +15,7 @@ impl Play {
         };
         if let Some((stem, indices)) = found {
             self.lines.chosen.insert(stem, indices);
-            self.revision.frame += 1;
+            self.note(Changes::FRAME);
         }
     }
 }

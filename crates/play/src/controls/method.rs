@@ -1,6 +1,6 @@
 //! Integration method and step.
 
-use crate::{Announcement, Play, Refusal, number, words};
+use crate::{Announcement, Basis, Play, Refusal, number, words};
 use engine::{Cause, Method, Run, RunError, Setup};
 
 /// A method in the list.
@@ -16,14 +16,29 @@ pub struct MethodView {
     pub refused: String,
 }
 
+impl Basis {
+    /// Reason why a method cannot integrate the model; `None` if it can, or if the run fails for another reason.
+    pub(crate) fn method_refusal(&self, method: Method) -> Option<Refusal> {
+        let setup = Setup { method, ..self.defaults().clone() };
+        match Run::start(&self.program().model, setup) {
+            Err(RunError { cause: Cause::NotSecondOrder(_), .. }) => Some(Refusal::Method { method }),
+            _ => None,
+        }
+    }
+}
+
 impl Play {
     /// All integration methods.
     pub fn methods(&self) -> Vec<MethodView> {
         let view = |method: Method| MethodView {
             name: method.name(),
-            label: words::method_name(self.language, method).to_owned(),
+            label: words::method_name(self.basis.language(), method).to_owned(),
             selected: method == self.course.begun().method,
-            refused: self.method_refusal(method).map(|refusal| self.refusal_text(&refusal)).unwrap_or_default(),
+            refused: self
+                .basis
+                .method_refusal(method)
+                .map(|refusal| self.basis.refusal_text(&refusal))
+                .unwrap_or_default(),
         };
         Method::ALL.into_iter().map(view).collect()
     }
@@ -31,7 +46,7 @@ impl Play {
     /// Selects a method by its name; the run restarts from its start.
     pub fn set_method(&mut self, name: &str) -> Result<(), Refusal> {
         let method: Method = name.parse().map_err(|_| Refusal::Unknown { name: name.to_owned() })?;
-        if let Some(refusal) = self.method_refusal(method) {
+        if let Some(refusal) = self.basis.method_refusal(method) {
             return Err(refusal);
         }
         if method != self.course.begun().method || self.course.history().is_none() {
@@ -51,7 +66,7 @@ impl Play {
     pub fn step_text(&self) -> (String, String) {
         let unit = &self.model().independent.unit;
         (
-            number::plain(unit.from_si(self.step()), crate::controls::input::DIGITS, self.style),
+            number::plain(unit.from_si(self.step()), crate::basis::input::DIGITS, self.basis.style()),
             number::unit_text(&unit.text),
         )
     }
@@ -61,7 +76,7 @@ impl Play {
         if text.trim() == self.step_text().0 {
             return Ok(());
         }
-        let step = self.read_value(text, &self.model().independent.unit)?;
+        let step = self.basis.read_value(text, &self.model().independent.unit)?;
         self.set_step(step)
     }
 
@@ -76,14 +91,5 @@ impl Play {
             self.announce(Announcement::Step(step));
         }
         Ok(())
-    }
-
-    /// Reason why a method cannot integrate the model; `None` if it can, or if the run fails for another reason.
-    pub(crate) fn method_refusal(&self, method: Method) -> Option<Refusal> {
-        let setup = Setup { method, ..self.defaults.clone() };
-        match Run::start(&self.program.model, setup) {
-            Err(RunError { cause: Cause::NotSecondOrder(_), .. }) => Some(Refusal::Method { method }),
-            _ => None,
-        }
     }
 }

@@ -2,11 +2,9 @@
 //! typed.
 
 pub(crate) mod button;
-pub(crate) mod calculator;
 mod drag;
 pub(crate) mod drawing;
 pub(crate) mod hold;
-pub(crate) mod input;
 mod member;
 mod method;
 mod parameter;
@@ -15,11 +13,9 @@ mod size;
 mod slider;
 mod start;
 mod state;
-pub(crate) mod typed;
 
 pub use button::ButtonView;
 pub use drawing::DrawingView;
-pub use input::DIGITS;
 pub use method::MethodView;
 pub use parameter::{ChoiceView, ParameterGroup, ParameterView};
 pub use preset::{PresetGroup, PresetView};

@@ -1,9 +1,9 @@
 //! Parameters: values for their controls, and setters.
 
-use crate::controls::input::DIGITS;
+use crate::basis::input::DIGITS;
 use crate::controls::slider::Mapping;
 use crate::removed::Removed;
-use crate::{Announcement, Play, Refusal, Slider, number, words};
+use crate::{Announcement, Changes, Play, Refusal, Slider, number};
 use engine::Setup;
 use program::{Choices, Parameter};
 
@@ -68,7 +68,8 @@ impl Play {
         let groups = self.model().parameters.chunk_by(|one, next| one.group == next.group);
         groups
             .map(|group| {
-                let name = group.first().and_then(|first| first.group.as_deref()).map_or("", |name| self.text(name));
+                let name =
+                    group.first().and_then(|first| first.group.as_deref()).map_or("", |name| self.basis.text(name));
                 ParameterGroup { name: name.to_owned(), parameters: views.by_ref().take(group.len()).collect() }
             })
             .collect()
@@ -78,15 +79,15 @@ impl Play {
     pub fn parameter(&self, index: usize) -> Option<ParameterView> {
         let parameter = self.model().parameters.get(index)?;
         let &value = self.course.parameters().get(index)?;
-        let shown = |value: f64| number::plain(parameter.unit.from_si(value), DIGITS, self.style);
+        let shown = |value: f64| number::plain(parameter.unit.from_si(value), DIGITS, self.basis.style());
         Some(ParameterView {
             index,
             name: parameter.name.clone(),
-            label: self.parameter_label(index).to_owned(),
+            label: self.basis.parameter_label(index).to_owned(),
             unit: number::unit_text(&parameter.unit.text),
             value,
             text: shown(value),
-            spoken: self.parameter_value_text(index, value),
+            spoken: self.basis.parameter_value_text(index, value),
             choices: self.choices(index),
             is_switch: parameter.choices == Choices::Switch,
             range: parameter.range.map(|(low, high)| (shown(low), shown(high))),
@@ -103,26 +104,14 @@ impl Play {
             Some(Choices::Switch) => vec![0.0, 1.0],
             Some(Choices::Texts(texts)) => texts.iter().map(|&text| f64::from(text)).collect(),
         };
-        let view = |value| ChoiceView { value, text: self.parameter_value_text(index, value) };
+        let view = |value| ChoiceView { value, text: self.basis.parameter_value_text(index, value) };
         values.into_iter().map(view).collect()
-    }
-
-    /// Text of a parameter value (SI): `50 kg/s`, `yes`, `Water`.
-    pub fn parameter_value_text(&self, index: usize, value: f64) -> String {
-        let Some(parameter) = self.model().parameters.get(index) else { return String::new() };
-        match parameter.choices {
-            Choices::Numbers | Choices::Seed => self.quantity_text(value, &parameter.unit),
-            Choices::Switch => words::truth(self.language, value != 0.0).to_owned(),
-            Choices::Texts(_) => {
-                parameter.word(value, &self.model().texts).map_or_else(String::new, |text| self.text(text).to_owned())
-            }
-        }
     }
 
     /// Sets a parameter to an SI value. If an initial value depends on it, the run restarts; otherwise it takes effect
     /// from the next step.
     pub fn set_parameter(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
-        let value = self.admit(index, value)?;
+        let value = self.basis.admit(index, value)?;
         let mut parameters = self.course.parameters().to_vec();
         let Some(old) = parameters.get_mut(index) else {
             return Ok(());
@@ -141,7 +130,7 @@ impl Play {
     pub fn set_parameter_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
         let unknown = || Refusal::Unknown { name: index.to_string() };
         let (view, parameter) = self.parameter(index).zip(self.model().parameters.get(index)).ok_or_else(unknown)?;
-        match self.read_field(text, &view.text, &parameter.unit)? {
+        match self.basis.read_field(&self.course, text, &view.text, &parameter.unit)? {
             Some(value) => self.set_parameter(index, value),
             None => Ok(()),
         }
@@ -166,46 +155,16 @@ impl Play {
     /// Resets all parameters to their defaults. If the run started from a state set by hand or with drawn curves, it
     /// restarts with the document's initial values and curves.
     pub fn restore_defaults(&mut self) {
-        let parameters = self.defaults.parameters.clone();
-        if self.is_started_by_hand() || self.course.begun().drawings != self.defaults.drawings {
+        let parameters = self.basis.defaults().parameters.clone();
+        if self.is_started_by_hand() || self.course.begun().drawings != self.basis.defaults().drawings {
             let before = Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() };
-            let drawings = self.defaults.drawings.clone();
+            let drawings = self.basis.defaults().drawings.clone();
             self.restart(Setup { parameters, start: None, drawings, ..before.clone() });
             self.can_undo(Removed::Start(before));
         } else {
             self.overwrite_parameters(parameters);
         }
         self.announce(Announcement::DefaultsRestored);
-    }
-
-    /// Label of a parameter in the chosen language; its name if it has none.
-    pub fn parameter_label(&self, index: usize) -> &str {
-        let Some(parameter) = self.model().parameters.get(index) else {
-            return "";
-        };
-        parameter.label.as_deref().map_or(parameter.name.as_str(), |label| self.text(label))
-    }
-
-    /// Returns the value (SI), clamped to the range against rounding, or the reason why the parameter cannot take it.
-    pub fn admit(&self, index: usize, value: f64) -> Result<f64, Refusal> {
-        let parameter =
-            self.model().parameters.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
-        let name = self.parameter_label(index).to_owned();
-        if !parameter.takes(value) {
-            return Err(Refusal::NoValue { name });
-        }
-        let Some((low, high)) = parameter.range else {
-            return Ok(value);
-        };
-        // A value typed in another unit may miss the end of the range by rounding.
-        let slack = (high - low) * 1e-12;
-        if value < low - slack {
-            Err(Refusal::TooSmall { name, least: self.quantity_text(low, &parameter.unit) })
-        } else if value > high + slack {
-            Err(Refusal::TooLarge { name, greatest: self.quantity_text(high, &parameter.unit) })
-        } else {
-            Ok(value.max(low).min(high))
-        }
     }
 
     /// Sets all parameters (SI). Restarts the run if an initial value depends on a changed one.
@@ -218,7 +177,7 @@ impl Play {
             (parameter.restarts && old.get(index) != parameters.get(index)).then_some(index)
         };
         let decides = self.model().parameters.iter().enumerate().find_map(deciding);
-        self.revision.parameters += 1;
+        self.note(Changes::PARAMETERS);
         if decides.is_some() || self.course.history().is_none() {
             let setup = Setup { parameters, start: None, ..self.course.begun().clone() };
             let begun = self.course.front() > 0.0 || self.is_started_by_hand();
@@ -229,9 +188,9 @@ impl Play {
         } else {
             self.branch();
             self.course.give_up_presses();
-            self.course.set_parameters(&self.program.model, parameters);
+            self.course.set_parameters(self.basis.model(), parameters);
             self.traces.truncate(self.course.rows().saturating_sub(1));
-            self.revision.transport += 1;
+            self.note(Changes::TRANSPORT);
             self.frame_changed();
         }
     }

@@ -1,6 +1,6 @@
 //! Sizes of families. Another size requires another model, which only a page that contains the parser can build.
 
-use crate::Play;
+use crate::Basis;
 
 /// The size of families, for its control.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub struct SizeView {
     pub is_default: bool,
 }
 
-impl Play {
+impl Basis {
     /// All sizes, in the order of the text.
     pub fn sizes(&self) -> Vec<SizeView> {
         let view = |size: &program::Size| SizeView {

@@ -48,10 +48,10 @@ impl Play {
         Some(StateView {
             index,
             name: state.name(),
-            label: self.state_label(index),
+            label: self.basis.state_label(index),
             unit: number::unit_text(&state.unit.text),
             value,
-            spoken: self.with_unit(text.clone(), &state.unit),
+            spoken: number::with_unit(&text.clone(), &state.unit),
             text,
             editable: !self.playing,
             members: None,
@@ -67,7 +67,7 @@ impl Play {
             let labelled = |index: &&usize| self.model().states.get(**index).is_some_and(|state| state.label.is_some());
             let all = || line.members.iter().flat_map(|member| &member.parts);
             let told = std::iter::once(&index).chain(all()).find(labelled);
-            let label = told.map_or_else(|| line.name(), |&index| self.state_label(index));
+            let label = told.map_or_else(|| line.name(), |&index| self.basis.state_label(index));
             Some(StateView { name: line.name(), label, members: Some(members), ..view })
         };
         self.lines.states.iter().filter_map(line).collect()
@@ -79,7 +79,7 @@ impl Play {
             return Err(Refusal::NotPaused);
         }
         if !value.is_finite() {
-            return Err(Refusal::NoValue { name: self.state_label(index) });
+            return Err(Refusal::NoValue { name: self.basis.state_label(index) });
         }
         let mut state = self.course.state().to_vec();
         match state.get_mut(index) {
@@ -89,7 +89,7 @@ impl Play {
             }
         }
         if let Some(missing) = state.iter().position(|value| !value.is_finite()) {
-            return Err(Refusal::NoValue { name: self.state_label(missing) });
+            return Err(Refusal::NoValue { name: self.basis.state_label(missing) });
         }
         self.start_from(state);
         self.announce(Announcement::StateSet(index, value));
@@ -100,7 +100,7 @@ impl Play {
     pub fn set_state_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
         let unknown = || Refusal::Unknown { name: index.to_string() };
         let (view, state) = self.state(index).zip(self.model().states.get(index)).ok_or_else(unknown)?;
-        match self.read_field(text, &view.text, &state.unit)? {
+        match self.basis.read_field(&self.course, text, &view.text, &state.unit)? {
             Some(value) => self.set_state(index, value),
             None => Ok(()),
         }
@@ -118,22 +118,14 @@ impl Play {
         self.restart(setup);
     }
 
-    /// Label of a state in the chosen language; its name if it has none.
-    pub(crate) fn state_label(&self, index: usize) -> String {
-        let Some(state) = self.model().states.get(index) else {
-            return String::new();
-        };
-        state.label.as_deref().map_or_else(|| state.name(), |label| self.text(label).to_owned())
-    }
-
     /// Value of a state in its own unit, for its field. Its resolution follows from the largest magnitude in this run.
     pub(crate) fn state_number(&self, index: usize, state: &State, value: f64) -> String {
         let node = self.model().graph.find(Node::State(index as u32));
-        if node.is_some_and(|node| self.is_count(node, &state.unit)) {
-            return self.count(value);
+        if node.is_some_and(|node| self.basis.is_count(node, &state.unit)) {
+            return self.basis.count(value);
         }
         let scale = self.scales.get(index).copied().unwrap_or_default();
         let scale = state.unit.from_si(scale.max(value.abs()));
-        Layout::of_scale(scale, MOVING_DIGITS).number(state.unit.from_si(value), self.style)
+        Layout::of_scale(scale, MOVING_DIGITS).number(state.unit.from_si(value), self.basis.style())
     }
 }

@@ -52,7 +52,7 @@ impl Play {
                 let label = match style {
                     Style::Line => labels.curves.get(number).map_or("", String::as_str),
                     // One legend entry stands for all curves of a kept run.
-                    Style::Ghost if number == 0 => words::previous_run(self.language),
+                    Style::Ghost if number == 0 => words::previous_run(self.basis.language()),
                     _ => "",
                 };
                 let (x, y) = (traces.column(x), traces.column(y));
@@ -167,7 +167,7 @@ impl Play {
     /// for profiles by default: displacements of members against their places would be flattened.
     pub(super) fn has_equal_axes(&self, index: usize) -> bool {
         let is_length = |curve: &Curve| curve.value.unit.dimension == units::Dimension::LENGTH;
-        self.program.plots.get(index).is_some_and(|plot| match plot.drawing {
+        self.basis.program().plots.get(index).is_some_and(|plot| match plot.drawing {
             Drawing::Histogram(_) => false,
             Drawing::Profile(_) => plot.equal,
             _ => plot.equal || plot.expressions().all(is_length),
@@ -177,7 +177,7 @@ impl Play {
     /// Horizontal interval of the first zoomed plot of the document against the independent variable; `None` if none is
     /// zoomed.
     pub fn zoomed_part(&self) -> Option<Interval> {
-        let against = (0..self.program.plots.len()).filter(|index| self.is_against_independent(*index));
+        let against = (0..self.basis.program().plots.len()).filter(|index| self.is_against_independent(*index));
         against.filter_map(|index| self.plots.get(index)?.view.x).next()
     }
 
@@ -185,13 +185,13 @@ impl Play {
     /// plots.
     pub fn unit_of_time_axis(&self, PlotId(index): PlotId) -> Option<&Unit> {
         let has_points = self.plots.get(index).is_some_and(|plot| !plot.points.is_empty());
-        let plot = self.program.plots.get(index).filter(|_| has_points && self.is_against_independent(index));
+        let plot = self.basis.program().plots.get(index).filter(|_| has_points && self.is_against_independent(index));
         plot.map(|plot| &plot.x.value.unit)
     }
 
     fn is_against_independent(&self, index: usize) -> bool {
         let independent = |x: &Curve| self.model().is_independent(x.value.node);
-        self.program.plots.get(index).is_some_and(|plot| plot.abscissas().all(independent))
+        self.basis.program().plots.get(index).is_some_and(|plot| plot.abscissas().all(independent))
     }
 
     /// Figure of an added plot.

@@ -6,8 +6,7 @@ use crate::removed::Removed;
 use crate::time::course::Course;
 use crate::time::recipe::{Moments, Recipe};
 use crate::values::symbol::symbol;
-use crate::{Announcement, Play, Refusal, words};
-use program::State;
+use crate::{Announcement, Changes, Play, Refusal, words};
 
 /// Maximum number of rows stored for a kept run or ghost.
 const ROWS_KEPT: usize = 20_000;
@@ -40,9 +39,9 @@ impl Play {
     pub(crate) fn compute_kept(&mut self, recipe: &Recipe, moments: Moments, work: &mut u64) -> (Recipe, Traces, bool) {
         let overhead = self.columns.bytes_per_row();
         // Drawn curves change the model and therefore the columns.
-        let drawn = self.program.model.with_drawings(&recipe.setup.drawings);
-        let mut own = drawn.map(|model| Columns::new(&model, &self.program.plots));
-        let (mut course, complete) = Course::replay(&self.program.model, recipe, moments, overhead, work);
+        let drawn = self.basis.model().with_drawings(&recipe.setup.drawings);
+        let mut own = drawn.map(|model| Columns::new(&model, &self.basis.program().plots));
+        let (mut course, complete) = Course::replay(self.basis.model(), recipe, moments, overhead, work);
         let computed = course.recipe();
         course.show(course.front());
         let mut present = Vec::new();
@@ -62,7 +61,7 @@ impl Play {
         self.kept_issued += 1;
         let id = self.kept_issued;
         self.kept.push(Kept { id, recipe, shown: true, pattern, traces });
-        self.revision.runs += 1;
+        self.note(Changes::RUNS);
         Ok(())
     }
 
@@ -83,7 +82,7 @@ impl Play {
     pub fn show_kept(&mut self, id: u32, shown: bool) {
         if let Some(kept) = self.kept.iter_mut().find(|kept| kept.id == id) {
             kept.shown = shown;
-            self.revision.runs += 1;
+            self.note(Changes::RUNS);
         }
     }
 
@@ -96,7 +95,7 @@ impl Play {
             let kept = self.kept.remove(place);
             self.can_undo(Removed::Run(place, kept));
         }
-        self.revision.runs += 1;
+        self.note(Changes::RUNS);
         self.announce(Announcement::Removed(view.name));
     }
 
@@ -109,15 +108,15 @@ impl Play {
     pub fn remove_ghost(&mut self) {
         if let Some(ghost) = self.ghost.take() {
             self.can_undo(Removed::Ghost(ghost));
-            self.revision.runs += 1;
-            self.announce(Announcement::Removed(words::previous_run(self.language).to_owned()));
+            self.note(Changes::RUNS);
+            self.announce(Announcement::Removed(words::previous_run(self.basis.language()).to_owned()));
         }
     }
 
     /// Removes the ghost; cannot be undone.
     pub fn clear_ghost(&mut self) {
         if self.ghost.take().is_some() {
-            self.revision.runs += 1;
+            self.note(Changes::RUNS);
         }
     }
 
@@ -129,26 +128,13 @@ impl Play {
         if rows >= worth {
             // Starts one row earlier, so that the ghost joins the line that it left.
             self.ghost = Some(Ghost { traces: self.traces.thinned(first.saturating_sub(1), ROWS_KEPT) });
-            self.revision.runs += 1;
+            self.note(Changes::RUNS);
         }
-    }
-
-    /// Texts such as `y(0) = 0.3 m` for each state of a start set by hand.
-    pub(crate) fn start_texts(&self, start: &[f64]) -> Vec<String> {
-        let text = |(state, &value): (&State, &f64)| {
-            format!("{}(0) = {}", symbol(&state.name()), self.quantity_text(value, &state.unit))
-        };
-        self.model().states.iter().zip(start).map(text).collect()
-    }
-
-    /// Text of a step: `h = 0.01 s`.
-    pub(crate) fn step_words(&self, step: f64) -> String {
-        format!("h = {}", self.quantity_text(step, &self.model().independent.unit))
     }
 
     /// Name of a run, from its differences to the document's own run: `b = 200 kg/s, rk4`.
     fn recipe_name(&self, recipe: &Recipe) -> String {
-        let model = &self.program.model;
+        let model = self.basis.model();
         let last = recipe.last_parameters();
         let mut parts: Vec<String> = Vec::new();
         for (index, parameter) in model.parameters.iter().enumerate() {
@@ -158,24 +144,24 @@ impl Play {
             let mut values = recipe.parameter_sets().filter_map(|set| set.get(index));
             if values.any(|value| *value != parameter.value) {
                 let symbol = symbol(&parameter.name);
-                let now = self.parameter_value_text(index, value);
+                let now = self.basis.parameter_value_text(index, value);
                 parts.push(if first == value {
                     format!("{symbol} = {now}")
                 } else {
-                    format!("{symbol} = {} → {now}", self.parameter_value_text(index, first))
+                    format!("{symbol} = {} → {now}", self.basis.parameter_value_text(index, first))
                 });
             }
         }
-        let drawings = recipe.setup.drawings.iter().zip(&self.defaults.drawings).enumerate();
+        let drawings = recipe.setup.drawings.iter().zip(&self.basis.defaults().drawings).enumerate();
         parts.extend(drawings.filter(|(_, (drawn, own))| drawn != own).map(|(index, _)| self.drawing_label(index)));
         parts.extend(self.press_texts(&recipe.setup.presses, recipe.front));
-        parts.extend(recipe.setup.start.iter().flat_map(|start| self.start_texts(start)));
-        if recipe.setup.method != self.defaults.method {
-            parts.push(words::method_name(self.language, recipe.setup.method).to_owned());
+        parts.extend(recipe.setup.start.iter().flat_map(|start| self.basis.start_texts(start)));
+        if recipe.setup.method != self.basis.defaults().method {
+            parts.push(words::method_name(self.basis.language(), recipe.setup.method).to_owned());
         }
-        if recipe.setup.step != self.defaults.step {
-            parts.push(self.step_words(recipe.setup.step));
+        if recipe.setup.step != self.basis.defaults().step {
+            parts.push(self.basis.step_words(recipe.setup.step));
         }
-        if parts.is_empty() { words::defaults(self.language).to_owned() } else { parts.join(", ") }
+        if parts.is_empty() { words::defaults(self.basis.language()).to_owned() } else { parts.join(", ") }
     }
 }

@@ -26,7 +26,7 @@ impl Play {
             let Some(series) = added.series.get(sample.series) else { continue };
             let Some(error) = series.errors.get(sample.row).copied() else { continue };
             let Some((name, unit)) = added.labels.axes.get(series.axis) else { continue };
-            let value = number::with_error(sample.y, Some(error), self.style);
+            let value = number::with_error(sample.y, Some(error), self.basis.style());
             sample.text = format!("{name} = {}", number::error_with_unit(&value, unit));
         }
         readout

@@ -56,7 +56,7 @@ impl Play {
         self.follow();
         let names = self.series_names(index);
         let Some(plot) = self.figure_of(index) else { return String::new() };
-        let dialect = if self.style.decimal_comma { Dialect::Semicolons } else { Dialect::Commas };
+        let dialect = if self.basis.style().decimal_comma { Dialect::Semicolons } else { Dialect::Commas };
         let mut out = dialect.start().to_owned();
         let head = |label: &str, unit: &str| {
             if unit.is_empty() { label.to_owned() } else { format!("{label} [{unit}]") }
@@ -130,7 +130,7 @@ impl Play {
         let name = |series: &Series<'_>| {
             let run = match series.style {
                 Style::Run(pattern) => kept.iter().find(|kept| kept.pattern == pattern).map(|kept| kept.name.clone()),
-                Style::Ghost => Some(words::previous_run(self.language).to_owned()),
+                Style::Ghost => Some(words::previous_run(self.basis.language()).to_owned()),
                 _ => moment.clone(),
             };
             let curve = match run {

@@ -4,7 +4,7 @@ use super::added::{AddedPlot, Points};
 use super::plot::{Content, PlotId, PlotState, PlotView};
 use super::sweep::Swept;
 use crate::values::symbol::symbol;
-use crate::{Play, WORK_PER_TICK, words};
+use crate::{Changes, Play, WORK_PER_TICK, words};
 use figure::{Direction, Figure, Palette, Plot, Point, Readout, Settings, Style, View};
 
 impl Play {
@@ -31,11 +31,11 @@ impl Play {
             let Some(swept) = plot.swept_mut() else { continue };
             swept.follow(&self.course);
             let before = swept.progress();
-            swept.proceed(&self.program.model, &mut left);
+            swept.proceed(self.basis.model(), &mut left);
             worked |= swept.progress() != before;
         }
         if worked {
-            self.revision.frame += 1;
+            self.note(Changes::FRAME);
         }
         self.plots.iter().any(|plot| plot.shown && plot.swept().is_some_and(Swept::is_unfinished))
     }
@@ -49,14 +49,14 @@ impl Play {
     pub fn show_plot(&mut self, PlotId(index): PlotId, shown: bool) {
         if let Some(plot) = self.plots.get_mut(index) {
             plot.shown = shown;
-            self.revision.plots += 1;
+            self.note(Changes::PLOTS);
         }
     }
 
     /// Adds an empty plot after the others.
     pub fn add_plot(&mut self) -> PlotId {
         self.plots.push(PlotState::added());
-        self.revision.plots += 1;
+        self.note(Changes::PLOTS);
         PlotId(self.plots.len() - 1)
     }
 
@@ -76,14 +76,14 @@ impl Play {
             state.view = View::default();
             state.labels.title.clone_from(&added.labels.title);
         }
-        self.revision.plots += 1;
+        self.note(Changes::PLOTS);
     }
 
     /// Replaces the points over the curves of a plot of the document.
     pub fn set_points(&mut self, plot: usize, points: Vec<Points>) {
         if let Some(state) = self.plots.get_mut(plot) {
             state.points = points;
-            self.revision.plots += 1;
+            self.note(Changes::PLOTS);
         }
     }
 
@@ -205,7 +205,7 @@ impl Play {
     fn set_view(&mut self, index: usize, change: impl FnOnce(&Figure) -> View) {
         if let Some(plot) = self.plots.get_mut(index) {
             plot.view = change(&plot.figure);
-            self.revision.plots += 1;
+            self.note(Changes::PLOTS);
         }
     }
 
@@ -230,7 +230,7 @@ impl Play {
         }
         if self.plots.get(index).is_some_and(|plot| matches!(plot.content, Content::Histogram(_))) {
             for sample in &mut readout.samples {
-                sample.text = format!("{} = {}", words::count(self.language), sample.y);
+                sample.text = format!("{} = {}", words::count(self.basis.language()), sample.y);
             }
             return readout;
         }
@@ -257,7 +257,7 @@ impl Play {
 
     /// Text of the moment shown, `t = 1.25 s`, for a plot that shows a single moment; `None` for other plots.
     pub(super) fn moment_of(&self, index: usize) -> Option<String> {
-        let of_a_moment = self.program.plots.get(index).is_some_and(|plot| plot.drawing.is_of_a_moment());
+        let of_a_moment = self.basis.program().plots.get(index).is_some_and(|plot| plot.drawing.is_of_a_moment());
         of_a_moment.then(|| format!("{} = {}", symbol(&self.model().independent.name), self.time_text()))
     }
 

@@ -1,9 +1,8 @@
 //! The user's answers: kept with their questions across languages and stored for the next visit.
 
-use crate::name_of;
 use crate::questions::given::Answer;
 use crate::questions::grade::{Grade, Verdict};
-use crate::{Play, words};
+use crate::{Changes, Play, name_of, words};
 
 /// An answer, for display with its question.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,7 +22,7 @@ impl Play {
     /// The user's answer to a question; empty if there is none.
     pub fn answer(&self, question: usize) -> AnswerView {
         let Some(answer) = self.answers.get(question) else { return AnswerView::default() };
-        let verdict = |grade| Verdict { grade, text: words::grade(self.language, grade).to_owned() };
+        let verdict = |grade| Verdict { grade, text: words::grade(self.basis.language(), grade).to_owned() };
         AnswerView { typed: answer.typed.clone(), verdict: answer.grade.map(verdict), revealed: answer.revealed }
     }
 
@@ -65,12 +64,12 @@ impl Play {
     }
 
     pub(crate) fn note_answer(&mut self, question: usize, note: impl FnOnce(&mut Answer)) {
-        if question < self.program.questions.len() {
-            self.answers.resize(self.program.questions.len(), Answer::default());
+        if question < self.basis.program().questions.len() {
+            self.answers.resize(self.basis.program().questions.len(), Answer::default());
             if let Some(answer) = self.answers.get_mut(question) {
                 note(answer);
             }
-            self.revision.answers += 1;
+            self.note(Changes::ANSWERS);
         }
     }
 
@@ -78,8 +77,8 @@ impl Play {
     /// its question if others are inserted before it. Questions with equal texts are numbered.
     pub(crate) fn question_names(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
-        for index in 0..self.program.questions.len() {
-            let prompt = &self.program.question_text(&self.program.language, index).prompt;
+        for index in 0..self.basis.program().questions.len() {
+            let prompt = &self.basis.program().question_text(&self.basis.program().language, index).prompt;
             let mut again = 0;
             let mut name = name_of(&[prompt]);
             while names.contains(&name) {

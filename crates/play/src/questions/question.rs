@@ -2,7 +2,7 @@
 
 use crate::controls::preset::assign;
 use crate::questions::grade::{Grade, Verdict, grade};
-use crate::{Announcement, Play, Refusal, number, words};
+use crate::{Announcement, Changes, Play, Refusal, number, words};
 
 impl Play {
     /// Grades an answer: a number or arithmetic in the expected unit, or with its own units of the same dimension. An
@@ -15,18 +15,18 @@ impl Play {
 
     fn judge(&mut self, question: usize, text: &str) -> Verdict {
         let right = self.right_answer(question);
-        let Some(asked) = self.program.questions.get(question) else {
+        let Some(asked) = self.basis.program().questions.get(question) else {
             return self.verdict(Grade::Unanswerable);
         };
-        let answer = match self.read_answer(text, &asked.unit) {
-            Err(refusal) => return Verdict { grade: Grade::Unreadable, text: self.refusal_text(&refusal) },
+        let answer = match self.basis.read_answer(&self.course, text, &asked.unit) {
+            Err(refusal) => return Verdict { grade: Grade::Unreadable, text: self.basis.refusal_text(&refusal) },
             Ok(answer) => answer,
         };
         let mut verdict = self.verdict(grade(answer.value, right, asked.tolerance));
         let correct = verdict.grade == Grade::Correct;
         if let Some(error) = answer.error.filter(|_| verdict.grade != Grade::Unanswerable) {
             let within = (answer.value - right).abs() <= error;
-            verdict.text = [&verdict.text, " ", words::stated_error(self.language, correct, within)].concat();
+            verdict.text = [&verdict.text, " ", words::stated_error(self.basis.language(), correct, within)].concat();
         }
         if correct {
             self.solve(question);
@@ -45,32 +45,36 @@ impl Play {
     /// Right answer as in [`Play::reveal_answer`], without marking it as shown: for the teacher's view.
     pub fn computed_answer(&mut self, question: usize) -> String {
         let right = self.right_answer(question);
-        let Some(asked) = self.program.questions.get(question) else {
+        let Some(asked) = self.basis.program().questions.get(question) else {
             return String::new();
         };
-        self.with_unit(number::plain(asked.unit.from_si(right), 4, self.style), &asked.unit)
+        number::with_unit(&number::plain(asked.unit.from_si(right), 4, self.basis.style()), &asked.unit)
     }
 
     /// Unit in which an answer is expected, as displayed.
     pub fn question_unit(&self, question: usize) -> String {
-        self.program.questions.get(question).map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
+        self.basis
+            .program()
+            .questions
+            .get(question)
+            .map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
     }
 
     /// Names and values of the parameters that a question assumes, such as `b` and `0 kg/s`, and true if they are set
     /// now; `None` if it assumes none.
     pub fn question_setup(&mut self, question: usize) -> Option<(Vec<(String, String)>, bool)> {
         let parameters = self.supposed_parameters(question);
-        let asked = self.program.questions.get(question).filter(|asked| !asked.setup.is_empty())?;
+        let asked = self.basis.program().questions.get(question).filter(|asked| !asked.setup.is_empty())?;
         let set = self.course.parameters() == parameters;
-        Some((self.assigned(&asked.setup, &parameters), set))
+        Some((self.basis.assigned(&asked.setup, &parameters), set))
     }
 
     /// Sets the parameters that a question assumes.
     pub fn apply_question_setup(&mut self, question: usize) -> Result<(), Refusal> {
         let parameters = self.supposed_parameters(question);
         let unknown = || Refusal::Unknown { name: question.to_string() };
-        let asked = self.program.questions.get(question).ok_or_else(unknown)?;
-        let parameters = self.admit_assignments(&asked.setup, parameters)?;
+        let asked = self.basis.program().questions.get(question).ok_or_else(unknown)?;
+        let parameters = self.basis.admit_assignments(&asked.setup, parameters)?;
         self.overwrite_parameters(parameters);
         self.announce(Announcement::QuestionSetup(question));
         Ok(())
@@ -78,7 +82,7 @@ impl Play {
 
     /// True if questions of the document hide values.
     pub fn hides_values(&self) -> bool {
-        self.program.questions.iter().any(|question| !question.hides.is_empty())
+        self.basis.program().questions.iter().any(|question| !question.hides.is_empty())
     }
 
     /// True if values hidden by questions are shown anyway.
@@ -90,18 +94,18 @@ impl Play {
     /// choice.
     pub fn show_hidden(&mut self, show: bool) {
         self.shows_hidden = show;
-        self.revision.frame += 1;
+        self.note(Changes::FRAME);
     }
 
     /// True if the value of a quantity is hidden because an open question asks for it.
     pub(crate) fn is_hidden(&self, quantity: usize) -> bool {
-        let open = self.program.questions.iter().zip(&self.solved).filter(|(_, solved)| !**solved);
+        let open = self.basis.program().questions.iter().zip(&self.solved).filter(|(_, solved)| !**solved);
         !self.shows_hidden && open.map(|(question, _)| question).any(|question| question.hides.contains(&quantity))
     }
 
     /// Earlier questions that must be answered before this one appears.
     pub fn awaited_questions(&self, question: usize) -> Vec<usize> {
-        let after = self.program.questions.get(question).map_or(&[][..], |asked| &asked.after);
+        let after = self.basis.program().questions.get(question).map_or(&[][..], |asked| &asked.after);
         let is_open = |other: &usize| self.solved.get(*other) == Some(&false);
         after.iter().copied().filter(is_open).collect()
     }
@@ -110,12 +114,12 @@ impl Play {
     pub(crate) fn solve(&mut self, question: usize) {
         if let Some(solved) = self.solved.get_mut(question).filter(|solved| !**solved) {
             *solved = true;
-            self.revision.frame += 1;
+            self.note(Changes::FRAME);
         }
     }
 
     fn verdict(&self, grade: Grade) -> Verdict {
-        Verdict { grade, text: words::grade(self.language, grade).to_owned() }
+        Verdict { grade, text: words::grade(self.basis.language(), grade).to_owned() }
     }
 
     /// Right answer (SI); NaN if there is none.
@@ -128,7 +132,7 @@ impl Play {
 
     /// Present parameters (SI), replaced by the values that a question assumes.
     fn supposed_parameters(&mut self, question: usize) -> Vec<f64> {
-        let questions = &self.program.questions;
+        let questions = &self.basis.program().questions;
         let first = questions.iter().take(question).map(|question| question.setup.len()).sum();
         let setup = questions.get(question).map_or(&[][..], |asked| &asked.setup);
         assign(&mut self.evaluators.setups, first, setup, self.course.parameters(), self.course.initial())

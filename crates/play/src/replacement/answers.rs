@@ -14,7 +14,7 @@ impl Play {
         {
             let Some(place) = own.iter().position(|own| own == name) else {
                 if !answer.typed.is_empty() {
-                    lost.push(words::answer(self.language, &answer.typed));
+                    lost.push(words::answer(self.basis.language(), &answer.typed));
                 }
                 continue;
             };
@@ -31,7 +31,8 @@ impl Play {
 
     /// True if the answer to a question is the same expression as that of a former question.
     fn asks_the_same(&self, index: usize, before: &Play, former: usize, names: &Names) -> bool {
-        let (Some(asked), Some(other)) = (self.program.questions.get(index), before.program.questions.get(former))
+        let (Some(asked), Some(other)) =
+            (self.basis.program().questions.get(index), before.basis.program().questions.get(former))
         else {
             return false;
         };

@@ -28,7 +28,7 @@ use crate::plots::kept::Kept;
 use crate::share::restore::MOST_WORK;
 use crate::time::course::Course;
 use crate::time::recipe::Moments;
-use crate::{Announcement, Play, words};
+use crate::{Announcement, Changes, Play, words};
 use names::Names;
 use program::Program;
 
@@ -52,14 +52,14 @@ impl Play {
         self.drag_end();
         let mut before = std::mem::replace(self, Self::open(program));
         let names = Names::between(before.model(), self.model());
-        self.revision = before.revision.raised();
+        self.revision = before.revision.after(Changes::ALL);
         self.announcements = std::mem::take(&mut before.announcements);
         self.number_removals_from(before.removals());
         self.speed = before.speed;
         self.shows_hidden = before.shows_hidden;
         self.lines.choose_as(std::mem::take(&mut before.lines));
         self.adopt_plots(&mut before);
-        self.set_language(&before.tag);
+        self.set_language(before.basis.tag());
         let mut lost = self.adopt_answers(&before, &names);
         lost.splice(0..0, self.adopt_runs(&mut before, &names));
         lost
@@ -79,9 +79,9 @@ impl Play {
             self.adopt_course(before, same_columns);
         } else {
             let overhead = self.columns.bytes_per_row();
-            let (course, complete) = Course::replay(&self.program.model, &recipe, Moments::Times, overhead, &mut work);
+            let (course, complete) = Course::replay(self.basis.model(), &recipe, Moments::Times, overhead, &mut work);
             if !complete && course.error().is_none() {
-                lost.push(words::time(self.language, &before.time_words(recipe.front)));
+                lost.push(words::time(self.basis.language(), &before.time_words(recipe.front)));
             }
             before.keep_ghost(0);
             self.replace_course(course);
@@ -95,13 +95,13 @@ impl Play {
         for (kept, view) in std::mem::take(&mut before.kept).into_iter().zip(views) {
             let (recipe, missing) = self.translated(&kept.recipe, before, names);
             if !missing.is_empty() {
-                lost.push(words::kept_run(self.language, &view.name));
+                lost.push(words::kept_run(self.basis.language(), &view.name));
             } else if same_columns && recipe == kept.recipe {
                 self.kept.push(kept);
             } else {
                 match self.compute_kept(&recipe, Moments::Times, &mut work) {
                     (recipe, traces, true) => self.kept.push(Kept { recipe, traces, ..kept }),
-                    _ => lost.push(words::kept_run(self.language, &view.name)),
+                    _ => lost.push(words::kept_run(self.basis.language(), &view.name)),
                 }
             }
         }
@@ -110,8 +110,8 @@ impl Play {
 
     /// Takes over the run unchanged.
     fn adopt_course(&mut self, before: &mut Play, same_columns: bool) {
-        let model = &self.program.model;
-        let nothing = Course::start(model, self.defaults.clone(), 0);
+        let model = self.basis.model();
+        let nothing = Course::start(model, self.basis.defaults().clone(), 0);
         self.course = std::mem::replace(&mut before.course, nothing);
         self.course.set_overhead(self.columns.bytes_per_row());
         self.full = before.full;
@@ -124,7 +124,7 @@ impl Play {
         }
         // The magnitudes of states determine their number format. Those of quantities may have changed and are found
         // again in the next frames.
-        let states = self.program.model.states.len();
+        let states = self.basis.model().states.len();
         for (scale, former) in self.scales.iter_mut().zip(&before.scales).take(states) {
             *scale = *former;
         }

@@ -16,12 +16,12 @@ fn same_curves(one: &Plot, other: &Plot) -> bool {
 impl Play {
     /// Takes over visibility and zoom of plots, the points over their curves, and added plots.
     pub(super) fn adopt_plots(&mut self, before: &mut Play) {
-        let documents = before.program.plots.len().min(before.plots.len());
+        let documents = before.basis.program().plots.len().min(before.plots.len());
         let added = before.plots.split_off(documents);
         let mut former: Vec<Option<PlotState>> = std::mem::take(&mut before.plots).into_iter().map(Some).collect();
-        for (index, (state, plot)) in self.plots.iter_mut().zip(&self.program.plots).enumerate() {
+        for (index, (state, plot)) in self.plots.iter_mut().zip(&self.basis.program().plots).enumerate() {
             // Plots with equal titles are matched in their order.
-            let titles = before.program.plots.iter().zip(&mut former).enumerate();
+            let titles = before.basis.program().plots.iter().zip(&mut former).enumerate();
             let mut same_title = titles.filter(|(_, (other, state))| other.title == plot.title && state.is_some());
             let Some((place, (other, old))) = same_title.next() else { continue };
             let Some(old) = old.take() else { continue };
@@ -43,7 +43,7 @@ impl Play {
 
     /// True if the columns of the plots are arranged as in the former program, so that its runs can be drawn.
     pub(super) fn has_curves_of(&self, before: &Play) -> bool {
-        let (plots, former) = (&self.program.plots, &before.program.plots);
+        let (plots, former) = (&self.basis.program().plots, &before.basis.program().plots);
         plots.len() == former.len()
             && plots.iter().zip(former).all(|(one, other)| same_curves(one, other))
             && self.columns.is_arranged_like(&before.columns)

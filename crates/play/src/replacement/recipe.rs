@@ -2,7 +2,6 @@
 
 use super::names::Names;
 use crate::time::recipe::{Change, Recipe};
-use crate::values::symbol::symbol;
 use crate::{Play, words};
 use engine::Setup;
 use std::collections::BTreeMap;
@@ -17,7 +16,8 @@ impl Play {
         let changes =
             recipe.changes.iter().map(|change| Change { parameters: parameters(&change.parameters), ..*change });
         let mut changes: Vec<Change> = changes.collect();
-        let mut lost: Vec<String> = left.iter().map(|(&index, &value)| before.parameter_text(index, value)).collect();
+        let mut lost: Vec<String> =
+            left.iter().map(|(&index, &value)| before.basis.parameter_text(index, value)).collect();
         let mut setup = self.setup_from(&recipe.setup, first, before, names, &mut lost);
         self.decide_start(&mut setup, &mut changes);
         let (mut front, mut time) = (recipe.front, recipe.time);
@@ -25,7 +25,7 @@ impl Play {
             setup.presses = self.presses_from(&recipe.setup.presses, before, &mut lost);
         } else {
             if front > 0.0 {
-                lost.push(words::time(self.language, &before.time_words(time)));
+                lost.push(words::time(self.basis.language(), &before.time_words(time)));
             }
             if let Some(last) = changes.pop() {
                 setup.parameters = last.parameters;
@@ -48,14 +48,14 @@ impl Play {
         names: &Names,
         left: &mut BTreeMap<usize, f64>,
     ) -> Vec<f64> {
-        let mut parameters = self.defaults.parameters.clone();
-        for (index, (&value, default)) in values.iter().zip(&before.defaults.parameters).enumerate() {
+        let mut parameters = self.basis.defaults().parameters.clone();
+        for (index, (&value, default)) in values.iter().zip(&before.basis.defaults().parameters).enumerate() {
             if value == *default {
                 continue;
             }
             let admitted = names.parameter(index).and_then(|place| {
                 let value = self.same_choice(before, (index, value), place)?;
-                Some((place, self.admit(place, value).ok()?))
+                Some((place, self.basis.admit(place, value).ok()?))
             });
             match admitted.and_then(|(place, value)| parameters.get_mut(place).zip(Some(value))) {
                 Some((parameter, value)) => *parameter = value,
@@ -73,27 +73,27 @@ impl Play {
         names: &Names,
         lost: &mut Vec<String>,
     ) -> Setup {
-        let mut setup = Setup { parameters, ..self.defaults.clone() };
+        let mut setup = Setup { parameters, ..self.basis.defaults().clone() };
         if let Some(start) = &former.start {
             let states = 0..self.model().states.len();
             setup.start = states.map(|state| start.get(names.former_state(state)?).copied()).collect();
             if setup.start.is_none() {
-                lost.extend(before.start_texts(start));
+                lost.extend(before.basis.start_texts(start));
             }
         }
         setup.drawings = self.drawings_from(former, before, lost);
-        if former.method != before.defaults.method {
-            if self.method_refusal(former.method).is_none() {
+        if former.method != before.basis.defaults().method {
+            if self.basis.method_refusal(former.method).is_none() {
                 setup.method = former.method;
             } else {
-                lost.push(words::method_name(before.language, former.method).to_owned());
+                lost.push(words::method_name(before.basis.language(), former.method).to_owned());
             }
         }
-        if former.step != before.defaults.step {
+        if former.step != before.basis.defaults().step {
             if names.same_time {
                 setup.step = former.step;
             } else {
-                lost.push(before.step_words(former.step));
+                lost.push(before.basis.step_words(former.step));
             }
         }
         setup
@@ -120,12 +120,5 @@ impl Play {
             Some(word) => self.model().parameters.get(place)?.chosen(word, &self.model().texts),
             None => Some(value),
         }
-    }
-
-    /// Text of a parameter value: `b = 200 kg/s`.
-    fn parameter_text(&self, index: usize, value: f64) -> String {
-        self.model().parameters.get(index).map_or_else(String::new, |parameter| {
-            format!("{} = {}", symbol(&parameter.name), self.parameter_value_text(index, value))
-        })
     }
 }

@@ -7,7 +7,7 @@ use crate::controls::drawing;
 use crate::plots::plot::PlotState;
 use crate::time::course::Course;
 use crate::time::recipe::{Change, Moments, Recipe};
-use crate::{Announcement, MOST_KEPT, Play, PlotId, Refusal};
+use crate::{Announcement, Changes, MOST_KEPT, Play, PlotId, Refusal};
 use engine::Method;
 use figure::{Interval, View};
 use units::number::compact as exact;
@@ -45,11 +45,11 @@ impl Play {
             return Err(Refusal::UnreadableState);
         }
         self.speed = 1.0;
-        let first = PlotState::AT_FIRST..self.program.plots.len();
+        let first = PlotState::AT_FIRST..self.basis.program().plots.len();
         for (index, plot) in self.plots.iter_mut().enumerate() {
             (plot.shown, plot.view) = (!first.contains(&index), View::default());
         }
-        self.revision.plots += 1;
+        self.note(Changes::PLOTS);
         let mut reader = Reader { play: self, left_out: Vec::new() };
         let fields: Vec<&str> = fields.collect();
         let mut sections = fields.split(|field| *field == "k");
@@ -60,7 +60,7 @@ impl Play {
         left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
         self.adopt_drawings(&present.setup.drawings);
         let overhead = self.columns.bytes_per_row();
-        let (course, complete) = Course::replay(&self.program.model, &present, Moments::Rows, overhead, work);
+        let (course, complete) = Course::replay(self.basis.model(), &present, Moments::Rows, overhead, work);
         if !complete {
             left_out.push(format!("t={}", exact(present.front)));
         }
@@ -68,7 +68,7 @@ impl Play {
         self.hold = None;
         self.ghost = None;
         self.kept.clear();
-        self.revision.runs += 1;
+        self.note(Changes::RUNS);
         self.replace_course(course);
         for recipe in &kept {
             if self.keep_recipe(recipe, work) != Ok(true) {
@@ -93,7 +93,8 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn recipe(&mut self, fields: &[&str]) -> Recipe {
-        let mut recipe = Recipe { setup: self.play.defaults.clone(), changes: Vec::new(), front: 0.0, time: f64::NAN };
+        let mut recipe =
+            Recipe { setup: self.play.basis.defaults().clone(), changes: Vec::new(), front: 0.0, time: f64::NAN };
         for field in fields {
             let (key, value) = field.split_once('=').unwrap_or((field, ""));
             if self.field(key, value, &mut recipe).is_none() {
@@ -187,7 +188,7 @@ impl Reader<'_> {
                     program::Choices::Numbers | program::Choices::Seed => number(value)?,
                     _ => parameter.chosen(&decode(value)?, &self.play.model().texts)?,
                 };
-                Some((index, self.play.admit(index, value).ok()?))
+                Some((index, self.play.basis.admit(index, value).ok()?))
             });
             match admitted.and_then(|(index, value)| parameters.get_mut(index).zip(Some(value))) {
                 Some((parameter, value)) => *parameter = value,

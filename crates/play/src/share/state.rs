@@ -62,12 +62,12 @@ impl Play {
         }
         let hidden = self.plots.iter().enumerate().filter(|(_, plot)| !plot.shown);
         let hidden: Vec<usize> = hidden.map(|(index, _)| index).collect();
-        if !hidden.iter().copied().eq(PlotState::AT_FIRST..self.program.plots.len()) {
+        if !hidden.iter().copied().eq(PlotState::AT_FIRST..self.basis.program().plots.len()) {
             let hidden: Vec<String> = hidden.iter().map(usize::to_string).collect();
             fields.push(format!("v={}", hidden.join(",")));
         }
         // Plots of measurements come and go with the records, which a link does not contain.
-        for (index, plot) in self.plots.iter().enumerate().take(self.program.plots.len()) {
+        for (index, plot) in self.plots.iter().enumerate().take(self.basis.program().plots.len()) {
             if !plot.view.is_automatic() {
                 fields.push(format!("z={index},{}", limits(&plot.view)));
             }
@@ -81,7 +81,7 @@ impl Play {
 
     /// Parts of the state that a link does not contain, in the chosen language.
     pub fn missing_in_link(&self) -> Vec<&'static str> {
-        let pick = |english, spanish| self.language.pick(english, spanish);
+        let pick = |english, spanish| self.basis.language().pick(english, spanish);
         [
             (!self.saved_answers().is_empty(), pick("answers", "respuestas")),
             (
@@ -96,7 +96,7 @@ impl Play {
 
     fn write_recipe(&self, recipe: &Recipe, fields: &mut Vec<String>) {
         let setup = &recipe.setup;
-        let parameters = self.differing(&self.defaults.parameters, &setup.parameters);
+        let parameters = self.differing(&self.basis.defaults().parameters, &setup.parameters);
         if !parameters.is_empty() {
             fields.push(format!("p={}", parameters.join(",")));
         }
@@ -104,13 +104,13 @@ impl Play {
             let values: Vec<String> = start.iter().map(|&value| exact(value)).collect();
             fields.push(format!("y={}", values.join(",")));
         }
-        if setup.method != self.defaults.method {
+        if setup.method != self.basis.defaults().method {
             fields.push(format!("m={}", setup.method));
         }
-        if setup.step != self.defaults.step {
+        if setup.step != self.basis.defaults().step {
             fields.push(format!("h={}", exact(setup.step)));
         }
-        let drawn = drawing::written(self.model(), &setup.drawings, &self.defaults.drawings);
+        let drawn = drawing::written(self.model(), &setup.drawings, &self.basis.defaults().drawings);
         fields.extend(drawn.into_iter().map(|curve| format!("a={curve}")));
         if !setup.presses.is_empty() {
             fields.push(format!("b={}", written(&setup.presses, &self.model().buttons, encode)));

@@ -22,11 +22,11 @@ impl Play {
     /// Reason why the run cannot continue; `None` unless the moment at which it stopped is shown.
     pub fn problem(&self) -> Option<Problem> {
         let error = self.course.error().filter(|_| !self.course.is_scrubbed())?;
-        let message = error.message_in(self.model(), |title| self.text(title).to_owned());
+        let message = error.message_in(self.model(), |title| self.basis.text(title).to_owned());
         Some(Problem {
             code: error.code(),
-            message: sentence(message.text(self.language), error.code() == "not-finite"),
-            hint: sentence(error.hint().text(self.language), false),
+            message: sentence(message.text(self.basis.language()), error.code() == "not-finite"),
+            hint: sentence(error.hint().text(self.basis.language()), false),
         })
     }
 }
@@ -40,15 +40,15 @@ impl Play {
         }
         let independent = &self.model().independent;
         let unit = self.small_times().map_or_else(|| independent.unit.clone(), |group| group.unit().clone());
-        let time = number::plain(unit.from_si(self.time()), DIGITS, self.style);
+        let time = number::plain(unit.from_si(self.time()), DIGITS, self.basis.style());
         let moment = format!("{} = {}", independent.name, number::with_unit(&time, &unit));
         let title = self.course.error().and_then(|error| match error.subject() {
             Some(Subject::Event(event)) => self.model().events.get(event)?.title.as_deref(),
             _ => None,
         });
-        let ends = self.language.pick("The run ends at", "La serie termina en");
+        let ends = self.basis.language().pick("The run ends at", "La serie termina en");
         Some(match title {
-            Some(title) => sentence(&format!("{ends} {moment}: {}", self.text(title)), false),
+            Some(title) => sentence(&format!("{ends} {moment}: {}", self.basis.text(title)), false),
             None => sentence(&format!("{ends} {moment}"), false),
         })
     }
@@ -58,8 +58,8 @@ impl Play {
         let notice = self.course.notices().into_iter().find(|notice| notice.time <= self.course.front())?;
         Some(Problem {
             code: notice.code(),
-            message: sentence(notice.message(self.model()).text(self.language), false),
-            hint: sentence(notice.hint().text(self.language), false),
+            message: sentence(notice.message(self.model()).text(self.basis.language()), false),
+            hint: sentence(notice.hint().text(self.basis.language()), false),
         })
     }
 }

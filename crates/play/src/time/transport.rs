@@ -1,7 +1,7 @@
 //! The clock and the transport: play, pause, step, scrub.
 
 use crate::time::course::Outcome;
-use crate::{Announcement, Play, number};
+use crate::{Announcement, Changes, Play, number};
 use engine::Setup;
 
 /// Status of the run.
@@ -62,7 +62,7 @@ impl Play {
         self.course.go_on();
         self.playing = !self.full && self.course.history().is_some();
         self.slippage = 0.0;
-        self.revision.transport += 1;
+        self.note(Changes::TRANSPORT);
         self.announce(if self.playing {
             Announcement::Playing
         } else if self.full {
@@ -157,7 +157,7 @@ impl Play {
     /// Text of a playback speed, a multiple of the document's speed: `2 ×` in real time, otherwise with its unit,
     /// `2 d/s`.
     pub fn speed_text(&self, speed: f64) -> String {
-        self.pace.text(speed, self.style)
+        self.pace.text(speed, self.basis.style())
     }
 
     /// Sets the playback speed to the nearest of [`SPEEDS`].
@@ -166,7 +166,7 @@ impl Play {
         let nearest = SPEEDS.into_iter().min_by(|one, other| distance(one).total_cmp(&distance(other)));
         if let Some(nearest) = nearest.filter(|&nearest| nearest != self.speed && speed.is_finite()) {
             self.speed = nearest;
-            self.revision.transport += 1;
+            self.note(Changes::TRANSPORT);
             self.announce(Announcement::Speed(nearest));
         }
     }
@@ -183,7 +183,7 @@ impl Play {
             Status::Failed
         } else if self.full {
             Status::Full
-        } else if self.program.until.is_some_and(|end| is_at(self.course.time(), end)) {
+        } else if self.basis.program().until.is_some_and(|end| is_at(self.course.time(), end)) {
             Status::Ended
         } else {
             Status::Paused
@@ -192,7 +192,7 @@ impl Play {
 
     /// End of the run set by the document (SI), if it is still ahead.
     fn end_ahead(&self) -> Option<f64> {
-        self.program.until.filter(|end| *end > self.course.time())
+        self.basis.program().until.filter(|end| *end > self.course.time())
     }
 
     /// True while the run is playing.
@@ -218,7 +218,8 @@ impl Play {
         while horizon < self.end() {
             horizon *= 2.0;
         }
-        self.program
+        self.basis
+            .program()
             .until
             .filter(|end| *end >= self.end() || is_at(self.end(), *end))
             .map_or(horizon, |end| horizon.min(end))
@@ -227,7 +228,7 @@ impl Play {
     /// Initial length of plots against the independent variable (SI).
     pub(crate) fn first_part(&self) -> f64 {
         let first = self.step() * STEPS_AT_FIRST;
-        self.program.until.map_or(first, |end| first.min(end))
+        self.basis.program().until.map_or(first, |end| first.min(end))
     }
 
     /// True if a time before [`Play::end`] is shown.
@@ -253,10 +254,10 @@ impl Play {
     /// Format with a prefixed unit for times that would need more than six decimals or are all below a tenth of their
     /// unit; `None` if the unit fits.
     pub(crate) fn small_times(&self) -> Option<number::Group> {
-        let longest = self.program.until.unwrap_or_else(|| self.horizon());
+        let longest = self.basis.program().until.unwrap_or_else(|| self.horizon());
         let unit = &self.model().independent.unit;
         let is_small = self.step_decimals() > 6 || unit.from_si(longest) < 0.1;
-        is_small.then(|| number::Group::of_scale(unit, longest, 4, self.style))
+        is_small.then(|| number::Group::of_scale(unit, longest, 4, self.basis.style()))
     }
 
     /// Number of decimals of a time: that of the step, from two to six.
@@ -271,10 +272,10 @@ impl Play {
 
     pub(crate) fn time_number(&self, time: f64) -> String {
         if self.model().independent.counts {
-            return number::fixed(time.floor(), 0, self.style);
+            return number::fixed(time.floor(), 0, self.basis.style());
         }
         let unit = &self.model().independent.unit;
-        number::fixed(unit.from_si(time), self.time_decimals(), self.style)
+        number::fixed(unit.from_si(time), self.time_decimals(), self.basis.style())
     }
 
     /// Delay of the run behind the clock, in seconds of wall time, since it was last started or reset. It arises
@@ -286,15 +287,15 @@ impl Play {
     pub(crate) fn stop(&mut self) {
         if self.playing {
             self.playing = false;
-            self.revision.transport += 1;
+            self.note(Changes::TRANSPORT);
         }
     }
 
     fn show(&mut self, time: f64) {
         self.follow();
         self.course.show(time);
-        self.revision.parameters += 1;
-        self.revision.transport += 1;
+        self.note(Changes::PARAMETERS);
+        self.note(Changes::TRANSPORT);
         self.frame_changed();
     }
 
@@ -308,8 +309,8 @@ impl Play {
         self.traces.truncate(self.course.rows());
         self.note_rewritten(self.course.front());
         self.full = false;
-        self.revision.parameters += 1;
-        self.revision.transport += 1;
+        self.note(Changes::PARAMETERS);
+        self.note(Changes::TRANSPORT);
         self.frame_changed();
     }
 
@@ -336,12 +337,12 @@ impl Play {
             }
             Outcome::Failed => {
                 self.stop();
-                self.revision.transport += 1;
+                self.note(Changes::TRANSPORT);
                 self.announce(Announcement::Failed);
             }
         }
         if self.status() != before {
-            self.revision.transport += 1;
+            self.note(Changes::TRANSPORT);
         }
         self.frame_changed();
     }

@@ -35,9 +35,6 @@ pub struct Readout {
 /// Significant digits of a changing value.
 pub(crate) const MOVING_DIGITS: usize = 4;
 
-/// Maximum digits of a count; beyond these it is not exact in double precision.
-const COUNT_DIGITS: usize = 15;
-
 /// One value of a line, before formatting.
 struct Part<'a> {
     value: f64,
@@ -66,7 +63,7 @@ impl Play {
     }
 
     fn time_readout(&self) -> Readout {
-        let independent = &self.program.model.independent;
+        let independent = &self.basis.model().independent;
         let (value, unit) = match self.small_times() {
             Some(group) => (group.number(self.course.time()), group.unit_text()),
             None => (self.time_number(self.course.time()), number::unit_text(&independent.unit.text)),
@@ -90,8 +87,8 @@ impl Play {
         let first = parts.first()?;
         let hidden = parts.iter().any(|part| part.hidden);
         let (value, unit) = match (first.word, parts.as_slice()) {
-            _ if hidden => (words::hidden(self.language).to_owned(), String::new()),
-            (Some(word), _) => (self.word_value(word, first.value), number::unit_text(&first.unit.text)),
+            _ if hidden => (words::hidden(self.basis.language()).to_owned(), String::new()),
+            (Some(word), _) => (self.basis.word_value(word, first.value), number::unit_text(&first.unit.text)),
             (None, [one]) if !member.is_vector && one.varies => self.moving(one.value, one.scale, one.node, one.unit),
             (None, [one]) if !member.is_vector => self.constant(one.value, one.node, one.unit),
             _ => self.vector(&parts, first.unit),
@@ -117,7 +114,7 @@ impl Play {
 
     /// A value with the data needed to format it.
     fn part(&self, kind: ReadoutKind, values: &[f64]) -> Option<Part<'_>> {
-        let model = &self.program.model;
+        let model = self.basis.model();
         Some(match kind {
             ReadoutKind::Independent => return None,
             ReadoutKind::State(index) => {
@@ -160,13 +157,13 @@ impl Play {
 
     /// Label of a line in the chosen language; for a vector, the words common to the labels of its components.
     fn line_label(&self, parts: &[ReadoutKind], is_vector: bool) -> Option<String> {
-        let model = &self.program.model;
+        let model = self.basis.model();
         let label = |kind: &ReadoutKind| match *kind {
             ReadoutKind::Independent => None,
             ReadoutKind::State(index) => model.states.get(index)?.label.as_deref(),
             ReadoutKind::Quantity(index) => model.quantities.get(index)?.label.as_deref(),
         };
-        let mut labels = parts.iter().filter_map(label).map(|label| self.text(label));
+        let mut labels = parts.iter().filter_map(label).map(|label| self.basis.text(label));
         let first = labels.next()?;
         let second = labels.next().filter(|_| is_vector);
         Some(second.map_or_else(|| first.to_owned(), |second| common_words(first, second)))
@@ -174,15 +171,15 @@ impl Play {
 
     /// Formats the components of a vector in one unit with equal decimals: (text, unit).
     fn vector(&self, parts: &[Part], unit: &Unit) -> (String, String) {
-        let style = self.style;
+        let style = self.basis.style();
         let greatest =
             |size: fn(&Part) -> f64| parts.iter().map(size).filter(|size| size.is_finite()).fold(0.0_f64, f64::max);
         let written = |write: &dyn Fn(f64) -> String| {
             let components: Vec<String> = parts.iter().map(|part| write(part.value)).collect();
             format!("({})", components.join(if style.decimal_comma { "; " } else { ", " }))
         };
-        if parts.iter().all(|part| part.node.is_some_and(|node| self.is_count(node, unit))) {
-            return (written(&|value| self.count(value)), number::unit_text(&unit.text));
+        if parts.iter().all(|part| part.node.is_some_and(|node| self.basis.is_count(node, unit))) {
+            return (written(&|value| self.basis.count(value)), number::unit_text(&unit.text));
         }
         if parts.iter().any(|part| part.varies) {
             let group = Group::of_scale(unit, greatest(|part| part.scale.max(part.value.abs())), MOVING_DIGITS, style);
@@ -195,18 +192,18 @@ impl Play {
 
     /// Readouts that show whether each dry friction sticks or slips.
     fn friction_readouts(&self) -> impl Iterator<Item = Readout> {
-        let states = self.program.model.states.iter().zip(self.course.state()).enumerate();
+        let states = self.basis.model().states.iter().zip(self.course.state()).enumerate();
         let frictions = states.filter(|(_, (state, _))| state.role == Role::Friction);
         let several = frictions.clone().nth(1).is_some();
         frictions.map(move |(index, (state, &motion))| {
-            let label = words::dry_friction(self.language);
+            let label = words::dry_friction(self.basis.language());
             Readout {
                 kind: ReadoutKind::State(index),
                 name: state.name(),
                 label: if several { format!("{label}: {}", state.name()) } else { label.to_owned() },
                 symbol: String::new(),
                 members: None,
-                value: words::sticks(self.language, motion == 0.0).to_owned(),
+                value: words::sticks(self.basis.language(), motion == 0.0).to_owned(),
                 unit: String::new(),
                 varies: true,
                 hidden: false,
@@ -217,20 +214,20 @@ impl Play {
     /// Number and unit of a changing value; `scale` is its greatest magnitude in this run, both SI. A value negligible
     /// relative to the scale is shown as zero.
     fn moving(&self, value: f64, scale: f64, node: Option<NodeId>, unit: &Unit) -> (String, String) {
-        if node.is_some_and(|node| self.is_count(node, unit)) {
-            return (self.count(value), number::unit_text(&unit.text));
+        if node.is_some_and(|node| self.basis.is_count(node, unit)) {
+            return (self.basis.count(value), number::unit_text(&unit.text));
         }
-        let group = Group::of_scale(unit, scale.max(value.abs()), MOVING_DIGITS, self.style);
+        let group = Group::of_scale(unit, scale.max(value.abs()), MOVING_DIGITS, self.basis.style());
         (group.number(value), group.unit_text())
     }
 
     /// Number and unit of a constant value (SI).
     fn constant(&self, value: f64, node: Option<NodeId>, unit: &Unit) -> (String, String) {
-        if node.is_some_and(|node| self.is_count(node, unit)) {
-            return (self.count(value), number::unit_text(&unit.text));
+        if node.is_some_and(|node| self.basis.is_count(node, unit)) {
+            return (self.basis.count(value), number::unit_text(&unit.text));
         }
         let unit = unit.for_size(unit.from_si(value).abs());
-        (number::plain(unit.from_si(value), MOVING_DIGITS, self.style), number::unit_text(&unit.text))
+        (number::plain(unit.from_si(value), MOVING_DIGITS, self.basis.style()), number::unit_text(&unit.text))
     }
 
     /// Pitch in hertz of the first state while the run is playing or a part is dragged: 440 Hz at 0, one octave up or
@@ -245,36 +242,13 @@ impl Play {
         let course = &self.course;
         let values =
             self.evaluators.quantities.at(course.parameters(), course.initial(), course.time(), course.state());
-        let states = self.program.model.states.len();
+        let states = self.basis.model().states.len();
         for (scale, value) in self.scales.iter_mut().skip(states).zip(values) {
             if value.is_finite() {
                 *scale = scale.max(value.abs());
             }
         }
         values.to_vec()
-    }
-
-    /// True if a value is an integer and displayed as such.
-    pub(crate) fn is_count(&self, node: NodeId, unit: &Unit) -> bool {
-        unit.text.is_empty() && self.whole.get(node.0 as usize).is_some_and(|whole| *whole)
-    }
-
-    /// An integer with all its digits.
-    pub(crate) fn count(&self, value: f64) -> String {
-        number::plain(value, COUNT_DIGITS, self.style)
-    }
-
-    /// A text or truth value in the chosen language.
-    pub(super) fn word_value(&self, compiled: &Compiled, value: f64) -> String {
-        if !value.is_finite() {
-            return number::DASH.to_owned();
-        }
-        match compiled.kind {
-            Kind::Text => {
-                self.model().texts.get(value as usize).map_or(number::DASH, |text| self.text(text)).to_owned()
-            }
-            _ => words::truth(self.language, value != 0.0).to_owned(),
-        }
     }
 }
 

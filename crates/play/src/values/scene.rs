@@ -31,7 +31,7 @@ impl Play {
     pub fn scene_trail(&mut self, number: usize, path: &mut String) {
         path.clear();
         self.scene_values();
-        let Some(trail) = self.program.scene(&self.tag).and_then(|scene| scene.trails.get(number)) else { return };
+        let Some(trail) = self.basis.scene().and_then(|scene| scene.trails.get(number)) else { return };
         let value = |index: usize| self.evaluators.scene_values.get(index).copied().unwrap_or(f64::NAN);
         let (last, every) = (trail.last.map(value), trail.every.map(value));
         let from = last.map_or(0.0, |last| (self.course.time() - last).max(0.0));
@@ -47,22 +47,22 @@ impl Play {
         let Some(&value) = self.scene_values().get(index) else {
             return String::new();
         };
-        let scene = self.program.scene(&self.tag);
+        let scene = self.basis.scene();
         let Some(shown) = scene.and_then(|scene| scene.values.get(index)) else {
             return String::new();
         };
         if shown.kind != Kind::Number {
-            return self.word_value(shown, value);
+            return self.basis.word_value(shown, value);
         }
         match decimals {
             Some(decimals) => {
-                let number = number::fixed(shown.unit.from_si(value), usize::from(decimals), self.style);
+                let number = number::fixed(shown.unit.from_si(value), usize::from(decimals), self.basis.style());
                 number::with_unit(&number, &shown.unit)
             }
-            None if self.is_count(shown.node, &shown.unit) => self.count(value),
+            None if self.basis.is_count(shown.node, &shown.unit) => self.basis.count(value),
             None => {
                 let scale = self.evaluators.scene_scales.get(index).copied().unwrap_or_default();
-                Group::of_scale(&shown.unit, scale, MOVING_DIGITS, self.style).quantity(value)
+                Group::of_scale(&shown.unit, scale, MOVING_DIGITS, self.basis.style()).quantity(value)
             }
         }
     }

@@ -50,12 +50,12 @@ impl Play {
         let layouts = self.column_layouts(&table);
         let rows = rows.start..rows.end.min(self.course.rows());
         let text = |(cell, column): (&Cell, &ColumnLayout)| match (cell, column) {
-            (_, ColumnLayout::Hidden) => words::hidden(self.language).to_owned(),
+            (_, ColumnLayout::Hidden) => words::hidden(self.basis.language()).to_owned(),
             (Cell::Number(value), ColumnLayout::Number(layout)) => {
-                let text = layout.number(*value, self.style);
+                let text = layout.number(*value, self.basis.style());
                 // A small number beside the greatest one must not appear as 0.
                 let is_lost = *value != 0.0 && !text.contains(|digit: char| ('1'..='9').contains(&digit));
-                if is_lost { number::plain(*value, SMALL_DIGITS, self.style) } else { text }
+                if is_lost { number::plain(*value, SMALL_DIGITS, self.basis.style()) } else { text }
             }
             _ => self.cell_text(cell),
         };
@@ -78,7 +78,7 @@ impl Play {
             let scale = self.scales.get(place).copied().unwrap_or_default();
             if place.checked_sub(model.states.len()).is_some_and(|quantity| self.is_hidden(quantity)) {
                 ColumnLayout::Hidden
-            } else if node.is_some_and(|node| self.is_count(node, &column.unit)) {
+            } else if node.is_some_and(|node| self.basis.is_count(node, &column.unit)) {
                 ColumnLayout::Count
             } else {
                 ColumnLayout::Number(Layout::of_scale(column.unit.from_si(scale), DIGITS))
@@ -97,7 +97,7 @@ impl Play {
     pub fn csv(&self) -> String {
         let mut out = String::new();
         let mut table = Table::new(self.model());
-        let dialect = if self.style.decimal_comma { Dialect::Semicolons } else { Dialect::Lines };
+        let dialect = if self.basis.style().decimal_comma { Dialect::Semicolons } else { Dialect::Lines };
         // Writing to a string cannot fail.
         let _ = table.write_head(dialect, &mut out);
         if let Some(history) = self.course.history() {
@@ -121,9 +121,9 @@ impl Play {
 
     fn cell_text(&self, cell: &Cell) -> String {
         match cell {
-            Cell::Number(value) => number::plain(*value, DIGITS, self.style),
-            Cell::Truth(value) => words::truth(self.language, *value).to_owned(),
-            Cell::Text(text) => self.text(text).to_owned(),
+            Cell::Number(value) => number::plain(*value, DIGITS, self.basis.style()),
+            Cell::Truth(value) => words::truth(self.basis.language(), *value).to_owned(),
+            Cell::Text(text) => self.basis.text(text).to_owned(),
         }
     }
 }

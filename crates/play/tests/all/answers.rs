@@ -174,7 +174,7 @@ fn fields_take_arithmetic_and_tell_frequencies_apart() {
     }
     let index = crate::support::parameter(&play, "w");
     let refusal = play.set_parameter_text(index, "1.4 Hz").unwrap_err();
-    assert_eq!(play.refusal_text(&refusal), "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s.");
+    assert_eq!(play.basis().refusal_text(&refusal), "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s.");
 }
 
 #[test]

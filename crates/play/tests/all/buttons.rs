@@ -239,7 +239,7 @@ fn a_run_has_room_for_so_many_presses() {
 fn titles_are_translated() {
     let mut play = open(KICKED, &[KICKED_ES]);
     play.set_language("es");
-    let titles: Vec<String> = play.buttons().into_iter().map(|button| button.title).collect();
+    let titles: Vec<String> = play.basis().buttons().into_iter().map(|button| button.title).collect();
     assert_eq!(titles, ["Patada", "Parar"]);
     play.press(0).unwrap();
     play.press(1).unwrap();

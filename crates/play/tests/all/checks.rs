@@ -21,9 +21,9 @@ fn claims_are_judged_on_demand_and_in_slices() {
     let before = bits(&play);
     play.begin_checks();
     assert!(play.is_checking());
-    let revision = play.revision().checks;
+    let revision = play.revision().claims;
     while play.advance_checks() {}
-    assert!(!play.is_checking() && play.revision().checks > revision);
+    assert!(!play.is_checking() && play.revision().claims > revision);
     let found: Vec<_> = claims(&play).into_iter().map(|claim| claim.holds).collect();
     assert_eq!(found, [Some(true), Some(false)]);
     assert_eq!(bits(&play), before, "the visitor's run stays");

@@ -8,7 +8,7 @@ fn refused(play: &mut Play, name: &str, text: &str) -> String {
     let before = play.parameter_values().to_vec();
     let refusal = play.set_parameter_text(index, text).expect_err("this is to be refused");
     assert_eq!(play.parameter_values(), before);
-    play.refusal_text(&refusal)
+    play.basis().refusal_text(&refusal)
 }
 
 #[test]
@@ -135,7 +135,7 @@ fn presets_are_computed_one_after_the_other() {
     // A value out of the range is refused, and nothing is set.
     let before = play.parameter_values().to_vec();
     let refusal = play.apply_preset(5).unwrap_err();
-    assert_eq!(play.refusal_text(&refusal), "Damping: at most 20000 kg/s.");
+    assert_eq!(play.basis().refusal_text(&refusal), "Damping: at most 20000 kg/s.");
     assert_eq!(play.parameter_values(), before);
     assert!(play.apply_preset(99).is_err());
     play.set_language("es");
@@ -189,8 +189,8 @@ fn verlet_is_refused_for_an_equation_of_first_order() {
     let source = "---\ntitle: Decay\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1\n```\n";
     let mut play = crate::support::open(source, &[]);
     let refusal = play.set_method("velocity-verlet").unwrap_err();
-    assert_eq!(play.refusal_text(&refusal), "velocity Verlet is for equations of second order only.");
-    assert!(play.methods().iter().any(|method| method.refused == play.refusal_text(&refusal)));
+    assert_eq!(play.basis().refusal_text(&refusal), "velocity Verlet is for equations of second order only.");
+    assert!(play.methods().iter().any(|method| method.refused == play.basis().refusal_text(&refusal)));
     go_on(&mut play, [1.0]);
     assert!((state(&play)[0] - libm::exp(-1.0)).abs() < 1e-6);
 }

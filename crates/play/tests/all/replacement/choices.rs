@@ -131,7 +131,7 @@ fn a_language_stays_and_names_what_is_lost() {
     play.set_language("es");
     let narrower = UTUBE.replace("in 0..20000", "in 0..100");
     play.replace_program(open(&narrower, &[UTUBE_ES]).program().clone());
-    assert_eq!((play.tag(), play.plots()[0].title.as_str()), ("es", "Movimiento"));
+    assert_eq!((play.basis().tag(), play.plots()[0].title.as_str()), ("es", "Movimiento"));
     assert_eq!(dropped(&mut play), ["b = 200 kg/s"]);
     let text = play.announcement_text(&Announcement::Replaced(vec!["b = 200 kg/s".to_owned()]));
     assert_eq!(text, "El documento cambiado está en marcha; se omitió lo que no encaja: b = 200 kg/s");

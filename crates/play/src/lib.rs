@@ -3,12 +3,13 @@
 //!
 //! | folder | contents |
 //! |---|---|
+//! | `basis` | the program in the language of the visitor, parsing of typed values |
 //! | `time` | the run, its time line and clock |
-//! | `controls` | parameters, presets, buttons, states, dragging, method and step, parsing of typed values |
+//! | `controls` | parameters, presets, buttons, states, dragging, method and step |
 //! | `plots` | figures of the run and of kept runs, points and plots added by other crates |
 //! | `values` | readouts, values of the scene, table of rows |
 //! | `questions` | answers and their grades |
-//! | `checks.rs` | claims of the author and their results |
+//! | `claims` | claims of the author and their results |
 //! | `replacement` | replacing the program while it runs |
 //! | `share` | the state as a link |
 //!
@@ -18,9 +19,8 @@
 mod announcement;
 mod basis;
 mod changes;
-mod checks;
+mod claims;
 mod controls;
-mod deviation;
 mod name;
 mod play;
 mod plots;
@@ -43,18 +43,17 @@ pub use announcement::{Announcement, Prominence};
 pub use basis::Basis;
 pub use basis::input::DIGITS;
 pub use changes::{Changes, Revision};
-pub use checks::{ClaimView, ClaimsView};
+pub use claims::{ClaimView, Claims, ClaimsView, Deviation, deviation, deviation_svg};
 pub use controls::{
     ButtonView, ChoiceView, DrawingView, MethodView, ParameterGroup, ParameterView, PresetGroup, PresetView, SizeView,
     Slider, StateView,
 };
-pub use deviation::Deviation;
 pub use name::name_of;
 pub use play::Play;
 pub use plots::{
     AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, PlotId, PlotView, Points, points_colour,
 };
-pub use questions::{Answer, AnswerView, Grade, Verdict};
+pub use questions::{Answer, AnswerView, Answers, Grade, Verdict};
 pub use refusal::Refusal;
 pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};
 pub use time::{Course, LONGEST_GAP, Problem, SPEEDS, Status, WORK_PER_TICK};

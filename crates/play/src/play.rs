@@ -11,8 +11,7 @@ use crate::removed::Undo;
 use crate::time::course::Course;
 use crate::values::trails::Trails;
 use crate::values::{Lines, Outline};
-use crate::{Basis, Changes, Revision};
-use engine::checks::Checking;
+use crate::{Answers, Basis, Changes, Claims, Refusal, Revision, Verdict};
 use engine::{Readings, Setup};
 use program::{Model, NodeId, Program, Speed};
 use units::Language;
@@ -48,14 +47,8 @@ pub struct Play {
     pub(crate) outline: Option<Outline>,
     pub(crate) evaluators: Evaluators,
     pub(crate) lines: Lines,
-    /// One per question; empty until something has been answered.
-    pub(crate) answers: Vec<Answer>,
-    /// For each question, true if it has been answered or its answer shown.
-    pub(crate) solved: Vec<bool>,
-    /// True if values hidden by questions are shown anyway.
-    pub(crate) shows_hidden: bool,
-    /// Progress and results of the author's claims; `None` until requested.
-    pub(crate) checking: Option<Checking>,
+    pub(crate) answers: Answers,
+    pub(crate) claims: Claims,
     pub(crate) undo: Undo,
     /// Greatest magnitude in this run, one value per state (SI), then one per quantity.
     pub(crate) scales: Vec<f64>,
@@ -76,9 +69,6 @@ pub(crate) struct Evaluators {
     pub initial: Readings,
     /// All assignments of all presets.
     pub presets: Readings,
-    /// All assignments assumed by questions.
-    pub setups: Readings,
-    pub answers: Readings,
 }
 
 impl Play {
@@ -89,7 +79,6 @@ impl Play {
         let defaults = Setup::of(&program);
         let course = Course::start(model, defaults.clone(), columns.bytes_per_row());
         let tag = program.language.clone();
-        let solved = vec![false; program.questions.len()];
         let mut play = Self {
             revision: Revision::default(),
             announcements: Announcements::default(),
@@ -100,6 +89,7 @@ impl Play {
             rewritten: None,
             outline: None,
             pace: program.pace(),
+            answers: Answers::new(&program),
             basis: Basis::new(program),
             course,
             rows_seen: 0,
@@ -113,11 +103,8 @@ impl Play {
             present: Vec::new(),
             ghost: None,
             kept: Vec::new(),
-            answers: Vec::new(),
             kept_issued: 0,
-            solved,
-            shows_hidden: false,
-            checking: None,
+            claims: Claims::default(),
             undo: Undo::default(),
         };
         play.label_plots();
@@ -201,6 +188,73 @@ impl Play {
 
     pub(crate) fn note_rewritten(&mut self, time: f64) {
         self.rewritten = Some(self.rewritten.map_or(time, |before| before.min(time)));
+    }
+
+    /// The user's answers to questions.
+    pub fn answers(&self) -> &Answers {
+        &self.answers
+    }
+
+    /// Stores the text in the field of a question as an unchecked answer.
+    pub fn type_answer(&mut self, question: usize, text: &str) {
+        let changes = self.answers.type_text(question, text);
+        self.note(changes);
+    }
+
+    /// Grades and stores an answer; see [`Answers::check`].
+    pub fn check_answer(&mut self, question: usize, text: &str) -> Verdict {
+        let (verdict, changes) = self.answers.check(&self.basis, &self.course, question, text);
+        self.note(changes);
+        verdict
+    }
+
+    /// Right answer with its unit, as [`Answers::right_text`]. Marks the question as solved.
+    pub fn reveal_answer(&mut self, question: usize) -> String {
+        let changes = self.answers.reveal(question);
+        self.note(changes);
+        self.answers.right_text(&self.basis, &self.course, question)
+    }
+
+    /// Restores the answer to the question with this name. Returns false if there is no such question.
+    pub fn restore_answer(&mut self, name: &str, saved: &Answer) -> bool {
+        let restored = self.answers.restore(&self.basis, name, saved);
+        self.note(restored.unwrap_or_default());
+        restored.is_some()
+    }
+
+    /// Sets the parameters that a question assumes.
+    pub fn apply_question_setup(&mut self, question: usize) -> Result<(), Refusal> {
+        let parameters = self.answers.supposed(&self.basis, &self.course, question);
+        let unknown = || Refusal::Unknown { name: question.to_string() };
+        let asked = self.program().questions.get(question).ok_or_else(unknown)?;
+        let parameters = self.basis.admit_assignments(&asked.setup, parameters)?;
+        self.overwrite_parameters(parameters);
+        self.announce(Announcement::QuestionSetup(question));
+        Ok(())
+    }
+
+    /// Shows the values that questions hide, or hides them again; see [`Answers::show_hidden`].
+    pub fn show_hidden(&mut self, show: bool) {
+        let changes = self.answers.show_hidden(show);
+        self.note(changes);
+    }
+
+    /// The author's claims.
+    pub fn claims(&self) -> &Claims {
+        &self.claims
+    }
+
+    /// Starts judging the author's claims.
+    pub fn begin_claims(&mut self) {
+        let changes = self.claims.begin();
+        self.note(changes);
+    }
+
+    /// Judges claims for part of one frame. Returns true if claims remain.
+    pub fn advance_claims(&mut self) -> bool {
+        let (remain, changes) = self.claims.advance(&self.basis);
+        self.note(changes);
+        remain
     }
 
     /// Removes and returns the oldest announcement.
@@ -306,7 +360,6 @@ impl Evaluators {
         let model = &program.model;
         let reading = |nodes: Vec<NodeId>| Readings::new(model, &nodes);
         let presets = program.presets.iter().flat_map(|preset| &preset.values);
-        let setups = program.questions.iter().flat_map(|question| &question.setup);
         Self {
             quantities: reading(model.quantities.iter().map(|quantity| quantity.value.node).collect()),
             scene: Self::scene(program, language),
@@ -316,8 +369,6 @@ impl Evaluators {
             scene_frame: None,
             initial: reading(model.states.iter().map(|state| state.initial).collect()),
             presets: reading(presets.map(|assignment| assignment.value.node).collect()),
-            setups: reading(setups.map(|assignment| assignment.value.node).collect()),
-            answers: reading(program.questions.iter().map(|question| question.answer.node).collect()),
         }
     }
 

@@ -146,7 +146,7 @@ pub struct Changes {
     /// Visibility and zoom of plots; content added to plots and scene.
     pub plots: Signal<u64>,
     /// Results of the author's claims.
-    pub checks: Signal<u64>,
+    pub claims: Signal<u64>,
     /// Time shown. Raised in every frame in which it has changed, for values that must stay in step with the curves.
     pub frame: Signal<u64>,
     /// Time shown and rows recorded. Raised at most ten times a second while the run is playing.
@@ -216,7 +216,7 @@ impl App {
                 transport: counter(),
                 runs: counter(),
                 plots: counter(),
-                checks: counter(),
+                claims: counter(),
                 frame: counter(),
                 values: counter(),
             },
@@ -322,7 +322,7 @@ impl App {
             (before.transport != now.transport, changes.transport),
             (before.runs != now.runs, changes.runs),
             (before.plots != now.plots, changes.plots),
-            (before.claims != now.claims, changes.checks),
+            (before.claims != now.claims, changes.claims),
             (moved, changes.frame),
             ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
         ];

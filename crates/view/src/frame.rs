@@ -94,7 +94,7 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> 
         nodes.shown = now;
     }
     // Canvases first: after a change of the page, setting the font of a canvas makes the browser recompute all styles.
-    let mut unfinished = play.advance_checks();
+    let mut unfinished = play.advance_claims();
     for (place, plot) in nodes.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
             unfinished |= plot.draw(PlotId::at(place), play, part, &nodes.colours, nodes.font_size);

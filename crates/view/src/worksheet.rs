@@ -107,8 +107,8 @@ fn question(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
     let asked = app.read(|play| Some(play.program().question_text(language, index).clone())).unwrap_or_default();
-    let unit = app.read(|play| play.question_unit(index));
-    let supposed = app.read(|play| play.question_setup(index)).map(|(values, _)| {
+    let unit = app.read(|play| play.basis().question_unit(index));
+    let supposed = app.read(|play| play.answers().setup(play.basis(), play.course(), index)).map(|(values, _)| {
         p().class("supposed").child(words.supposes).child(" ").child(crate::question::supposed(values))
     });
     section()

@@ -264,7 +264,10 @@ fn answers_are_judged() {
         desk.play_mut().check_answer(0, "3.76 m").text,
         "m measures something else; a unit such as s is needed."
     );
-    assert_eq!((desk.play_mut().reveal_answer(0).as_str(), desk.play().question_unit(0).as_str()), ("3.758 s", "s"));
+    assert_eq!(
+        (desk.play_mut().reveal_answer(0).as_str(), desk.play().basis().question_unit(0).as_str()),
+        ("3.758 s", "s")
+    );
     set(&mut desk, "b", 5000.0);
     assert_eq!(desk.play_mut().check_answer(0, "3.76").grade, Grade::Unanswerable);
     assert_eq!(desk.play_mut().reveal_answer(0), "–");
@@ -274,14 +277,17 @@ fn answers_are_judged() {
 #[test]
 fn a_question_may_suppose_other_parameters() {
     let mut desk = utube();
-    assert_eq!(desk.play_mut().question_setup(0), None);
+    assert_eq!(desk.play().answers().setup(desk.play().basis(), desk.play().course(), 0), None);
     let supposed = [("b", "0 kg/s"), ("h_l", "4 m")].map(|(name, value)| (name.to_owned(), value.to_owned())).to_vec();
-    assert_eq!(desk.play_mut().question_setup(1), Some((supposed, false)));
+    assert_eq!(desk.play().answers().setup(desk.play().basis(), desk.play().course(), 1), Some((supposed, false)));
     assert_eq!(desk.play_mut().check_answer(1, "1").grade, Grade::Correct);
     assert_eq!(desk.play_mut().reveal_answer(1), "1 m");
     desk.play_mut().apply_question_setup(1).unwrap();
     assert_eq!(crate::support::state(&desk), [1.0, 0.0]);
-    assert_eq!(desk.play_mut().question_setup(1).map(|(_, set)| set), Some(true));
+    assert_eq!(
+        desk.play().answers().setup(desk.play().basis(), desk.play().course(), 1).map(|(_, set)| set),
+        Some(true)
+    );
     assert!(desk.play_mut().apply_question_setup(9).is_err());
 }
 

@@ -128,6 +128,7 @@ impl Play {
         }
         self.columns = Columns::new(self.basis.model(), &self.basis.program().plots);
         self.evaluators = Evaluators::new(self.basis.program(), self.basis.tag());
+        self.answers.model_changed(self.basis.program());
         for (own, new) in self.plots.iter_mut().zip(PlotState::of(self.basis.program(), &self.columns)) {
             own.content = new.content;
         }

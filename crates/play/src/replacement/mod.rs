@@ -29,6 +29,7 @@ use crate::share::restore::MOST_WORK;
 use crate::time::course::Course;
 use crate::time::recipe::Moments;
 use crate::{Announcement, Changes, Play, words};
+use answers::asks_the_same;
 use names::Names;
 use program::Program;
 
@@ -56,12 +57,13 @@ impl Play {
         self.announcements = std::mem::take(&mut before.announcements);
         self.number_removals_from(before.removals());
         self.speed = before.speed;
-        self.shows_hidden = before.shows_hidden;
         self.lines.choose_as(std::mem::take(&mut before.lines));
         self.adopt_plots(&mut before);
         self.set_language(before.basis.tag());
-        let mut lost = self.adopt_answers(&before, &names);
-        lost.splice(0..0, self.adopt_runs(&mut before, &names));
+        let mut lost = self.adopt_runs(&mut before, &names);
+        let same = |own, former| asks_the_same((&self.basis, own), (&before.basis, former), &names);
+        let answers = self.answers.adopt(&self.basis, (&before.answers, &before.basis), same);
+        lost.extend(answers.iter().map(|typed| words::answer(self.language(), typed)));
         lost
     }
 

@@ -54,7 +54,7 @@ impl Play {
             fields.push(format!("n={}", sizes.join(",")));
         }
         self.write_recipe(&recipe, &mut fields);
-        if self.shows_hidden {
+        if self.answers.shows_hidden() {
             fields.push("w".to_owned());
         }
         if self.speed != 1.0 {
@@ -83,7 +83,7 @@ impl Play {
     pub fn missing_in_link(&self) -> Vec<&'static str> {
         let pick = |english, spanish| self.basis.language().pick(english, spanish);
         [
-            (!self.saved_answers().is_empty(), pick("answers", "respuestas")),
+            (!self.answers.saved(&self.basis).is_empty(), pick("answers", "respuestas")),
             (
                 self.course.recipe().changes.len() > MOST_CHANGES,
                 pick("the run before the moment shown", "la serie anterior al momento mostrado"),

@@ -141,7 +141,7 @@ impl Play {
                     name: quantity.name.clone(),
                     label: quantity.label.as_deref(),
                     varies: quantity.varies,
-                    hidden: self.is_hidden(index),
+                    hidden: self.answers.hide(&self.basis, index),
                     word: Some(&quantity.value).filter(|value| value.kind != Kind::Number),
                 }
             }

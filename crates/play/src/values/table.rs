@@ -76,7 +76,7 @@ impl Play {
         let time = Layout::of_decimals(self.time_decimals().max(if off_grid { 4 } else { 0 }));
         let scaled = states.chain(others).zip(table.columns().iter().skip(1)).map(|((place, node), column)| {
             let scale = self.scales.get(place).copied().unwrap_or_default();
-            if place.checked_sub(model.states.len()).is_some_and(|quantity| self.is_hidden(quantity)) {
+            if place.checked_sub(model.states.len()).is_some_and(|quantity| self.answers.hide(&self.basis, quantity)) {
                 ColumnLayout::Hidden
             } else if node.is_some_and(|node| self.basis.is_count(node, &column.unit)) {
                 ColumnLayout::Count

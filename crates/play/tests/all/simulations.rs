@@ -85,7 +85,7 @@ fn every_question_has_an_answer_that_is_taken_in_both_languages() {
         assert!(questions >= 7);
         for question in 0..questions {
             let before = play.reveal_answer(question);
-            if play.question_setup(question).is_some() {
+            if play.answers().setup(play.basis(), play.course(), question).is_some() {
                 play.apply_question_setup(question).unwrap();
             }
             assert_eq!(play.reveal_answer(question), before, "the answer supposes what the question sets");

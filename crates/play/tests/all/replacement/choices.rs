@@ -5,6 +5,10 @@ use crate::support::{UTUBE, UTUBE_ES, go_on, open, set, utube};
 use play::figure::{Direction, Settings};
 use play::{Announcement, Grade, Play, PlotId};
 
+fn given(play: &Play, question: usize) -> play::AnswerView {
+    play.answers().answer(play.basis(), question)
+}
+
 #[test]
 fn a_method_and_a_step_that_were_chosen_stay_and_others_are_the_documents() {
     let step = ("step: 0.05 [s]", "step: 0.02 [s]");
@@ -110,19 +114,19 @@ fn answers_stay_with_their_questions_and_grades_with_the_right_answers() {
     ];
     play.replace_program(edited(&more));
     assert!(dropped(&mut play).is_empty());
-    assert_eq!(play.answer(0).typed, "");
-    let answer = play.answer(1);
+    assert_eq!(given(&play, 0).typed, "");
+    let answer = given(&play, 1);
     assert_eq!(
         (answer.typed.as_str(), answer.verdict.map(|verdict| verdict.grade)),
         ("2*pi/(1.672 1/s)", Some(Grade::Correct))
     );
-    assert_eq!(play.answer(2).typed, "1 m");
+    assert_eq!(given(&play, 2).typed, "1 m");
     // The expression of the right answer has changed.
     play.replace_program(edited(&[("2*pi/omega_d within", "2*pi/omega_0 within")]));
-    assert_eq!((play.answer(0).typed.as_str(), play.answer(0).verdict), ("2*pi/(1.672 1/s)", None));
+    assert_eq!((given(&play, 0).typed.as_str(), given(&play, 0).verdict), ("2*pi/(1.672 1/s)", None));
     play.replace_program(edited(&[("Measure the period.", "Measure the half-period.")]));
     assert_eq!(dropped(&mut play), ["the answer “2*pi/(1.672 1/s)”"]);
-    assert_eq!((play.answer(0).typed.as_str(), play.answer(1).typed.as_str()), ("", "1 m"));
+    assert_eq!((given(&play, 0).typed.as_str(), given(&play, 1).typed.as_str()), ("", "1 m"));
 }
 
 #[test]

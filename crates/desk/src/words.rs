@@ -220,7 +220,7 @@ impl Desk {
         let say = |english: &str, spanish: &str| self.play.language().pick(english, spanish).to_owned();
         let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
         match announcement {
-            Announcement::Play(announcement) => self.play.announcement_text(announcement),
+            Announcement::Play(announcement) => announcement.text(self.play.basis(), self.play.time_line()),
             Announcement::RecordAdded(name) => with("Record read: {}", "Registro leído: {}", name),
             Announcement::DerivativesMade(name) => {
                 with("Velocity and acceleration made: {}", "Velocidad y aceleración calculadas: {}", name)

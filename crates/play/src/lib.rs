@@ -30,6 +30,7 @@ mod removed;
 mod replacement;
 mod share;
 mod time;
+mod transport;
 mod undo;
 mod values;
 pub mod words;
@@ -50,11 +51,9 @@ pub use controls::{
 };
 pub use name::name_of;
 pub use play::Play;
-pub use plots::{
-    AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, PlotId, PlotView, Points, points_colour,
-};
+pub use plots::{AddedPlot, AddedSeries, Labels, LegendEntry, PlotId, PlotView, Points, points_colour};
 pub use questions::{Answer, AnswerView, Answers, Grade, Verdict};
 pub use refusal::Refusal;
 pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};
-pub use time::{Course, LONGEST_GAP, Problem, SPEEDS, Status, WORK_PER_TICK};
+pub use time::{Course, KeptView, LONGEST_GAP, MOST_KEPT, Problem, SPEEDS, Status, TimeLine, WORK_PER_TICK};
 pub use values::{Follows, Index, Members, Outline, Readout, ReadoutKind, symbol};

@@ -3,17 +3,15 @@
 use crate::announcement::{Announcement, Announcements};
 use crate::controls::hold::Holding;
 use crate::number::Style;
-use crate::plots::kept::{Ghost, Kept};
 use crate::plots::plot::{Content, PlotState};
-use crate::plots::traces::{Columns, Traces};
 use crate::questions::given::Answer;
 use crate::removed::Undo;
 use crate::time::course::Course;
 use crate::values::trails::Trails;
 use crate::values::{Lines, Outline};
-use crate::{Answers, Basis, Changes, Claims, Refusal, Revision, Verdict};
+use crate::{Answers, Basis, Changes, Claims, Refusal, Revision, TimeLine, Verdict};
 use engine::{Readings, Setup};
-use program::{Model, NodeId, Program, Speed};
+use program::{Model, NodeId, Program};
 use units::Language;
 
 /// One simulation operated by a visitor.
@@ -22,26 +20,8 @@ pub struct Play {
     pub(crate) basis: Basis,
     pub(crate) revision: Revision,
     pub(crate) announcements: Announcements,
-    pub(crate) course: Course,
-    /// Number of rows at the last frame.
-    rows_seen: usize,
-    /// Earliest time (SI) from which rows were discarded; see [`Play::take_rewritten`].
-    rewritten: Option<f64>,
-    pub(crate) playing: bool,
-    /// True if the run stopped because its memory limit was reached.
-    pub(crate) full: bool,
-    /// Playback speed of the document; `speed` is the chosen multiple of it.
-    pub(crate) pace: Speed,
-    pub(crate) speed: f64,
-    pub(crate) slippage: f64,
+    pub(crate) line: TimeLine,
     pub(crate) hold: Option<Holding>,
-    pub(crate) columns: Columns,
-    pub(crate) traces: Traces,
-    pub(crate) present: Vec<f64>,
-    pub(crate) ghost: Option<Ghost>,
-    pub(crate) kept: Vec<Kept>,
-    /// Number of ids issued to kept runs, so that none is used twice.
-    pub(crate) kept_issued: u32,
     pub(crate) plots: Vec<PlotState>,
     /// Outline drawn over the scene.
     pub(crate) outline: Option<Outline>,
@@ -50,8 +30,8 @@ pub struct Play {
     pub(crate) answers: Answers,
     pub(crate) claims: Claims,
     pub(crate) undo: Undo,
-    /// Greatest magnitude in this run, one value per state (SI), then one per quantity.
-    pub(crate) scales: Vec<f64>,
+    /// Greatest magnitude of each quantity in this run, SI.
+    pub(crate) quantity_scales: Vec<f64>,
 }
 
 /// Evaluators for the expressions of the document, by subject.
@@ -74,41 +54,26 @@ pub(crate) struct Evaluators {
 impl Play {
     /// Opens a simulation: the first row is shown and the run is paused at time 0.
     pub fn open(program: Program) -> Self {
-        let model = &program.model;
-        let columns = Columns::new(model, &program.plots);
-        let defaults = Setup::of(&program);
-        let course = Course::start(model, defaults.clone(), columns.bytes_per_row());
-        let tag = program.language.clone();
+        let basis = Basis::new(program);
+        let (program, line) = (basis.program(), TimeLine::new(&basis));
         let mut play = Self {
             revision: Revision::default(),
             announcements: Announcements::default(),
-            lines: Lines::of(model),
-            scales: vec![0.0; model.states.len() + model.quantities.len()],
-            evaluators: Evaluators::new(&program, &tag),
-            plots: PlotState::of(&program, &columns),
-            rewritten: None,
+            lines: Lines::of(&program.model),
+            quantity_scales: vec![0.0; program.model.quantities.len()],
+            evaluators: Evaluators::new(program, basis.tag()),
+            plots: PlotState::of(program, line.columns()),
             outline: None,
-            pace: program.pace(),
-            answers: Answers::new(&program),
-            basis: Basis::new(program),
-            course,
-            rows_seen: 0,
-            playing: false,
-            full: false,
-            speed: 1.0,
-            slippage: 0.0,
-            hold: None,
-            columns,
-            traces: Traces::default(),
-            present: Vec::new(),
-            ghost: None,
-            kept: Vec::new(),
-            kept_issued: 0,
+            answers: Answers::new(program),
             claims: Claims::default(),
+            hold: None,
             undo: Undo::default(),
+            line,
+            basis,
         };
         play.label_plots();
-        play.frame_changed();
+        let changes = play.line.begin();
+        play.note(changes);
         play
     }
 
@@ -159,35 +124,26 @@ impl Play {
         self.revision
     }
 
-    /// Parameters in force at the time shown, SI, in the order of the model.
-    pub fn parameter_values(&self) -> &[f64] {
-        self.course.parameters()
+    /// The run, its clock, and the runs drawn behind it.
+    pub fn time_line(&self) -> &TimeLine {
+        &self.line
     }
 
     /// The run: its rows, parameters and state.
     pub fn course(&self) -> &Course {
-        &self.course
+        self.line.course()
     }
 
     /// Writes the state (SI) at a recorded time (SI) into `out`, interpolated between rows. Returns the parameters (SI)
     /// in force then; `None` if the run could not start.
     pub fn state_at(&mut self, time: f64, out: &mut [f64]) -> Option<Vec<f64>> {
-        self.course.state_at(time, out)
-    }
-
-    /// Greatest magnitude of a state in this run, SI; 0 for an unknown index.
-    pub fn greatest(&self, state: usize) -> f64 {
-        self.scales.get(state).copied().unwrap_or_default()
+        self.line.course_between_rows().state_at(time, out)
     }
 
     /// Returns the earliest time (SI) from which rows were discarded since the last call: data read after it is
     /// invalid. `None` if no rows were discarded.
     pub fn take_rewritten(&mut self) -> Option<f64> {
-        self.rewritten.take()
-    }
-
-    pub(crate) fn note_rewritten(&mut self, time: f64) {
-        self.rewritten = Some(self.rewritten.map_or(time, |before| before.min(time)));
+        self.line.take_rewritten()
     }
 
     /// The user's answers to questions.
@@ -203,7 +159,7 @@ impl Play {
 
     /// Grades and stores an answer; see [`Answers::check`].
     pub fn check_answer(&mut self, question: usize, text: &str) -> Verdict {
-        let (verdict, changes) = self.answers.check(&self.basis, &self.course, question, text);
+        let (verdict, changes) = self.answers.check(&self.basis, self.line.course(), question, text);
         self.note(changes);
         verdict
     }
@@ -212,7 +168,7 @@ impl Play {
     pub fn reveal_answer(&mut self, question: usize) -> String {
         let changes = self.answers.reveal(question);
         self.note(changes);
-        self.answers.right_text(&self.basis, &self.course, question)
+        self.answers.right_text(&self.basis, self.line.course(), question)
     }
 
     /// Restores the answer to the question with this name. Returns false if there is no such question.
@@ -224,7 +180,7 @@ impl Play {
 
     /// Sets the parameters that a question assumes.
     pub fn apply_question_setup(&mut self, question: usize) -> Result<(), Refusal> {
-        let parameters = self.answers.supposed(&self.basis, &self.course, question);
+        let parameters = self.answers.supposed(&self.basis, self.line.course(), question);
         let unknown = || Refusal::Unknown { name: question.to_string() };
         let asked = self.program().questions.get(question).ok_or_else(unknown)?;
         let parameters = self.basis.admit_assignments(&asked.setup, parameters)?;
@@ -266,34 +222,19 @@ impl Play {
         self.announcements.push(announcement);
     }
 
-    /// Must be called whenever the time, state or parameters shown have changed.
-    pub(crate) fn frame_changed(&mut self) {
-        self.note(Changes::FRAME);
-        let rows = self.course.rows();
-        if rows != self.rows_seen {
-            self.rows_seen = rows;
-            self.note(Changes::ROWS);
-        }
-        self.columns.present(&self.course, &mut self.present);
-        for (scale, value) in self.scales.iter_mut().zip(self.course.state()) {
-            if value.is_finite() {
-                *scale = scale.max(value.abs());
-            }
-        }
-    }
-
     /// Updates the columns and the contents of the plots to the front of the run.
     pub(crate) fn follow(&mut self) {
-        self.traces.follow(&self.course, &mut self.columns, &self.present);
+        self.line.follow();
         for (index, plot) in self.plots.iter_mut().enumerate() {
             match &mut plot.content {
                 Content::Run => {}
-                Content::Section(section) => section.follow(&mut self.course),
-                Content::Swept(swept) => drop(swept.follow(&self.course)),
-                Content::Profile(profile, _) => profile.follow(&self.course),
+                Content::Section(section) => section.follow(self.line.course_between_rows()),
+                Content::Swept(swept) => drop(swept.follow(self.line.course())),
+                Content::Profile(profile, _) => profile.follow(self.line.course()),
                 Content::Histogram(histogram) => {
-                    let column = self.columns.plot(index).map_or(&[][..], |plot| self.traces.column(plot.x));
-                    histogram.follow(&self.course, column);
+                    let plot = self.line.columns().plot(index);
+                    let column = plot.map_or(&[][..], |plot| self.line.traces().column(plot.x));
+                    histogram.follow(self.line.course(), column);
                 }
             }
         }
@@ -304,48 +245,42 @@ impl Play {
     pub fn from_start(&self) -> Self {
         let mut play = Self::open(self.basis.program().clone());
         play.set_language(self.basis.tag());
-        let parameters = self.course.parameters().to_vec();
-        play.restart(Setup { parameters, ..self.course.begun().clone() });
+        play.restart(self.setup());
         play.clear_ghost();
         play
+    }
+
+    /// Settings of the present run, with the parameters shown.
+    pub(crate) fn setup(&self) -> Setup {
+        Setup { parameters: self.course().parameters().to_vec(), ..self.course().begun().clone() }
     }
 
     /// Starts another run. The present one becomes the ghost if it is long enough to be seen.
     pub(crate) fn restart(&mut self, mut setup: Setup) {
         // Presses belong to the former run.
         setup.presses.clear();
-        self.keep_ghost(0);
+        self.keep_ghost();
         self.adopt_drawings(&setup.drawings);
-        let overhead = self.columns.bytes_per_row();
-        let course = Course::start(self.basis.model(), setup, overhead);
-        self.replace_course(course);
+        let changes = self.line.start(self.basis.model(), setup);
+        self.run_replaced(changes);
     }
 
     /// Replaces the present run.
     pub(crate) fn replace_course(&mut self, course: Course) {
-        self.course = course;
-        self.traces = Traces::default();
+        let changes = self.line.replace(course);
+        self.run_replaced(changes);
+    }
+
+    fn run_replaced(&mut self, changes: Changes) {
         for plot in &mut self.plots {
             plot.forget_rows();
         }
-        self.note_rewritten(f64::NEG_INFINITY);
-        self.scales.iter_mut().for_each(|scale| *scale = 0.0);
-        // Starts from the initial state, so that the number of digits is the same whether the start was shown or a link
-        // opened a later moment directly.
-        for (scale, value) in self.scales.iter_mut().zip(self.course.initial()) {
-            *scale = if value.is_finite() { value.abs() } else { 0.0 };
-        }
+        self.quantity_scales.fill(0.0);
         self.evaluators.scene_scales.clear();
-        self.full = false;
-        self.slippage = 0.0;
-        self.note(Changes::ROWS);
-        self.note(Changes::PARAMETERS);
-        self.note(Changes::TRANSPORT);
-        if self.course.error().is_some() {
-            self.playing = false;
+        self.note(changes);
+        if self.course().error().is_some() {
             self.announce(Announcement::Failed);
         }
-        self.frame_changed();
     }
 
     /// Initial state (SI) for given parameters (SI).

@@ -1,6 +1,6 @@
 //! Storage of the last removal for undo.
 
-use crate::plots::kept::{Ghost, Kept};
+use crate::time::kept::{Ghost, Kept};
 use engine::Setup;
 
 /// Content of the last removal. A kept run comes with its position in the list.

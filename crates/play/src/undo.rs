@@ -1,7 +1,7 @@
 //! Undo: restores what was removed or overwritten last.
 
 use crate::removed::{Removed, Undo};
-use crate::{Announcement, Changes, Play};
+use crate::{Announcement, Play};
 
 impl Play {
     /// Number of the removal that [`Play::undo`] would restore; `None` if there is none.
@@ -16,13 +16,12 @@ impl Play {
         let Some(removed) = self.undo.take(number) else { return false };
         match removed {
             Removed::Run(place, kept) => {
-                let place = place.min(self.kept.len());
-                self.kept.insert(place, kept);
-                self.note(Changes::RUNS);
+                let changes = self.line.insert_kept(place, kept);
+                self.note(changes);
             }
             Removed::Ghost(ghost) => {
-                self.ghost = Some(ghost);
-                self.note(Changes::RUNS);
+                let changes = self.line.set_ghost(ghost);
+                self.note(changes);
             }
             Removed::Parameters(parameters) => self.change_parameters(parameters),
             Removed::Start(setup) => self.restart(setup),
@@ -55,7 +54,7 @@ impl Play {
 
     /// Changes several parameters (SI) at once; can be undone.
     pub(crate) fn overwrite_parameters(&mut self, parameters: Vec<f64>) {
-        let before = self.course.parameters().to_vec();
+        let before = self.course().parameters().to_vec();
         if before == parameters {
             // Nothing is overwritten, and the user would not expect an older removal to be undone here.
             self.undo.forget();

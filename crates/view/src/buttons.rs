@@ -14,7 +14,7 @@ pub fn view(app: App) -> View {
     let refusal = create_signal(None::<String>);
     let usable = memo(move || {
         app.changes.transport.track();
-        app.read(|play| play.can_press())
+        app.read(|play| play.time_line().can_press())
     });
     let one = move |view: ButtonView| {
         let index = view.index;

@@ -24,7 +24,9 @@ pub fn view(app: App) -> HtmlSection {
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
         .each(app.read(|play| play.basis().sizes()), |size| sizes::control(app, size))
-        .each(app.read(|play| play.parameter_groups()).into_iter().enumerate(), |group| parameter_group(app, group));
+        .each(app.read(|play| play.basis().parameter_groups(play.course())).into_iter().enumerate(), |group| {
+            parameter_group(app, group)
+        });
     let controls = part("controls", "controls card", words.controls).child(buttons::view(app));
     let values = View::from((parameters, drawings::view(app), presets(app)));
     controls.child(lockable(app, values))
@@ -162,7 +164,7 @@ fn numerics(app: App) -> HtmlDetails {
     let error = create_signal(None::<String>);
     let chosen = move |name: &'static str| {
         app.changes.parameters.track();
-        app.read(|play| play.methods().iter().any(|method| method.name == name && method.selected))
+        app.read(|play| play.basis().methods(play.course()).iter().any(|method| method.name == name && method.selected))
     };
     let method = |method: MethodView| {
         option()
@@ -174,7 +176,7 @@ fn numerics(app: App) -> HtmlDetails {
     };
     let step = move || {
         app.changes.parameters.track();
-        app.read(|play| play.step_text())
+        app.read(|play| play.basis().step_text(play.course()))
     };
     let field = parameters::Field {
         id: "step-size".to_owned(),
@@ -187,7 +189,9 @@ fn numerics(app: App) -> HtmlDetails {
     };
     let now = move || {
         app.changes.parameters.track();
-        app.read(|play| play.methods().iter().find(|method| method.selected).map_or("", |method| method.name))
+        app.read(|play| {
+            play.basis().methods(play.course()).iter().find(|method| method.selected).map_or("", |method| method.name)
+        })
     };
     // After a selection by the reader, only the property changes the value shown; the attribute of an option does not.
     let choose = select()
@@ -197,7 +201,7 @@ fn numerics(app: App) -> HtmlDetails {
             let name = value_of(&event);
             refusal.set(app.attempt(|play| play.set_method(&name)));
         })
-        .each(app.read(|play| play.methods()), method);
+        .each(app.read(|play| play.basis().methods(play.course())), method);
     let method = div()
         .class("parameter")
         .child(label().r#for("method").child(span().child(words.method)))

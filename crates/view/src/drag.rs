@@ -51,7 +51,7 @@ impl Handle {
     /// Updates the ARIA attributes with the position. Skipped while the run is playing: a screen reader on the handle
     /// would read continuously.
     pub fn describe(&mut self, play: &mut Play) {
-        if play.is_playing() && !self.shown.is_empty() {
+        if play.time_line().is_playing() && !self.shown.is_empty() {
             return;
         }
         let moved = match self.drag.target {
@@ -59,7 +59,9 @@ impl Handle {
                 let state = play.state(index);
                 state.map(|state| (state.label, format!("{} {}", state.text, state.unit), state.value))
             }
-            Dragged::Parameter(index) => play.parameter(index).map(|one| (one.label, one.spoken, one.value)),
+            Dragged::Parameter(index) => {
+                play.basis().parameter(play.course(), index).map(|one| (one.label, one.spoken, one.value))
+            }
         };
         let Some((quantity, text, value)) = moved else { return };
         if text != self.shown {

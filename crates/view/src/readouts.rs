@@ -49,7 +49,7 @@ pub fn followed<T: Clone + Default + PartialEq>(
     effect(move || {
         app.changes.transport.track();
         app.changes.parameters.track();
-        if !seen.get() && app.read(|play| play.is_playing()) {
+        if !seen.get() && app.read(|play| play.time_line().is_playing()) {
             return;
         }
         app.changes.frame.track();

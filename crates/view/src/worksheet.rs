@@ -68,7 +68,7 @@ fn passage(app: App, section: &Section) -> View {
 /// The scene beside the values of the parameters.
 fn apparatus(app: App) -> HtmlDiv {
     let words = app.words();
-    let parameters = app.read(|play| play.parameters());
+    let parameters = app.read(|play| play.basis().parameters(play.course()));
     let row = |parameter: play::ParameterView| {
         tr().child(row_head(parameter.label).child(" ").child(symbol(&parameter.name)))
             .child(td().child(parameter.spoken))

@@ -31,7 +31,7 @@ impl Desk {
         let (Some(state), independent) = (self.play.model().states.first(), &self.play.model().independent) else {
             return MeasurementForm::default();
         };
-        let greatest = |index: usize| self.play.greatest(index);
+        let greatest = |index: usize| self.play.time_line().greatest(index);
         let start = self.play.course().initial().first().map_or(0.0, |value| value.abs());
         let size = [greatest(0), start].into_iter().filter(|size| size.is_finite()).fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { 1.0 };
@@ -43,7 +43,7 @@ impl Desk {
             quantity: state.name(),
             fields: [
                 shown(independent.unit.to_si(30.0)),
-                shown(independent.unit.from_si(self.play.end().max(duration))),
+                shown(independent.unit.from_si(self.play.course().front().max(duration))),
                 shown(fine(&state.unit).from_si(pixel)),
                 shown(fine(&state.unit).from_si(pixel / 2.0)),
                 shown(0.0),

@@ -69,7 +69,7 @@ impl Desk {
             theory.play.set_parameter(index, *value)?;
         }
         let text = theory.measured_text("y", camera)?;
-        let truth = theory.play.model().parameters.iter().zip(theory.play.parameter_values());
+        let truth = theory.play.model().parameters.iter().zip(theory.play.course().parameters());
         let truth = truth.map(|(parameter, value)| (parameter.name.clone(), *value)).collect();
         self.insert_record(name, text.as_bytes(), Some(truth))
     }

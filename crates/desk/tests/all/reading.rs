@@ -32,7 +32,7 @@ fn readouts_have_values_units_and_words() {
     assert_eq!(readout(&mut desk, "omega_d"), "–");
     assert_eq!(readout(&mut desk, "regime"), "sobreamortiguado");
     play(&mut desk, [1.0]);
-    assert!((desk.play().time() - 1.0).abs() < 1e-9);
+    assert!((desk.play().course().time() - 1.0).abs() < 1e-9);
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn the_file_is_that_of_a_run_without_a_session() {
 
     let model = desk.play().model();
     let mut setup = Setup::defaults(model);
-    setup.parameters.clone_from_slice(desk.play().parameter_values());
+    setup.parameters.clone_from_slice(desk.play().course().parameters());
     let mut run = Run::start(model, setup).unwrap();
     for _ in 0..40 {
         run.advance().unwrap();
@@ -193,7 +193,7 @@ fn kept_runs_are_read_by_their_names_and_ghosts_not_at_all() {
     play(&mut desk, [5.0]);
     desk.play_mut().keep().unwrap();
     set(&mut desk, "h_l", 4.0);
-    assert!(desk.play().has_ghost());
+    assert!(desk.play().time_line().has_ghost());
     play(&mut desk, [5.0]);
     for plot in [0, 1] {
         followed(&mut desk).layout_plot(PlotId::at(plot), &Settings::default());
@@ -314,10 +314,19 @@ fn units_other_than_si_are_shown_everywhere() {
     let mut desk = open(source, &[]);
     assert_eq!(readout(&mut desk, "x"), "5.000");
     assert_eq!(desk.play().table_header(), ["t [s]", "x [cm]", "x′ [cm/s]"]);
-    assert_eq!(desk.play().parameter(1).unwrap().text, "250");
-    assert_eq!(desk.play().parameter(1).unwrap().slider.map(|slider| slider.position), Some(15));
+    assert_eq!(desk.play().basis().parameter(desk.play().course(), 1).unwrap().text, "250");
+    assert_eq!(
+        desk.play().basis().parameter(desk.play().course(), 1).unwrap().slider.map(|slider| slider.position),
+        Some(15)
+    );
     desk.play_mut().slide(1, 16);
-    assert_eq!((desk.play().parameter(1).unwrap().text.as_str(), desk.play().parameter_values()[1]), ("260", 0.26));
+    assert_eq!(
+        (
+            desk.play().basis().parameter(desk.play().course(), 1).unwrap().text.as_str(),
+            desk.play().course().parameters()[1]
+        ),
+        ("260", 0.26)
+    );
     followed(&mut desk).layout_plot(PlotId::at(0), &Settings::default());
     let readout = followed(&mut desk).move_cursor(PlotId::at(0), 0).unwrap();
     assert_eq!(readout.samples[0].y, 5.0);

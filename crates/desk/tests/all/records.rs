@@ -166,7 +166,7 @@ fn a_measurement_without_errors_leaves_nothing_over() {
     let plot = dots(&mut desk, residuals);
     // Residuals exist up to the front of the run. The position is exact to the step of the run.
     let (zero, finite): (Vec<_>, Vec<_>) = plot.iter().partition(|(_, left)| left.abs() < 1e-4);
-    assert!(zero.len() > 50 && zero.iter().all(|(time, _)| *time <= desk.play().time() + 1e-6), "{plot:?}");
+    assert!(zero.len() > 50 && zero.iter().all(|(time, _)| *time <= desk.play().course().time() + 1e-6), "{plot:?}");
     assert!(finite.iter().all(|(_, left)| left.abs() < 0.01), "{finite:?}");
     desk.play_mut().back_to_start();
     assert!(dots(&mut desk, residuals).len() <= 2);
@@ -262,9 +262,9 @@ fn samples_are_made_and_fitted() {
     assert!(length.value.starts_with("0.24") || length.value.starts_with("0.23"), "{length:?}");
     assert!(length.remark.starts_with("truth: 0.24 m; off by "), "{length:?}");
     // The fit is applied to the sliders, and the run covers the whole record.
-    assert!((desk.play().parameter_values()[0] - 0.24).abs() < 0.001);
-    assert!((desk.play().end() - 8.0).abs() < 0.05, "{}", desk.play().end());
-    assert_eq!(desk.play().time(), 0.0);
+    assert!((desk.play().course().parameters()[0] - 0.24).abs() < 0.001);
+    assert!((desk.play().course().front() - 8.0).abs() < 0.05, "{}", desk.play().course().front());
+    assert_eq!(desk.play().course().time(), 0.0);
 }
 
 #[test]
@@ -287,7 +287,7 @@ fn theories_are_ranked() {
     opened.adopt_records(&mut desk);
     assert!(opened.fits()[0].applicable);
     opened.apply_fit(fits[0].id);
-    assert!((opened.play().parameter_values()[0] - 0.18).abs() < 0.003);
+    assert!((opened.play().course().parameters()[0] - 0.18).abs() < 0.003);
     // A fit can be cancelled.
     opened.begin_fit("theories/linear.md").unwrap();
     opened.cancel_fit();

@@ -42,7 +42,7 @@ impl Play {
                 self.hold = Some(Holding::State(Box::new(hold)));
             }
             Dragged::Parameter(parameter) => {
-                let Some(&from) = self.course.parameters().get(parameter) else { return };
+                let Some(&from) = self.course().parameters().get(parameter) else { return };
                 let (right, up) = self.drag_factors(drag);
                 self.hold = Some(Holding::Parameter { parameter, from, right, up, moved: false });
             }
@@ -93,22 +93,22 @@ impl Play {
     /// Data for dragging a part that moves a state; `None` if the state cannot be dragged.
     fn grip(&mut self, drag: &Drag, held: usize) -> Option<Hold> {
         let (right, up) = self.drag_factors(drag);
-        let mut from = self.course.state().to_vec();
+        let mut from = self.course().state().to_vec();
         if held >= from.len() || from.iter().any(|value| !value.is_finite()) {
             return None;
         }
-        let at_start = self.course.time() == 0.0 && !self.is_started_by_hand();
+        let at_start = self.course().time() == 0.0 && !self.is_started_by_hand();
         if !at_start {
             self.rest(held, &mut from);
         }
         let start = if at_start { Start::of(self.basis.model(), held) } else { None };
-        let parameters = self.course.parameters().to_vec();
+        let parameters = self.course().parameters().to_vec();
         let reach = extent(self.basis.program(), self.basis.tag());
         let mut shaping = Vec::new();
         if let Some(scene) = self.basis.scene() {
             collect_shaping(&scene.root, &mut shaping);
         }
-        let playing = self.playing;
+        let playing = self.line.is_playing();
         Some(Hold { state: held, from, parameters, start, right, up, reach, shaping, moved: false, playing })
     }
 
@@ -140,7 +140,7 @@ impl Play {
             let way = right * hold.right + up * hold.up;
             if let Some(Pulled { parameters, state, by_hand }) = self.followed(&mut hold, way) {
                 let start = by_hand.then_some(state);
-                self.restart(Setup { parameters, start, ..self.course.begun().clone() });
+                self.restart(Setup { parameters, start, ..self.course().begun().clone() });
                 hold.moved = true;
             }
         }
@@ -155,7 +155,7 @@ impl Play {
         let range = self.model().parameters.get(parameter).and_then(|parameter| parameter.range);
         let value = range.map_or(value, |(least, greatest)| value.max(least).min(greatest));
         let Ok(value) = self.basis.admit(parameter, value) else { return false };
-        let mut parameters = self.course.parameters().to_vec();
+        let mut parameters = self.course().parameters().to_vec();
         if let Some(old) = parameters.get_mut(parameter)
             && old.to_bits() != value.to_bits()
         {
@@ -170,14 +170,14 @@ impl Play {
         let hold = match self.hold.take() {
             Some(Holding::State(hold)) => hold,
             Some(Holding::Parameter { parameter, moved, .. }) => {
-                if let (true, Some(&value)) = (moved, self.course.parameters().get(parameter)) {
+                if let (true, Some(&value)) = (moved, self.course().parameters().get(parameter)) {
                     self.announce(Announcement::ParameterSet(parameter, value));
                 }
                 return;
             }
             None => return,
         };
-        if let (true, Some(&value)) = (hold.moved, self.course.state().get(hold.state)) {
+        if let (true, Some(&value)) = (hold.moved, self.course().state().get(hold.state)) {
             self.announce(if self.is_started_by_hand() {
                 Announcement::StateSet(hold.state, value)
             } else {

@@ -1,6 +1,6 @@
 //! Integration method and step.
 
-use crate::{Announcement, Basis, Play, Refusal, number, words};
+use crate::{Announcement, Basis, Course, Play, Refusal, number, words};
 use engine::{Cause, Method, Run, RunError, Setup};
 
 /// A method in the list.
@@ -28,30 +28,15 @@ impl Basis {
 }
 
 impl Play {
-    /// All integration methods.
-    pub fn methods(&self) -> Vec<MethodView> {
-        let view = |method: Method| MethodView {
-            name: method.name(),
-            label: words::method_name(self.basis.language(), method).to_owned(),
-            selected: method == self.course.begun().method,
-            refused: self
-                .basis
-                .method_refusal(method)
-                .map(|refusal| self.basis.refusal_text(&refusal))
-                .unwrap_or_default(),
-        };
-        Method::ALL.into_iter().map(view).collect()
-    }
-
     /// Selects a method by its name; the run restarts from its start.
     pub fn set_method(&mut self, name: &str) -> Result<(), Refusal> {
         let method: Method = name.parse().map_err(|_| Refusal::Unknown { name: name.to_owned() })?;
         if let Some(refusal) = self.basis.method_refusal(method) {
             return Err(refusal);
         }
-        if method != self.course.begun().method || self.course.history().is_none() {
-            let parameters = self.course.parameters().to_vec();
-            self.restart(Setup { method, parameters, ..self.course.begun().clone() });
+        if method != self.course().begun().method || self.course().history().is_none() {
+            let parameters = self.course().parameters().to_vec();
+            self.restart(Setup { method, parameters, ..self.course().begun().clone() });
             self.announce(Announcement::Method(method));
         }
         Ok(())
@@ -59,21 +44,12 @@ impl Play {
 
     /// Step (SI); for adaptive methods, the spacing of the rows.
     pub fn step(&self) -> f64 {
-        self.course.begun().step
-    }
-
-    /// Step in the unit of the independent variable, and the text of that unit.
-    pub fn step_text(&self) -> (String, String) {
-        let unit = &self.model().independent.unit;
-        (
-            number::plain(unit.from_si(self.step()), crate::basis::input::DIGITS, self.basis.style()),
-            number::unit_text(&unit.text),
-        )
+        self.course().begun().step
     }
 
     /// Sets the step from typed text; the run restarts from its start.
     pub fn set_step_text(&mut self, text: &str) -> Result<(), Refusal> {
-        if text.trim() == self.step_text().0 {
+        if text.trim() == self.basis.step_text(self.course()).0 {
             return Ok(());
         }
         let step = self.basis.read_value(text, &self.model().independent.unit)?;
@@ -85,11 +61,33 @@ impl Play {
         if !(step.is_finite() && step > 0.0) {
             return Err(Refusal::NotPositive);
         }
-        if step != self.step() {
-            let parameters = self.course.parameters().to_vec();
-            self.restart(Setup { step, parameters, ..self.course.begun().clone() });
+        if step != self.course().begun().step {
+            let parameters = self.course().parameters().to_vec();
+            self.restart(Setup { step, parameters, ..self.course().begun().clone() });
             self.announce(Announcement::Step(step));
         }
         Ok(())
+    }
+}
+
+impl Basis {
+    /// All integration methods.
+    pub fn methods(&self, at: &Course) -> Vec<MethodView> {
+        let view = |method: Method| MethodView {
+            name: method.name(),
+            label: words::method_name(self.language(), method).to_owned(),
+            selected: method == at.begun().method,
+            refused: self.method_refusal(method).map(|refusal| self.refusal_text(&refusal)).unwrap_or_default(),
+        };
+        Method::ALL.into_iter().map(view).collect()
+    }
+
+    /// Step in the unit of the independent variable, and the text of that unit.
+    pub fn step_text(&self, at: &Course) -> (String, String) {
+        let unit = &self.model().independent.unit;
+        (
+            number::plain(unit.from_si(at.begun().step), crate::basis::input::DIGITS, self.style()),
+            number::unit_text(&unit.text),
+        )
     }
 }

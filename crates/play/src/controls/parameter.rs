@@ -3,7 +3,7 @@
 use crate::basis::input::DIGITS;
 use crate::controls::slider::Mapping;
 use crate::removed::Removed;
-use crate::{Announcement, Changes, Play, Refusal, Slider, number};
+use crate::{Announcement, Basis, Changes, Course, Play, Refusal, Slider, number};
 use engine::Setup;
 use program::{Choices, Parameter};
 
@@ -57,62 +57,11 @@ pub struct ChoiceView {
 }
 
 impl Play {
-    /// All parameters, in the order of the text.
-    pub fn parameters(&self) -> Vec<ParameterView> {
-        (0..self.model().parameters.len()).filter_map(|index| self.parameter(index)).collect()
-    }
-
-    /// All parameters by groups of the document, in the order of the text.
-    pub fn parameter_groups(&self) -> Vec<ParameterGroup> {
-        let mut views = self.parameters().into_iter();
-        let groups = self.model().parameters.chunk_by(|one, next| one.group == next.group);
-        groups
-            .map(|group| {
-                let name =
-                    group.first().and_then(|first| first.group.as_deref()).map_or("", |name| self.basis.text(name));
-                ParameterGroup { name: name.to_owned(), parameters: views.by_ref().take(group.len()).collect() }
-            })
-            .collect()
-    }
-
-    /// One parameter; `None` for an unknown index.
-    pub fn parameter(&self, index: usize) -> Option<ParameterView> {
-        let parameter = self.model().parameters.get(index)?;
-        let &value = self.course.parameters().get(index)?;
-        let shown = |value: f64| number::plain(parameter.unit.from_si(value), DIGITS, self.basis.style());
-        Some(ParameterView {
-            index,
-            name: parameter.name.clone(),
-            label: self.basis.parameter_label(index).to_owned(),
-            unit: number::unit_text(&parameter.unit.text),
-            value,
-            text: shown(value),
-            spoken: self.basis.parameter_value_text(index, value),
-            choices: self.choices(index),
-            is_switch: parameter.choices == Choices::Switch,
-            range: parameter.range.map(|(low, high)| (shown(low), shown(high))),
-            slider: Mapping::of(parameter).map(|mapping| mapping.slider(value)),
-            is_default: value == parameter.value,
-            restarts: parameter.restarts,
-        })
-    }
-
-    /// Options of a switch or a choice.
-    fn choices(&self, index: usize) -> Vec<ChoiceView> {
-        let values = match self.model().parameters.get(index).map(|parameter| &parameter.choices) {
-            None | Some(Choices::Numbers | Choices::Seed) => Vec::new(),
-            Some(Choices::Switch) => vec![0.0, 1.0],
-            Some(Choices::Texts(texts)) => texts.iter().map(|&text| f64::from(text)).collect(),
-        };
-        let view = |value| ChoiceView { value, text: self.basis.parameter_value_text(index, value) };
-        values.into_iter().map(view).collect()
-    }
-
     /// Sets a parameter to an SI value. If an initial value depends on it, the run restarts; otherwise it takes effect
     /// from the next step.
     pub fn set_parameter(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
         let value = self.basis.admit(index, value)?;
-        let mut parameters = self.course.parameters().to_vec();
+        let mut parameters = self.course().parameters().to_vec();
         let Some(old) = parameters.get_mut(index) else {
             return Ok(());
         };
@@ -129,8 +78,9 @@ impl Play {
     /// or an expression for its present value. The text shown in the field leaves the value unchanged.
     pub fn set_parameter_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
         let unknown = || Refusal::Unknown { name: index.to_string() };
-        let (view, parameter) = self.parameter(index).zip(self.model().parameters.get(index)).ok_or_else(unknown)?;
-        match self.basis.read_field(&self.course, text, &view.text, &parameter.unit)? {
+        let (view, parameter) =
+            self.basis.parameter(self.course(), index).zip(self.model().parameters.get(index)).ok_or_else(unknown)?;
+        match self.basis.read_field(self.course(), text, &view.text, &parameter.unit)? {
             Some(value) => self.set_parameter(index, value),
             None => Ok(()),
         }
@@ -156,8 +106,8 @@ impl Play {
     /// restarts with the document's initial values and curves.
     pub fn restore_defaults(&mut self) {
         let parameters = self.basis.defaults().parameters.clone();
-        if self.is_started_by_hand() || self.course.begun().drawings != self.basis.defaults().drawings {
-            let before = Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() };
+        if self.is_started_by_hand() || self.course().begun().drawings != self.basis.defaults().drawings {
+            let before = Setup { parameters: self.course().parameters().to_vec(), ..self.course().begun().clone() };
             let drawings = self.basis.defaults().drawings.clone();
             self.restart(Setup { parameters, start: None, drawings, ..before.clone() });
             self.can_undo(Removed::Start(before));
@@ -169,7 +119,7 @@ impl Play {
 
     /// Sets all parameters (SI). Restarts the run if an initial value depends on a changed one.
     pub(crate) fn change_parameters(&mut self, parameters: Vec<f64>) {
-        let old = self.course.parameters();
+        let old = self.course().parameters();
         if old == parameters {
             return;
         }
@@ -178,20 +128,69 @@ impl Play {
         };
         let decides = self.model().parameters.iter().enumerate().find_map(deciding);
         self.note(Changes::PARAMETERS);
-        if decides.is_some() || self.course.history().is_none() {
-            let setup = Setup { parameters, start: None, ..self.course.begun().clone() };
-            let begun = self.course.front() > 0.0 || self.is_started_by_hand();
+        if decides.is_some() || self.course().history().is_none() {
+            let setup = Setup { parameters, start: None, ..self.course().begun().clone() };
+            let begun = self.course().front() > 0.0 || self.is_started_by_hand();
             self.restart(setup);
             if let (Some(index), true) = (decides, begun) {
                 self.announce(Announcement::Restarted(index));
             }
         } else {
             self.branch();
-            self.course.give_up_presses();
-            self.course.set_parameters(self.basis.model(), parameters);
-            self.traces.truncate(self.course.rows().saturating_sub(1));
-            self.note(Changes::TRANSPORT);
-            self.frame_changed();
+            let changes = self.line.set_parameters(self.basis.model(), parameters);
+            self.note(changes);
         }
+    }
+}
+
+impl Basis {
+    /// All parameters, in the order of the text.
+    pub fn parameters(&self, at: &Course) -> Vec<ParameterView> {
+        (0..self.model().parameters.len()).filter_map(|index| self.parameter(at, index)).collect()
+    }
+
+    /// All parameters by groups of the document, in the order of the text.
+    pub fn parameter_groups(&self, at: &Course) -> Vec<ParameterGroup> {
+        let mut views = self.parameters(at).into_iter();
+        let groups = self.model().parameters.chunk_by(|one, next| one.group == next.group);
+        groups
+            .map(|group| {
+                let name = group.first().and_then(|first| first.group.as_deref()).map_or("", |name| self.text(name));
+                ParameterGroup { name: name.to_owned(), parameters: views.by_ref().take(group.len()).collect() }
+            })
+            .collect()
+    }
+
+    /// One parameter; `None` for an unknown index.
+    pub fn parameter(&self, at: &Course, index: usize) -> Option<ParameterView> {
+        let parameter = self.model().parameters.get(index)?;
+        let &value = at.parameters().get(index)?;
+        let shown = |value: f64| number::plain(parameter.unit.from_si(value), DIGITS, self.style());
+        Some(ParameterView {
+            index,
+            name: parameter.name.clone(),
+            label: self.parameter_label(index).to_owned(),
+            unit: number::unit_text(&parameter.unit.text),
+            value,
+            text: shown(value),
+            spoken: self.parameter_value_text(index, value),
+            choices: self.choices(index),
+            is_switch: parameter.choices == Choices::Switch,
+            range: parameter.range.map(|(low, high)| (shown(low), shown(high))),
+            slider: Mapping::of(parameter).map(|mapping| mapping.slider(value)),
+            is_default: value == parameter.value,
+            restarts: parameter.restarts,
+        })
+    }
+
+    /// Options of a switch or a choice.
+    fn choices(&self, index: usize) -> Vec<ChoiceView> {
+        let values = match self.model().parameters.get(index).map(|parameter| &parameter.choices) {
+            None | Some(Choices::Numbers | Choices::Seed) => Vec::new(),
+            Some(Choices::Switch) => vec![0.0, 1.0],
+            Some(Choices::Texts(texts)) => texts.iter().map(|&text| f64::from(text)).collect(),
+        };
+        let view = |value| ChoiceView { value, text: self.parameter_value_text(index, value) };
+        values.into_iter().map(view).collect()
     }
 }

@@ -35,7 +35,7 @@ impl Play {
     pub fn presets(&mut self) -> Vec<PresetGroup> {
         let mut groups: Vec<(Option<String>, PresetGroup)> = Vec::new();
         for index in 0..self.basis.program().presets.len() {
-            let now = self.course.parameters().to_vec();
+            let now = self.course().parameters().to_vec();
             let then = self.preset_parameters(index);
             let Some(preset) = self.basis.program().presets.get(index) else {
                 continue;
@@ -77,7 +77,8 @@ impl Play {
         let presets = &self.basis.program().presets;
         let first = presets.iter().take(index).map(|preset| preset.values.len()).sum();
         let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
-        assign(&mut self.evaluators.presets, first, values, self.course.parameters(), self.course.initial())
+        let course = self.line.course();
+        assign(&mut self.evaluators.presets, first, values, course.parameters(), course.initial())
     }
 }
 

@@ -43,7 +43,7 @@ impl Play {
     /// One state; `None` for an unknown index.
     pub fn state(&self, index: usize) -> Option<StateView> {
         let state = self.model().states.get(index)?;
-        let &value = self.course.state().get(index)?;
+        let &value = self.course().state().get(index)?;
         let text = self.state_number(index, state, value);
         Some(StateView {
             index,
@@ -53,7 +53,7 @@ impl Play {
             value,
             spoken: number::with_unit(&text.clone(), &state.unit),
             text,
-            editable: !self.playing,
+            editable: !self.line.is_playing(),
             members: None,
         })
     }
@@ -75,13 +75,13 @@ impl Play {
 
     /// Starts a new run from the state shown with one value (SI) replaced. Refused while the run is playing.
     pub fn set_state(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
-        if self.playing {
+        if self.line.is_playing() {
             return Err(Refusal::NotPaused);
         }
         if !value.is_finite() {
             return Err(Refusal::NoValue { name: self.basis.state_label(index) });
         }
-        let mut state = self.course.state().to_vec();
+        let mut state = self.course().state().to_vec();
         match state.get_mut(index) {
             Some(old) => *old = value,
             None => {
@@ -100,7 +100,7 @@ impl Play {
     pub fn set_state_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
         let unknown = || Refusal::Unknown { name: index.to_string() };
         let (view, state) = self.state(index).zip(self.model().states.get(index)).ok_or_else(unknown)?;
-        match self.basis.read_field(&self.course, text, &view.text, &state.unit)? {
+        match self.basis.read_field(self.course(), text, &view.text, &state.unit)? {
             Some(value) => self.set_state(index, value),
             None => Ok(()),
         }
@@ -108,13 +108,13 @@ impl Play {
 
     /// True if the run started from a state set by hand instead of the model's initial values.
     pub fn is_started_by_hand(&self) -> bool {
-        self.course.begun().start.is_some()
+        self.course().begun().start.is_some()
     }
 
     /// Starts a run from a state (SI) with the parameters shown.
     pub(crate) fn start_from(&mut self, state: Vec<f64>) {
-        let parameters = self.course.parameters().to_vec();
-        let setup = Setup { parameters, start: Some(state), ..self.course.begun().clone() };
+        let parameters = self.course().parameters().to_vec();
+        let setup = Setup { parameters, start: Some(state), ..self.course().begun().clone() };
         self.restart(setup);
     }
 
@@ -124,7 +124,7 @@ impl Play {
         if node.is_some_and(|node| self.basis.is_count(node, &state.unit)) {
             return self.basis.count(value);
         }
-        let scale = self.scales.get(index).copied().unwrap_or_default();
+        let scale = self.line.greatest(index);
         let scale = state.unit.from_si(scale.max(value.abs()));
         Layout::of_scale(scale, MOVING_DIGITS).number(state.unit.from_si(value), self.basis.style())
     }

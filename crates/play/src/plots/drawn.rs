@@ -32,11 +32,10 @@ impl Play {
     /// runs.
     fn figure_plot(&self, index: usize) -> Option<Plot<'_>> {
         let state = self.plots.get(index)?;
-        let columns = self.columns.plot(index)?;
+        let columns = self.line.columns().plot(index)?;
         let labels = &state.labels;
-        let ghosts = self.ghost.iter().map(|ghost| (&ghost.traces, Style::Ghost));
-        let kept = self.kept.iter().filter(|kept| kept.shown);
-        let kept = kept.map(|kept| (&kept.traces, Style::Run(kept.pattern)));
+        let ghosts = self.line.ghost_traces().map(|traces| (traces, Style::Ghost)).into_iter();
+        let kept = self.line.kept_traces().map(|(traces, pattern)| (traces, Style::Run(pattern)));
         let points = state.points.iter().filter_map(|points| {
             let axis = columns.curves.get(points.curve)?.axis;
             let (colour, style) = (points.colour, Style::Points);
@@ -45,10 +44,10 @@ impl Play {
             Some(Series { label, axis, colour, style, x, y, spread, version, ..Series::default() })
         });
         let mut series: Vec<Series<'_>> = points.collect();
-        for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
+        for (traces, style) in ghosts.chain(kept).chain([(self.line.traces(), Style::Line)]) {
             let present_run = style == Style::Line;
             for (number, &CurveColumns { x, y, axis }) in columns.curves.iter().enumerate() {
-                let present = self.present.get(x).copied().zip(self.present.get(y).copied());
+                let present = self.line.present().get(x).copied().zip(self.line.present().get(y).copied());
                 let label = match style {
                     Style::Line => labels.curves.get(number).map_or("", String::as_str),
                     // One legend entry stands for all curves of a kept run.
@@ -65,14 +64,14 @@ impl Play {
         }
         let independent = self.is_against_independent(index);
         let unit = &self.model().independent.unit;
-        let first = Interval::new(0.0, unit.from_si(self.first_part()));
+        let first = Interval::new(0.0, unit.from_si(self.basis.first_part(self.course())));
         Some(Plot {
             title: &labels.title,
             description: &labels.description,
             x: Axis { label: &labels.x.0, unit: &labels.x.1, include: independent.then_some(first) },
             y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
             series,
-            marker: if independent { self.present.get(columns.x).copied() } else { None },
+            marker: if independent { self.line.present().get(columns.x).copied() } else { None },
             view: state.view.clone(),
             ordered: independent,
             steady: false,
@@ -99,14 +98,14 @@ impl Play {
     fn curve_alone<'a>(&'a self, index: usize, number: usize, x: &'a [f64], y: &'a [f64]) -> Option<Series<'a>> {
         let labels = &self.plots.get(index)?.labels;
         let text = |list: &'a [String]| list.get(number).map_or("", String::as_str);
-        let axis = self.columns.plot(index)?.curves.get(number)?.axis;
+        let axis = self.line.columns().plot(index)?.curves.get(number)?.axis;
         let (label, across, colour) = (text(&labels.curves), text(&labels.across), number as u8);
         Some(Series { label, across, axis, colour, x, y, ..Series::default() })
     }
 
     /// Points of the run at multiples of a period, or at the firings of an event.
     fn section_figure<'a>(&'a self, index: usize, section: &'a Section) -> Option<Plot<'a>> {
-        let curves = self.columns.plot(index)?.curves.len();
+        let curves = self.line.columns().plot(index)?.curves.len();
         let series = (0..curves).filter_map(|number| {
             let (x, y) = section.curve(number);
             Some(Series { style: Style::Dots, ..self.curve_alone(index, number, x, y)? })
@@ -128,7 +127,7 @@ impl Play {
         plot.series = series.collect();
         // The axis ends with the sweep: no values are computed beyond it.
         plot.view.x.get_or_insert(swept.range());
-        plot.marker = swept.present(&self.course);
+        plot.marker = swept.present(self.course());
         plot.ordered = style == Style::Line;
         Some(plot)
     }
@@ -136,7 +135,7 @@ impl Play {
     /// Members of families at the moment shown.
     fn profile_figure<'a>(&'a self, index: usize, profile: &'a Snapshot, style: Style) -> Option<Plot<'a>> {
         let mut plot = self.empty_figure(index)?;
-        let curves = self.columns.plot(index)?.curves.len();
+        let curves = self.line.columns().plot(index)?.curves.len();
         let series = (0..curves).filter_map(|number| {
             let (x, y) = (profile.column(2 * number), profile.column(2 * number + 1));
             Some(Series { style, ..self.curve_alone(index, number, x, y)? })
@@ -217,7 +216,7 @@ impl Play {
             x: Axis { label: &labels.x.0, unit: &labels.x.1, include: added.x_includes },
             y: labels.axes.iter().map(axis).collect(),
             series: series.collect(),
-            marker: added.marks_time.then(|| unit.from_si(self.course.time())),
+            marker: added.marks_time.then(|| unit.from_si(self.course().time())),
             view: View { x: view.x, y: limits.map_or_else(|| view.y.clone(), |limits| vec![limits]) },
             ordered: added.ordered,
             steady: false,
@@ -241,8 +240,8 @@ impl Play {
         if state.is_none_or(|state| !matches!(state.content, Content::Run)) {
             return 0;
         }
-        let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());
-        let behind = usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
+        let curves = self.line.columns().plot(index).map_or(0, |plot| plot.curves.len());
+        let behind = usize::from(self.line.has_ghost()) + self.line.kept_traces().count();
         curves * behind
     }
 }

@@ -40,7 +40,7 @@ impl Play {
 
     fn labels_of(&self, index: usize) -> Option<Labels> {
         let plot = self.basis.program().plots.get(index)?;
-        let columns = self.columns.plot(index)?;
+        let columns = self.line.columns().plot(index)?;
         let title = self.basis.text(&plot.title).to_owned();
         if let Drawing::Histogram(members) = &plot.drawing {
             return Some(self.labels_of_histogram(plot, title, members.is_empty()));

@@ -3,8 +3,6 @@
 mod added;
 mod drawn;
 pub(crate) mod histogram;
-mod keeping;
-pub(crate) mod kept;
 mod labelling;
 mod labels;
 pub(crate) mod members;
@@ -17,7 +15,6 @@ pub(crate) mod traces;
 mod viewing;
 
 pub use added::{AddedPlot, AddedSeries, Points, points_colour};
-pub use kept::{KeptView, MOST_KEPT};
 pub use labels::Labels;
 pub use plot::{PlotId, PlotView};
 pub use series::LegendEntry;

@@ -29,7 +29,7 @@ impl Play {
         let mut worked = false;
         for plot in self.plots.iter_mut().filter(|plot| plot.shown) {
             let Some(swept) = plot.swept_mut() else { continue };
-            swept.follow(&self.course);
+            swept.follow(self.line.course());
             let before = swept.progress();
             swept.proceed(self.basis.model(), &mut left);
             worked |= swept.progress() != before;
@@ -150,15 +150,15 @@ impl Play {
     /// there.
     pub fn move_cursor(&mut self, PlotId(index): PlotId, rows: isize) -> Option<Readout> {
         let present = match &self.plots.get(index)?.content {
-            Content::Swept(swept) => swept.present_row(&self.course),
+            Content::Swept(swept) => swept.present_row(self.course()),
             Content::Profile(..) | Content::Histogram(_) => 0,
-            Content::Run | Content::Section(_) => self.course.rows_until_shown().saturating_sub(1),
+            Content::Run | Content::Section(_) => self.course().rows_until_shown().saturating_sub(1),
         };
         let row = self.plots.get(index)?.cursor.unwrap_or(present);
         let (mut series, mut plot) = (self.series_behind(index), self.readable_plot(index)?);
         if let Some(added) = self.added(index) {
             series = added.cursor;
-        } else if self.course.rows() < 2 && self.points_behind(index) > 0 {
+        } else if self.course().rows() < 2 && self.points_behind(index) > 0 {
             // Without a run, the cursor moves along the measured points.
             (series, plot) = (0, self.figure_of(index)?);
         }
@@ -236,8 +236,9 @@ impl Play {
         }
         let (points, first) = (self.points_behind(index), self.series_behind(index));
         let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
-        let ghosts = if self.ghost.is_some() { curves.len() } else { 0 };
-        let kept: Vec<String> = self.kept().into_iter().filter(|kept| kept.shown).map(|kept| kept.name).collect();
+        let ghosts = if self.line.has_ghost() { curves.len() } else { 0 };
+        let kept: Vec<String> =
+            self.line.kept(&self.basis).into_iter().filter(|kept| kept.shown).map(|kept| kept.name).collect();
         for sample in readout.samples.iter_mut().filter(|sample| sample.series < first) {
             let Some(place) = sample.series.checked_sub(points + ghosts) else {
                 continue;
@@ -258,7 +259,8 @@ impl Play {
     /// Text of the moment shown, `t = 1.25 s`, for a plot that shows a single moment; `None` for other plots.
     pub(super) fn moment_of(&self, index: usize) -> Option<String> {
         let of_a_moment = self.basis.program().plots.get(index).is_some_and(|plot| plot.drawing.is_of_a_moment());
-        of_a_moment.then(|| format!("{} = {}", symbol(&self.model().independent.name), self.time_text()))
+        of_a_moment
+            .then(|| format!("{} = {}", symbol(&self.model().independent.name), self.basis.time_text(self.course())))
     }
 
     fn added(&self, index: usize) -> Option<&AddedPlot> {

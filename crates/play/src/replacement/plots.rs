@@ -25,8 +25,8 @@ impl Play {
             let mut same_title = titles.filter(|(_, (other, state))| other.title == plot.title && state.is_some());
             let Some((place, (other, old))) = same_title.next() else { continue };
             let Some(old) = old.take() else { continue };
-            let axes = |play: &Play, index: usize| play.columns.plot(index).map(|columns| columns.axes.clone());
-            let own_axes = self.columns.plot(index).map(|columns| columns.axes.clone());
+            let axes = |play: &Play, index: usize| play.line.columns().plot(index).map(|columns| columns.axes.clone());
+            let own_axes = self.line.columns().plot(index).map(|columns| columns.axes.clone());
             if same_curves(plot, other) {
                 // Computed content belongs to the program.
                 let content = std::mem::take(&mut state.content);
@@ -46,12 +46,12 @@ impl Play {
         let (plots, former) = (&self.basis.program().plots, &before.basis.program().plots);
         plots.len() == former.len()
             && plots.iter().zip(former).all(|(one, other)| same_curves(one, other))
-            && self.columns.is_arranged_like(&before.columns)
+            && self.line.columns().is_arranged_like(&before.line.columns())
     }
 
     /// True if the columns also compute the same values, for runs with the same states.
     pub(super) fn columns_are_those_of(&self, before: &Play) -> bool {
         let (graph, former) = (&self.model().graph, &before.model().graph);
-        graph.same(self.columns.nodes(), former, before.columns.nodes(), Some)
+        graph.same(self.line.columns().nodes(), former, before.line.columns().nodes(), Some)
     }
 }

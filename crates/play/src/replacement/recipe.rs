@@ -2,22 +2,27 @@
 
 use super::names::Names;
 use crate::time::recipe::{Change, Recipe};
-use crate::{Play, words};
+use crate::{Basis, words};
 use engine::Setup;
 use std::collections::BTreeMap;
 
-impl Play {
+impl Basis {
     /// Converts a recipe to this program. Returns also what does not fit, in the chosen language. The changes of the
-    /// result must be located by their times.
-    pub(super) fn translated(&self, recipe: &Recipe, before: &Play, names: &Names) -> (Recipe, Vec<String>) {
+    /// result must be located by their times. `time_shown` is the text of the time shown by the former program.
+    pub(super) fn translated(
+        &self,
+        recipe: &Recipe,
+        before: &Basis,
+        time_shown: &str,
+        names: &Names,
+    ) -> (Recipe, Vec<String>) {
         let mut left = BTreeMap::new();
         let mut parameters = |values: &[f64]| self.parameters_from(values, before, names, &mut left);
         let first = parameters(&recipe.setup.parameters);
         let changes =
             recipe.changes.iter().map(|change| Change { parameters: parameters(&change.parameters), ..*change });
         let mut changes: Vec<Change> = changes.collect();
-        let mut lost: Vec<String> =
-            left.iter().map(|(&index, &value)| before.basis.parameter_text(index, value)).collect();
+        let mut lost: Vec<String> = left.iter().map(|(&index, &value)| before.parameter_text(index, value)).collect();
         let mut setup = self.setup_from(&recipe.setup, first, before, names, &mut lost);
         self.decide_start(&mut setup, &mut changes);
         let (mut front, mut time) = (recipe.front, recipe.time);
@@ -25,7 +30,7 @@ impl Play {
             setup.presses = self.presses_from(&recipe.setup.presses, before, &mut lost);
         } else {
             if front > 0.0 {
-                lost.push(words::time(self.basis.language(), &before.time_words(time)));
+                lost.push(words::time(self.language(), time_shown));
             }
             if let Some(last) = changes.pop() {
                 setup.parameters = last.parameters;
@@ -44,18 +49,18 @@ impl Play {
     fn parameters_from(
         &self,
         values: &[f64],
-        before: &Play,
+        before: &Basis,
         names: &Names,
         left: &mut BTreeMap<usize, f64>,
     ) -> Vec<f64> {
-        let mut parameters = self.basis.defaults().parameters.clone();
-        for (index, (&value, default)) in values.iter().zip(&before.basis.defaults().parameters).enumerate() {
+        let mut parameters = self.defaults().parameters.clone();
+        for (index, (&value, default)) in values.iter().zip(&before.defaults().parameters).enumerate() {
             if value == *default {
                 continue;
             }
             let admitted = names.parameter(index).and_then(|place| {
                 let value = self.same_choice(before, (index, value), place)?;
-                Some((place, self.basis.admit(place, value).ok()?))
+                Some((place, self.admit(place, value).ok()?))
             });
             match admitted.and_then(|(place, value)| parameters.get_mut(place).zip(Some(value))) {
                 Some((parameter, value)) => *parameter = value,
@@ -69,31 +74,31 @@ impl Play {
         &self,
         former: &Setup,
         parameters: Vec<f64>,
-        before: &Play,
+        before: &Basis,
         names: &Names,
         lost: &mut Vec<String>,
     ) -> Setup {
-        let mut setup = Setup { parameters, ..self.basis.defaults().clone() };
+        let mut setup = Setup { parameters, ..self.defaults().clone() };
         if let Some(start) = &former.start {
             let states = 0..self.model().states.len();
             setup.start = states.map(|state| start.get(names.former_state(state)?).copied()).collect();
             if setup.start.is_none() {
-                lost.extend(before.basis.start_texts(start));
+                lost.extend(before.start_texts(start));
             }
         }
         setup.drawings = self.drawings_from(former, before, lost);
-        if former.method != before.basis.defaults().method {
-            if self.basis.method_refusal(former.method).is_none() {
+        if former.method != before.defaults().method {
+            if self.method_refusal(former.method).is_none() {
                 setup.method = former.method;
             } else {
-                lost.push(words::method_name(before.basis.language(), former.method).to_owned());
+                lost.push(words::method_name(before.language(), former.method).to_owned());
             }
         }
-        if former.step != before.basis.defaults().step {
+        if former.step != before.defaults().step {
             if names.same_time {
                 setup.step = former.step;
             } else {
-                lost.push(before.basis.step_words(former.step));
+                lost.push(before.step_words(former.step));
             }
         }
         setup
@@ -115,7 +120,7 @@ impl Play {
     }
 
     /// Converts a value of the former program. The number of a text may have changed.
-    fn same_choice(&self, before: &Play, (index, value): (usize, f64), place: usize) -> Option<f64> {
+    fn same_choice(&self, before: &Basis, (index, value): (usize, f64), place: usize) -> Option<f64> {
         match before.model().parameters.get(index)?.word(value, &before.model().texts) {
             Some(word) => self.model().parameters.get(place)?.chosen(word, &self.model().texts),
             None => Some(value),

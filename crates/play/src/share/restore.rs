@@ -5,7 +5,6 @@ use super::state::MOST_CHANGES;
 use crate::controls::button::read;
 use crate::controls::drawing;
 use crate::plots::plot::PlotState;
-use crate::time::course::Course;
 use crate::time::recipe::{Change, Moments, Recipe};
 use crate::{Announcement, Changes, MOST_KEPT, Play, PlotId, Refusal};
 use engine::Method;
@@ -44,7 +43,8 @@ impl Play {
         if fields.next() != Some(VERSION) {
             return Err(Refusal::UnreadableState);
         }
-        self.speed = 1.0;
+        let changes = self.line.set_speed(1.0);
+        self.note(changes);
         let first = PlotState::AT_FIRST..self.basis.program().plots.len();
         for (index, plot) in self.plots.iter_mut().enumerate() {
             (plot.shown, plot.view) = (!first.contains(&index), View::default());
@@ -59,19 +59,19 @@ impl Play {
         let mut left_out = reader.left_out;
         left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
         self.adopt_drawings(&present.setup.drawings);
-        let overhead = self.columns.bytes_per_row();
-        let (course, complete) = Course::replay(self.basis.model(), &present, Moments::Rows, overhead, work);
+        let (course, complete) = self.line.replay(&self.basis, &present, Moments::Rows, work);
         if !complete {
             left_out.push(format!("t={}", exact(present.front)));
         }
-        self.playing = false;
+        self.stop();
         self.hold = None;
-        self.ghost = None;
-        self.kept.clear();
-        self.note(Changes::RUNS);
+        let changes = self.line.forget_runs();
+        self.note(changes);
         self.replace_course(course);
         for recipe in &kept {
-            if self.keep_recipe(recipe, work) != Ok(true) {
+            let kept = self.line.keep_recipe(&self.basis, recipe, work);
+            self.note(kept.as_ref().map_or(Changes::NONE, |(_, changes)| *changes));
+            if !kept.is_ok_and(|(complete, _)| complete) {
                 left_out.push(format!("k, t={}", exact(recipe.front)));
             }
         }
@@ -241,7 +241,7 @@ mod tests {
             Err(Refusal::PartlyRestored { left_out }) => left_out.len(),
             Err(refusal) => panic!("{refusal:?}"),
         };
-        assert!(play.kept().len() <= MOST_KEPT);
+        assert!(play.time_line().kept(play.basis()).len() <= MOST_KEPT);
         (MOST_WORK - left, left_out)
     }
 

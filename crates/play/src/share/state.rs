@@ -37,10 +37,10 @@ impl Play {
     /// Differences from the freshly opened document, as text for the fragment of a URL; empty if there are none.
     pub fn share(&self) -> String {
         let mut fields: Vec<String> = Vec::new();
-        let mut recipe = self.course.recipe();
-        if recipe.changes.len() > MOST_CHANGES && self.course.state().iter().all(|value| value.is_finite()) {
-            let parameters = self.course.parameters().to_vec();
-            let start = Some(self.course.state().to_vec());
+        let mut recipe = self.course().recipe();
+        if recipe.changes.len() > MOST_CHANGES && self.course().state().iter().all(|value| value.is_finite()) {
+            let parameters = self.course().parameters().to_vec();
+            let start = Some(self.course().state().to_vec());
             recipe = Recipe {
                 setup: Setup { parameters, start, presses: Vec::new(), ..recipe.setup },
                 changes: Vec::new(),
@@ -57,8 +57,8 @@ impl Play {
         if self.answers.shows_hidden() {
             fields.push("w".to_owned());
         }
-        if self.speed != 1.0 {
-            fields.push(format!("x={}", exact(self.speed)));
+        if self.line.speed() != 1.0 {
+            fields.push(format!("x={}", exact(self.line.speed())));
         }
         let hidden = self.plots.iter().enumerate().filter(|(_, plot)| !plot.shown);
         let hidden: Vec<usize> = hidden.map(|(index, _)| index).collect();
@@ -72,9 +72,9 @@ impl Play {
                 fields.push(format!("z={index},{}", limits(&plot.view)));
             }
         }
-        for kept in &self.kept {
+        for recipe in self.line.kept_recipes() {
             fields.push("k".to_owned());
-            self.write_recipe(&kept.recipe, &mut fields);
+            self.write_recipe(recipe, &mut fields);
         }
         if fields.is_empty() { String::new() } else { format!("{VERSION}&{}", fields.join("&")) }
     }
@@ -85,7 +85,7 @@ impl Play {
         [
             (!self.answers.saved(&self.basis).is_empty(), pick("answers", "respuestas")),
             (
-                self.course.recipe().changes.len() > MOST_CHANGES,
+                self.course().recipe().changes.len() > MOST_CHANGES,
                 pick("the run before the moment shown", "la serie anterior al momento mostrado"),
             ),
         ]

@@ -64,9 +64,11 @@ impl Play {
 
     fn time_readout(&self) -> Readout {
         let independent = &self.basis.model().independent;
-        let (value, unit) = match self.small_times() {
-            Some(group) => (group.number(self.course.time()), group.unit_text()),
-            None => (self.time_number(self.course.time()), number::unit_text(&independent.unit.text)),
+        let (value, unit) = match self.basis.small_times(self.course()) {
+            Some(group) => (group.number(self.course().time()), group.unit_text()),
+            None => {
+                (self.basis.time_number(self.course(), self.course().time()), number::unit_text(&independent.unit.text))
+            }
         };
         Readout {
             kind: ReadoutKind::Independent,
@@ -120,8 +122,8 @@ impl Play {
             ReadoutKind::State(index) => {
                 let state = model.states.get(index)?;
                 Part {
-                    value: self.course.state().get(index).copied().unwrap_or(f64::NAN),
-                    scale: self.scales.get(index).copied().unwrap_or_default(),
+                    value: self.course().state().get(index).copied().unwrap_or(f64::NAN),
+                    scale: self.line.greatest(index),
                     node: model.graph.find(Node::State(index as u32)),
                     unit: &state.unit,
                     name: state.name(),
@@ -135,7 +137,7 @@ impl Play {
                 let quantity = model.quantities.get(index)?;
                 Part {
                     value: values.get(index).copied().unwrap_or(f64::NAN),
-                    scale: self.scales.get(model.states.len() + index).copied().unwrap_or_default(),
+                    scale: self.quantity_scales.get(index).copied().unwrap_or_default(),
                     node: Some(quantity.value.node),
                     unit: &quantity.value.unit,
                     name: quantity.name.clone(),
@@ -192,7 +194,7 @@ impl Play {
 
     /// Readouts that show whether each dry friction sticks or slips.
     fn friction_readouts(&self) -> impl Iterator<Item = Readout> {
-        let states = self.basis.model().states.iter().zip(self.course.state()).enumerate();
+        let states = self.basis.model().states.iter().zip(self.course().state()).enumerate();
         let frictions = states.filter(|(_, (state, _))| state.role == Role::Friction);
         let several = frictions.clone().nth(1).is_some();
         frictions.map(move |(index, (state, &motion))| {
@@ -233,17 +235,16 @@ impl Play {
     /// Pitch in hertz of the first state while the run is playing or a part is dragged: 440 Hz at 0, one octave up or
     /// down at its greatest magnitude in this run. `None` if there is nothing to hear.
     pub fn pitch(&self) -> Option<f64> {
-        let (&value, &scale) = (self.course.state().first()?, self.scales.first()?);
-        let sounding = (self.playing || self.hold.is_some()) && value.is_finite() && scale > 0.0;
+        let (&value, scale) = (self.course().state().first()?, self.line.greatest(0));
+        let sounding = (self.line.is_playing() || self.hold.is_some()) && value.is_finite() && scale > 0.0;
         sounding.then(|| 440.0 * libm::exp2((value / scale).clamp(-1.0, 1.0)))
     }
 
     fn quantity_values(&mut self) -> Vec<f64> {
-        let course = &self.course;
+        let course = self.line.course();
         let values =
             self.evaluators.quantities.at(course.parameters(), course.initial(), course.time(), course.state());
-        let states = self.basis.model().states.len();
-        for (scale, value) in self.scales.iter_mut().skip(states).zip(values) {
+        for (scale, value) in self.quantity_scales.iter_mut().zip(values) {
             if value.is_finite() {
                 *scale = scale.max(value.abs());
             }

@@ -11,7 +11,7 @@ impl Play {
     pub fn scene_values(&mut self) -> &[f64] {
         let frame = (self.revision.frame, self.revision.parameters);
         if self.evaluators.scene_frame != Some(frame) {
-            let course = &self.course;
+            let course = self.line.course();
             let values = self.evaluators.scene.at(course.parameters(), course.initial(), course.time(), course.state());
             self.evaluators.scene_values.clear();
             self.evaluators.scene_values.extend_from_slice(values);
@@ -34,11 +34,11 @@ impl Play {
         let Some(trail) = self.basis.scene().and_then(|scene| scene.trails.get(number)) else { return };
         let value = |index: usize| self.evaluators.scene_values.get(index).copied().unwrap_or(f64::NAN);
         let (last, every) = (trail.last.map(value), trail.every.map(value));
-        let from = last.map_or(0.0, |last| (self.course.time() - last).max(0.0));
+        let from = last.map_or(0.0, |last| (self.course().time() - last).max(0.0));
         let trails = &mut self.evaluators.trails;
         match every {
-            Some(every) => trails.write_dots(&mut self.course, number, (from, every), path),
-            None => trails.write_line(&self.course, number, from, path),
+            Some(every) => trails.write_dots(self.line.course_between_rows(), number, (from, every), path),
+            None => trails.write_line(self.line.course(), number, from, path),
         }
     }
 

@@ -38,17 +38,17 @@ impl Play {
 
     /// Number of recorded rows.
     pub fn table_length(&self) -> usize {
-        self.course.rows()
+        self.course().rows()
     }
 
     /// Cells of a range of rows, in the chosen language. Rows beyond the last one are omitted.
     pub fn table_rows(&self, rows: Range<usize>) -> Vec<Vec<String>> {
-        let Some(history) = self.course.history() else {
+        let Some(history) = self.course().history() else {
             return Vec::new();
         };
         let mut table = Table::new(self.model());
         let layouts = self.column_layouts(&table);
-        let rows = rows.start..rows.end.min(self.course.rows());
+        let rows = rows.start..rows.end.min(self.course().rows());
         let text = |(cell, column): (&Cell, &ColumnLayout)| match (cell, column) {
             (_, ColumnLayout::Hidden) => words::hidden(self.basis.language()).to_owned(),
             (Cell::Number(value), ColumnLayout::Number(layout)) => {
@@ -72,10 +72,13 @@ impl Play {
         let states = of_author.map(|index| (index, model.graph.find(Node::State(index as u32))));
         let others = varying.map(|(index, quantity)| (model.states.len() + index, Some(quantity.value.node)));
         // Events occur between steps, and an adaptive method ends its steps at arbitrary times.
-        let off_grid = !model.events.is_empty() || self.course.begun().method.adaptive();
-        let time = Layout::of_decimals(self.time_decimals().max(if off_grid { 4 } else { 0 }));
+        let off_grid = !model.events.is_empty() || self.course().begun().method.adaptive();
+        let time = Layout::of_decimals(self.basis.time_decimals(self.course()).max(if off_grid { 4 } else { 0 }));
         let scaled = states.chain(others).zip(table.columns().iter().skip(1)).map(|((place, node), column)| {
-            let scale = self.scales.get(place).copied().unwrap_or_default();
+            let scale = match place.checked_sub(model.states.len()) {
+                Some(quantity) => self.quantity_scales.get(quantity).copied().unwrap_or_default(),
+                None => self.line.greatest(place),
+            };
             if place.checked_sub(model.states.len()).is_some_and(|quantity| self.answers.hide(&self.basis, quantity)) {
                 ColumnLayout::Hidden
             } else if node.is_some_and(|node| self.basis.is_count(node, &column.unit)) {
@@ -89,7 +92,7 @@ impl Play {
 
     /// Index of the last row at or before the time shown.
     pub fn table_row_now(&self) -> usize {
-        self.course.rows_until_shown().saturating_sub(1)
+        self.course().rows_until_shown().saturating_sub(1)
     }
 
     /// The whole run as CSV with all digits: byte-identical to the output of the command line, or, for languages with
@@ -100,8 +103,8 @@ impl Play {
         let dialect = if self.basis.style().decimal_comma { Dialect::Semicolons } else { Dialect::Lines };
         // Writing to a string cannot fail.
         let _ = table.write_head(dialect, &mut out);
-        if let Some(history) = self.course.history() {
-            for row in 0..self.course.rows() {
+        if let Some(history) = self.course().history() {
+            for row in 0..self.course().rows() {
                 let _ = table.write_row(dialect, history, row, &mut out);
             }
         }
@@ -111,12 +114,12 @@ impl Play {
     /// The whole run, row by row, with texts in the chosen language.
     pub fn table_cells(&self) -> Vec<Vec<Cell>> {
         let mut table = Table::new(self.model());
-        let Some(history) = self.course.history() else { return Vec::new() };
+        let Some(history) = self.course().history() else { return Vec::new() };
         let cell = |cell: &Cell| match cell {
             Cell::Number(value) => Cell::Number(*value),
             other => Cell::Text(self.cell_text(other).into()),
         };
-        (0..self.course.rows()).map(|row| table.row(history, row).iter().map(cell).collect()).collect()
+        (0..self.course().rows()).map(|row| table.row(history, row).iter().map(cell).collect()).collect()
     }
 
     fn cell_text(&self, cell: &Cell) -> String {

@@ -35,8 +35,8 @@ fn a_link_is_short_and_says_what_differs() {
     assert_eq!(play.share(), "1&p=b:200,h_l:3.5&t=10&x=2&v=2");
     let other = reopened(&play);
     assert_eq!(bits(&other), bits(&play));
-    assert_eq!((other.speed(), other.plots()[2].shown), (2.0, false));
-    assert!(!other.is_playing());
+    assert_eq!((other.time_line().speed(), other.plots()[2].shown), (2.0, false));
+    assert!(!other.time_line().is_playing());
 }
 
 #[test]
@@ -83,10 +83,10 @@ fn everything_comes_back_with_the_same_bits() {
     play.scrub(1.0 / 7.0);
     let other = reopened(&play);
     assert_eq!(bits(&other), bits(&play));
-    assert_eq!((other.time(), other.end()), (play.time(), play.end()));
+    assert_eq!((other.course().time(), other.course().front()), (play.course().time(), play.course().front()));
     assert_eq!(crate::support::state(&other), crate::support::state(&play));
-    assert_eq!(other.parameter_values(), play.parameter_values());
-    assert_eq!(other.kept(), play.kept());
+    assert_eq!(other.course().parameters(), play.course().parameters());
+    assert_eq!(other.time_line().kept(other.basis()), play.time_line().kept(play.basis()));
 }
 
 /// The next step of an adaptive method depends on the previous ones, also if the run continued from an earlier moment.
@@ -115,7 +115,7 @@ fn a_change_that_has_not_acted_yet_is_shared() {
     go_on(&mut play, [1.0]);
     set(&mut play, "b", 300.0);
     let mut other = reopened(&play);
-    assert_eq!(other.parameter_values(), play.parameter_values());
+    assert_eq!(other.course().parameters(), play.course().parameters());
     go_on(&mut play, [1.0]);
     go_on(&mut other, [1.0]);
     assert_eq!(bits(&other), bits(&play));
@@ -157,7 +157,7 @@ fn more_changes_than_a_link_holds_leave_the_state() {
     let mut other = utube();
     other.restore(&fragment).unwrap();
     assert_eq!(crate::support::state(&other), crate::support::state(&play));
-    assert_eq!(other.parameter_values(), play.parameter_values());
+    assert_eq!(other.course().parameters(), play.course().parameters());
 }
 
 #[test]
@@ -210,7 +210,11 @@ fn restoring_replaces_what_was_there() {
     play.show_plot(PlotId::at(0), false);
     play.play();
     play.restore("1&p=b:7&t=2").unwrap();
-    assert!(!play.is_playing() && play.kept().is_empty() && !play.has_ghost());
+    assert!(
+        !play.time_line().is_playing()
+            && play.time_line().kept(play.basis()).is_empty()
+            && !play.time_line().has_ghost()
+    );
     assert_eq!(play.share(), "1&p=b:7&t=2");
 }
 

@@ -38,8 +38,13 @@ fn every_document_runs_and_is_drawn() {
             Play::open(opened.document.unwrap_or_else(|| panic!("{name}: {:?}", opened.diagnostics)).program);
         go_on(&mut play, [1.0; 5]);
         let expected = 5.0 * play.program().pace().per_second;
-        let ended = play.problem().is_some_and(|problem| problem.code == "ended") && play.time() < expected;
-        assert!(ended || (play.time() - expected).abs() < 1e-9, "{name}: {:?}", play.problem());
+        let ended = play.time_line().problem(play.basis()).is_some_and(|problem| problem.code == "ended")
+            && play.course().time() < expected;
+        assert!(
+            ended || (play.course().time() - expected).abs() < 1e-9,
+            "{name}: {:?}",
+            play.time_line().problem(play.basis())
+        );
         assert!(play.scene_values().iter().all(|value| value.is_finite()), "{name}");
         for plot in 0..play.plots().len() {
             let figure = play.layout_plot(PlotId::at(plot), &Settings::default()).unwrap();
@@ -116,7 +121,8 @@ fn the_liquid_is_dragged_as_far_as_there_is_liquid() {
 fn everything_is_said_in_spanish() {
     let mut play = utube();
     play.set_language("es");
-    let labels: Vec<String> = play.parameters().into_iter().map(|parameter| parameter.label).collect();
+    let labels: Vec<String> =
+        play.basis().parameters(play.course()).into_iter().map(|parameter| parameter.label).collect();
     let model = play.model().clone();
     for (parameter, label) in model.parameters.iter().zip(&labels) {
         assert_ne!(parameter.label.as_ref(), Some(label));

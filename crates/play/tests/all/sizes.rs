@@ -32,7 +32,7 @@ fn another_size_runs_as_the_document_that_states_it() {
     while play.take_announcement().is_some() {}
     play.resize(resized(&document, &[("N", "12")]).unwrap().program);
     assert_eq!(play.take_announcement(), Some(Announcement::Resized(Vec::new())));
-    assert!(play.is_playing());
+    assert!(play.time_line().is_playing());
     play.pause();
     // Bit-identical to the text with this size.
     let mut stated = open(&CHAIN.replace("size N = 5", "size N = 12"), &[SPANISH]);

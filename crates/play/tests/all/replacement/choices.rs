@@ -15,15 +15,21 @@ fn a_method_and_a_step_that_were_chosen_stay_and_others_are_the_documents() {
     let mut play = utube();
     go_on(&mut play, [1.0]);
     play.replace_program(edited(&[step, ("method: rk4", "method: euler")]));
-    assert_eq!((play.step(), play.course().begun().method.name(), play.table_length()), (0.02, "euler", 51));
+    assert_eq!(
+        (play.course().begun().step, play.course().begun().method.name(), play.table_length()),
+        (0.02, "euler", 51)
+    );
     play.set_method("velocity-verlet").unwrap();
     play.set_step(0.1).unwrap();
     go_on(&mut play, [1.0]);
     play.replace_program(edited(&[]));
-    assert_eq!((play.step(), play.course().begun().method.name()), (0.1, "velocity-verlet"));
+    assert_eq!((play.course().begun().step, play.course().begun().method.name()), (0.1, "velocity-verlet"));
     let first_order = "---\ntitle: Decay\nmethod: rk4\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1 [m]\n```\n";
     play.replace_program(open(first_order, &[]).program().clone());
-    assert_eq!((play.step(), play.course().begun().method.name(), play.time()), (0.1, "rk4", 1.0));
+    assert_eq!(
+        (play.course().begun().step, play.course().begun().method.name(), play.course().time()),
+        (0.1, "rk4", 1.0)
+    );
     assert_eq!(dropped(&mut play), ["velocity Verlet"]);
     // The abscissa is a length: there is no time axis to keep.
     play.replace_program(
@@ -31,7 +37,10 @@ fn a_method_and_a_step_that_were_chosen_stay_and_others_are_the_documents() {
             .program()
             .clone(),
     );
-    assert_eq!((play.time(), dropped(&mut play)), (0.0, vec!["h = 0.1 s".to_owned(), "the time 1.00 s".to_owned()]));
+    assert_eq!(
+        (play.course().time(), dropped(&mut play)),
+        (0.0, vec!["h = 0.1 s".to_owned(), "the time 1.00 s".to_owned()])
+    );
 }
 
 #[test]
@@ -80,22 +89,22 @@ fn kept_runs_are_computed_with_the_new_equation() {
             go_on(play, [2.0]);
             play.keep().unwrap();
         }
-        let first = play.kept()[0].id;
+        let first = play.time_line().kept(play.basis())[0].id;
         play.remove_kept(first);
-        play.show_kept(play.kept()[0].id, false);
+        play.show_kept(play.time_line().kept(play.basis())[0].id, false);
         play.back_to_start();
     }
-    let ids: Vec<u32> = play.kept().iter().map(|kept| kept.id).collect();
+    let ids: Vec<u32> = play.time_line().kept(play.basis()).iter().map(|kept| kept.id).collect();
     play.replace_program(edited(&[equation]));
     assert!(dropped(&mut play).is_empty());
-    assert_eq!(play.kept(), other.kept());
-    assert_eq!(play.kept().iter().map(|kept| kept.id).collect::<Vec<_>>(), ids);
+    assert_eq!(play.time_line().kept(play.basis()), other.time_line().kept(other.basis()));
+    assert_eq!(play.time_line().kept(play.basis()).iter().map(|kept| kept.id).collect::<Vec<_>>(), ids);
     play.clear_ghost();
     assert_eq!(play.plot_csv(PlotId::at(0)), other.plot_csv(PlotId::at(0)));
     assert_eq!(play.undo_number(), None, "the run that was removed was one of the former equation");
     play.replace_program(edited(&[("0..20000", "0..250")]));
     assert_eq!(dropped(&mut play), ["b = 300 kg/s", "the kept run “b = 300 kg/s”"]);
-    assert_eq!(play.kept().len(), 1);
+    assert_eq!(play.time_line().kept(play.basis()).len(), 1);
 }
 
 #[test]
@@ -137,6 +146,6 @@ fn a_language_stays_and_names_what_is_lost() {
     play.replace_program(open(&narrower, &[UTUBE_ES]).program().clone());
     assert_eq!((play.basis().tag(), play.plots()[0].title.as_str()), ("es", "Movimiento"));
     assert_eq!(dropped(&mut play), ["b = 200 kg/s"]);
-    let text = play.announcement_text(&Announcement::Replaced(vec!["b = 200 kg/s".to_owned()]));
+    let text = Announcement::Replaced(vec!["b = 200 kg/s".to_owned()]).text(play.basis(), play.time_line());
     assert_eq!(text, "El documento cambiado está en marcha; se omitió lo que no encaja: b = 200 kg/s");
 }

@@ -3,14 +3,14 @@
 use crate::announcement::{Announcement, Announcements};
 use crate::controls::hold::Holding;
 use crate::number::Style;
-use crate::plots::plot::{Content, PlotState};
 use crate::questions::given::Answer;
 use crate::removed::Undo;
 use crate::time::course::Course;
 use crate::values::trails::Trails;
 use crate::values::{Lines, Outline};
-use crate::{Answers, Basis, Changes, Claims, Refusal, Revision, TimeLine, Verdict};
+use crate::{AddedPlot, Answers, Basis, Changes, Claims, Figures, PlotId, Plots, Refusal, Revision, TimeLine, Verdict};
 use engine::{Readings, Setup};
+use figure::{Figure, Point, Settings};
 use program::{Model, NodeId, Program};
 use units::Language;
 
@@ -22,7 +22,7 @@ pub struct Play {
     pub(crate) announcements: Announcements,
     pub(crate) line: TimeLine,
     pub(crate) hold: Option<Holding>,
-    pub(crate) plots: Vec<PlotState>,
+    pub(crate) plots: Plots,
     /// Outline drawn over the scene.
     pub(crate) outline: Option<Outline>,
     pub(crate) evaluators: Evaluators,
@@ -62,7 +62,7 @@ impl Play {
             lines: Lines::of(&program.model),
             quantity_scales: vec![0.0; program.model.quantities.len()],
             evaluators: Evaluators::new(program, basis.tag()),
-            plots: PlotState::of(program, line.columns()),
+            plots: Plots::new(program, line.columns()),
             outline: None,
             answers: Answers::new(program),
             claims: Claims::default(),
@@ -71,8 +71,7 @@ impl Play {
             line,
             basis,
         };
-        play.label_plots();
-        let changes = play.line.begin();
+        let changes = play.plots.label(&play.basis, play.line.columns()) | play.line.begin();
         play.note(changes);
         play
     }
@@ -110,8 +109,8 @@ impl Play {
         self.evaluators.trails = Trails::new(self.basis.model(), self.basis.program().scene(language));
         self.evaluators.scene_frame = None;
         self.evaluators.scene_scales.clear();
-        self.label_plots();
-        self.note(Changes::LANGUAGE);
+        let changes = self.plots.label(&self.basis, self.line.columns());
+        self.note(changes | Changes::LANGUAGE);
     }
 
     /// Number format of the chosen language.
@@ -195,6 +194,67 @@ impl Play {
         self.note(changes);
     }
 
+    /// The plots, as far as they follow the run.
+    pub fn plots(&self) -> Figures<'_> {
+        self.plots.seen(&self.basis, &self.line)
+    }
+
+    /// The plots, up to the front of the run.
+    pub fn plots_to_front(&mut self) -> Figures<'_> {
+        self.follow();
+        self.plots()
+    }
+
+    /// Changes settings or points of plots.
+    pub fn change_plots(&mut self, change: impl FnOnce(&mut Plots) -> Changes) {
+        let changes = change(&mut self.plots);
+        self.note(changes);
+    }
+
+    /// Lays out a plot for the time shown, reusing the buffers of its figure. `None` if there is no such plot.
+    pub fn layout_plot(&mut self, id: PlotId, settings: &Settings) -> Option<&Figure> {
+        self.follow();
+        self.plots.layout(&self.basis, &self.line, id, settings)
+    }
+
+    /// Read-out at a pixel of the last layout: values of the present and kept runs and the nearest measured points.
+    /// Moves the keyboard cursor there.
+    pub fn hover_plot(&mut self, id: PlotId, at: Point) -> Option<figure::Readout> {
+        self.plots.hover(&self.basis, &self.line, id, at)
+    }
+
+    /// Moves the keyboard cursor by `rows` rows along the run, initially from the present row, and returns the read-out
+    /// there.
+    pub fn move_cursor(&mut self, id: PlotId, rows: isize) -> Option<figure::Readout> {
+        self.plots.move_cursor(&self.basis, &self.line, id, rows)
+    }
+
+    /// Continues the runs of sweep plots for part of one frame. Returns true if work remains.
+    pub fn work_on_plots(&mut self) -> bool {
+        let (remains, changes) = self.plots.work(self.basis.model(), self.line.course());
+        self.note(changes);
+        remains
+    }
+
+    /// Adds an empty plot after the others.
+    pub fn add_plot(&mut self) -> PlotId {
+        let (id, changes) = self.plots.add();
+        self.note(changes);
+        id
+    }
+
+    /// Access to an added plot. Call [`Play::added_plot_changed`] after changing it; `None` if the plot is not an added
+    /// one.
+    pub fn added_plot(&mut self, id: PlotId) -> Option<&mut AddedPlot> {
+        self.plots.added(id)
+    }
+
+    /// Redraws an added plot after a change.
+    pub fn added_plot_changed(&mut self, id: PlotId) {
+        let changes = self.plots.added_changed(id);
+        self.note(changes);
+    }
+
     /// The author's claims.
     pub fn claims(&self) -> &Claims {
         &self.claims
@@ -225,19 +285,7 @@ impl Play {
     /// Updates the columns and the contents of the plots to the front of the run.
     pub(crate) fn follow(&mut self) {
         self.line.follow();
-        for (index, plot) in self.plots.iter_mut().enumerate() {
-            match &mut plot.content {
-                Content::Run => {}
-                Content::Section(section) => section.follow(self.line.course_between_rows()),
-                Content::Swept(swept) => drop(swept.follow(self.line.course())),
-                Content::Profile(profile, _) => profile.follow(self.line.course()),
-                Content::Histogram(histogram) => {
-                    let plot = self.line.columns().plot(index);
-                    let column = plot.map_or(&[][..], |plot| self.line.traces().column(plot.x));
-                    histogram.follow(self.line.course(), column);
-                }
-            }
-        }
+        self.plots.follow(&mut self.line);
     }
 
     /// Copy of this simulation, restarted at time 0 with the present parameters; without kept runs and ghost.
@@ -272,9 +320,7 @@ impl Play {
     }
 
     fn run_replaced(&mut self, changes: Changes) {
-        for plot in &mut self.plots {
-            plot.forget_rows();
-        }
+        self.plots.forget_rows();
         self.quantity_scales.fill(0.0);
         self.evaluators.scene_scales.clear();
         self.note(changes);

@@ -265,7 +265,7 @@ impl App {
     /// Present state of a plot; tracks the visibility of plots.
     pub fn plot(self, id: PlotId) -> Option<PlotView> {
         self.changes.plots.track();
-        self.read(|play| play.plots().into_iter().nth(id.place()))
+        self.read(|play| play.plots().list().into_iter().nth(id.place()))
     }
 
     /// Performs an action on the simulation, notifies the views and redraws.

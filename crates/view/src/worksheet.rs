@@ -94,10 +94,10 @@ fn scene() -> Option<HtmlDiv> {
 fn plots(app: App) -> View {
     let decimal_comma = app.language.get_untracked().style().decimal_comma;
     let settings = Settings { decimal_comma, ..PLOT };
-    let shown = app.read(|play| play.plots());
+    let shown = app.read(|play| play.plots().list());
     let shown = shown.into_iter().filter(|plot| plot.shown && plot.offered && !plot.apart);
     each(shown, |plot| {
-        let svg = app.read(|play| play.plot_svg(plot.id, &settings, &Palette::LIGHT));
+        let svg = app.read(|play| play.plots_to_front().svg(plot.id, &settings, &Palette::LIGHT));
         tags::figure().inner_html(svg)
     })
 }

@@ -289,7 +289,7 @@ impl Desk {
     /// Time range of the zoomed plot on the clocks of the records that take part, SI. `None` if no plot is zoomed, or if the
     /// model begins at different readings of these clocks, so that no common range corresponds to the plot.
     fn part_in_plot(&self) -> Option<[f64; 2]> {
-        let part = self.play.zoomed_part()?;
+        let part = self.play.plots().zoomed_part()?;
         let model = self.play.model();
         let taking_part: Vec<u32> =
             self.fit_records().iter().filter(|choice| choice.taking_part).map(|choice| choice.id).collect();

@@ -94,13 +94,10 @@ fn perform(desk: &mut Desk, action: Action) {
         }
         Action::Step(step) => drop(desk.play_mut().set_step(step)),
         Action::Zoom(at, factor) => {
-            desk.play_mut().zoom_plot(
-                PlotId::at(0),
-                Some(Point { x: at as f32, y: at as f32 }),
-                factor,
-                Direction::Both,
-            );
-            desk.play_mut().pan_plot(PlotId::at(1), at, factor);
+            desk.play_mut().change_plots(|plots| {
+                plots.zoom(PlotId::at(0), Some(Point { x: at as f32, y: at as f32 }), factor, Direction::Both)
+            });
+            desk.play_mut().change_plots(|plots| plots.pan(PlotId::at(1), at, factor));
         }
         Action::Answer(text) => drop(desk.play_mut().check_answer(0, &text)),
         Action::Reopen => {

@@ -126,7 +126,7 @@ fn points(desk: &mut Desk, index: usize) -> usize {
 fn plots_grow_with_the_run_and_end_at_the_moment_shown() {
     let mut desk = utube();
     let titles: Vec<String> =
-        desk.play().plots().into_iter().filter(|plot| plot.offered).map(|plot| plot.title).collect();
+        desk.play().plots().list().into_iter().filter(|plot| plot.offered).map(|plot| plot.title).collect();
     assert_eq!(titles, ["Motion", "Phase portrait", "Energies"]);
     let empty = points(&mut desk, 0);
     desk.play_mut().play();
@@ -178,7 +178,7 @@ fn plots_are_read_by_pointer_and_by_keyboard() {
     let row = hovered.samples[0].row;
     let next = followed(&mut desk).move_cursor(PlotId::at(0), 1).unwrap();
     assert_eq!(next.samples[0].row, row + 1);
-    let apart = desk.play().plot_difference(PlotId::at(0), &hovered, &next);
+    let apart = desk.play().plots().difference(PlotId::at(0), &hovered, &next);
     assert!(apart[0].starts_with("Δt = 0.0") && apart[1].starts_with("Δy = ") && apart.len() == 3, "{apart:?}");
     assert!(followed(&mut desk).hover_plot(PlotId::at(0), Point { x: -1.0, y: 0.0 }).is_none());
     assert!(
@@ -214,21 +214,21 @@ fn zoom_and_pan_hold_until_reset() {
     let mut desk = utube();
     play(&mut desk, [5.0]);
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    assert!(desk.play().plots()[1].automatic);
-    desk.play_mut().zoom_plot(PlotId::at(1), None, 2.0, Direction::Both);
+    assert!(desk.play().plots().list()[1].automatic);
+    desk.play_mut().change_plots(|plots| plots.zoom(PlotId::at(1), None, 2.0, Direction::Both));
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    desk.play_mut().pan_plot(PlotId::at(1), 10.0, 0.0);
-    assert!(!desk.play().plots()[1].automatic && desk.play().plots()[0].automatic);
-    let before = desk.play().plot_figure(PlotId::at(1)).unwrap().x_scale().copied();
+    desk.play_mut().change_plots(|plots| plots.pan(PlotId::at(1), 10.0, 0.0));
+    assert!(!desk.play().plots().list()[1].automatic && desk.play().plots().list()[0].automatic);
+    let before = desk.play().plots().figure(PlotId::at(1)).unwrap().x_scale().copied();
     play(&mut desk, [1.0]);
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    desk.play_mut().reset_plot(PlotId::at(1));
+    desk.play_mut().change_plots(|plots| plots.reset(PlotId::at(1)));
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    assert!(desk.play().plots()[1].automatic);
-    assert_ne!(desk.play().plot_figure(PlotId::at(1)).unwrap().x_scale().copied(), before);
-    desk.play_mut().zoom_plot(PlotId::at(1), None, f64::NAN, Direction::Both);
-    desk.play_mut().zoom_plot(PlotId::at(9), None, 2.0, Direction::Both);
-    assert!(desk.play().plots()[1].automatic);
+    assert!(desk.play().plots().list()[1].automatic);
+    assert_ne!(desk.play().plots().figure(PlotId::at(1)).unwrap().x_scale().copied(), before);
+    desk.play_mut().change_plots(|plots| plots.zoom(PlotId::at(1), None, f64::NAN, Direction::Both));
+    desk.play_mut().change_plots(|plots| plots.zoom(PlotId::at(9), None, 2.0, Direction::Both));
+    assert!(desk.play().plots().list()[1].automatic);
 }
 
 #[test]
@@ -236,9 +236,9 @@ fn figures_are_files_too() {
     let mut desk = utube();
     play(&mut desk, [5.0]);
     desk.set_language("es");
-    let svg = followed(&mut desk).plot_svg(PlotId::at(1), &Settings::default(), &Palette::LIGHT);
+    let svg = followed(&mut desk).plots_to_front().svg(PlotId::at(1), &Settings::default(), &Palette::LIGHT);
     assert!(svg.starts_with("<svg") && svg.contains("Retrato de fase"), "{}", &svg[..200.min(svg.len())]);
-    assert_eq!(followed(&mut desk).plot_svg(PlotId::at(9), &Settings::default(), &Palette::LIGHT), "");
+    assert_eq!(followed(&mut desk).plots_to_front().svg(PlotId::at(9), &Settings::default(), &Palette::LIGHT), "");
 }
 
 #[test]

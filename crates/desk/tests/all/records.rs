@@ -35,7 +35,7 @@ fn records_in_one_plot_have_colours_of_their_own() {
         desk.add_record(name, [row, "0.2 0.33\n0.3 0.24\n"].concat().as_bytes()).unwrap();
     }
     let colours = |desk: &Desk, plot: PlotId, label: &str| {
-        let legend = desk.play().plot_legend(plot);
+        let legend = desk.play().plots().legend(plot);
         let own: Vec<u8> = legend.iter().filter(|one| one.label.starts_with(label)).map(|one| one.colour).collect();
         own
     };
@@ -159,7 +159,7 @@ fn a_measurement_without_errors_leaves_nothing_over() {
         record.findings
     );
     let residuals = desk.document().program.plots.len();
-    assert!(desk.play().plots()[residuals].offered);
+    assert!(desk.play().plots().list()[residuals].offered);
     desk.play_mut().play();
     (0..40).for_each(|_| assert!(desk.play_mut().tick(0.05)));
     desk.play_mut().pause();

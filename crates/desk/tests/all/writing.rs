@@ -109,7 +109,7 @@ fn another_plot_leaves_residuals_and_cycles_behind_those_of_the_document() {
     assert!(desk.write_all(vec![text, translation]), "{:#?}", desk.writing().findings());
     assert_eq!(desk.document().program.plots.len(), own + 1);
     assert_eq!((desk.residual_plot().place(), desk.cycle_plot().place()), (own + 1, own + 2));
-    let plots = desk.play().plots();
+    let plots = desk.play().plots().list();
     assert_eq!(plots.len(), own + 3);
     assert!(plots[own + 2].apart);
 }

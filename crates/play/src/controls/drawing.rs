@@ -2,7 +2,6 @@
 
 use crate::basis::input::DIGITS;
 use crate::play::Evaluators;
-use crate::plots::plot::PlotState;
 use crate::removed::Removed;
 use crate::values::symbol::symbol;
 use crate::{Announcement, Basis, Changes, Course, Play, Refusal, number};
@@ -85,9 +84,7 @@ impl Play {
         self.line.model_changed(&self.basis);
         self.evaluators = Evaluators::new(self.basis.program(), self.basis.tag());
         self.answers.model_changed(self.basis.program());
-        for (own, new) in self.plots.iter_mut().zip(PlotState::of(self.basis.program(), &self.line.columns())) {
-            own.content = new.content;
-        }
+        self.plots.model_changed(self.basis.program(), self.line.columns());
         self.note(Changes::PARAMETERS);
     }
 }

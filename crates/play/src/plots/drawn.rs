@@ -3,19 +3,18 @@
 use super::added::AddedPlot;
 use super::histogram::Histogram;
 use super::members::Snapshot;
-use super::plot::{Content, PlotId};
 use super::section::Section;
 use super::sweep::Swept;
 use super::traces::CurveColumns;
-use crate::{Play, words};
+use super::{Content, Figures};
+use crate::words;
 use figure::{Axis, Interval, Plot, Series, Style, View};
 use program::{Curve, Drawing};
-use units::Unit;
 
-impl Play {
+impl Figures<'_> {
     /// Figure of a plot; `None` for an unknown index.
     pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
-        let state = self.plots.get(index)?;
+        let state = self.plots.states.get(index)?;
         if let Some(added) = &state.added {
             return Some(self.added_figure(added, &state.view));
         }
@@ -31,7 +30,7 @@ impl Play {
     /// Series from back to front: points, the ghost, the kept runs, the present run; curves keep their colours in all
     /// runs.
     fn figure_plot(&self, index: usize) -> Option<Plot<'_>> {
-        let state = self.plots.get(index)?;
+        let state = self.plots.states.get(index)?;
         let columns = self.line.columns().plot(index)?;
         let labels = &state.labels;
         let ghosts = self.line.ghost_traces().map(|traces| (traces, Style::Ghost)).into_iter();
@@ -63,8 +62,8 @@ impl Play {
             }
         }
         let independent = self.is_against_independent(index);
-        let unit = &self.model().independent.unit;
-        let first = Interval::new(0.0, unit.from_si(self.basis.first_part(self.course())));
+        let unit = &self.basis.model().independent.unit;
+        let first = Interval::new(0.0, unit.from_si(self.basis.first_part(self.line.course())));
         Some(Plot {
             title: &labels.title,
             description: &labels.description,
@@ -81,7 +80,7 @@ impl Play {
 
     /// A plot of the document without series.
     fn empty_figure(&self, index: usize) -> Option<Plot<'_>> {
-        let state = self.plots.get(index)?;
+        let state = self.plots.states.get(index)?;
         let labels = &state.labels;
         Some(Plot {
             title: &labels.title,
@@ -96,7 +95,7 @@ impl Play {
 
     /// Series of one curve of a plot that is not drawn along the run.
     fn curve_alone<'a>(&'a self, index: usize, number: usize, x: &'a [f64], y: &'a [f64]) -> Option<Series<'a>> {
-        let labels = &self.plots.get(index)?.labels;
+        let labels = &self.plots.states.get(index)?.labels;
         let text = |list: &'a [String]| list.get(number).map_or("", String::as_str);
         let axis = self.line.columns().plot(index)?.curves.get(number)?.axis;
         let (label, across, colour) = (text(&labels.curves), text(&labels.across), number as u8);
@@ -127,7 +126,7 @@ impl Play {
         plot.series = series.collect();
         // The axis ends with the sweep: no values are computed beyond it.
         plot.view.x.get_or_insert(swept.range());
-        plot.marker = swept.present(self.course());
+        plot.marker = swept.present(self.line.course());
         plot.ordered = style == Style::Line;
         Some(plot)
     }
@@ -177,26 +176,18 @@ impl Play {
     /// zoomed.
     pub fn zoomed_part(&self) -> Option<Interval> {
         let against = (0..self.basis.program().plots.len()).filter(|index| self.is_against_independent(*index));
-        against.filter_map(|index| self.plots.get(index)?.view.x).next()
+        against.filter_map(|index| self.plots.states.get(index)?.view.x).next()
     }
 
-    /// Unit of the horizontal axis of a plot that shows points against the independent variable; `None` for other
-    /// plots.
-    pub fn unit_of_time_axis(&self, PlotId(index): PlotId) -> Option<&Unit> {
-        let has_points = self.plots.get(index).is_some_and(|plot| !plot.points.is_empty());
-        let plot = self.basis.program().plots.get(index).filter(|_| has_points && self.is_against_independent(index));
-        plot.map(|plot| &plot.x.value.unit)
-    }
-
-    fn is_against_independent(&self, index: usize) -> bool {
-        let independent = |x: &Curve| self.model().is_independent(x.value.node);
+    pub(super) fn is_against_independent(&self, index: usize) -> bool {
+        let independent = |x: &Curve| self.basis.model().is_independent(x.value.node);
         self.basis.program().plots.get(index).is_some_and(|plot| plot.abscissas().all(independent))
     }
 
     /// Figure of an added plot.
     fn added_figure<'a>(&'a self, added: &'a AddedPlot, view: &View) -> Plot<'a> {
         let labels = &added.labels;
-        let unit = &self.model().independent.unit;
+        let unit = &self.basis.model().independent.unit;
         let series = added.series.iter().enumerate().map(|(number, series)| Series {
             label: labels.curves.get(number).filter(|_| series.in_legend).map_or("", String::as_str),
             axis: series.axis,
@@ -216,7 +207,7 @@ impl Play {
             x: Axis { label: &labels.x.0, unit: &labels.x.1, include: added.x_includes },
             y: labels.axes.iter().map(axis).collect(),
             series: series.collect(),
-            marker: added.marks_time.then(|| unit.from_si(self.course().time())),
+            marker: added.marks_time.then(|| unit.from_si(self.line.course().time())),
             view: View { x: view.x, y: limits.map_or_else(|| view.y.clone(), |limits| vec![limits]) },
             ordered: added.ordered,
             steady: false,
@@ -231,12 +222,12 @@ impl Play {
 
     /// Number of series of points, which are drawn behind all lines.
     pub(super) fn points_behind(&self, index: usize) -> usize {
-        let along = self.plots.get(index).filter(|plot| matches!(plot.content, Content::Run));
+        let along = self.plots.states.get(index).filter(|plot| matches!(plot.content, Content::Run));
         along.map_or(0, |plot| plot.points.len())
     }
 
     fn runs_behind(&self, index: usize) -> usize {
-        let state = self.plots.get(index);
+        let state = self.plots.states.get(index);
         if state.is_none_or(|state| !matches!(state.content, Content::Run)) {
             return 0;
         }

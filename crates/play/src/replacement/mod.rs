@@ -26,9 +26,10 @@ mod recipe;
 
 use crate::share::restore::MOST_WORK;
 use crate::time::recipe::{Moments, Recipe};
-use crate::{Announcement, Changes, Play, words};
+use crate::{Announcement, Changes, Play, TimeLine, words};
 use answers::asks_the_same;
 use names::Names;
+use plots::same_curves;
 use program::Program;
 
 impl Play {
@@ -56,7 +57,13 @@ impl Play {
         self.number_removals_from(before.removals());
         self.line.adopt_speed(&before.line);
         self.lines.choose_as(std::mem::take(&mut before.lines));
-        self.adopt_plots(&mut before);
+        let axes = |line: &TimeLine, plot| line.columns().plot(plot).map(|columns| columns.axes.clone());
+        self.plots.adopt(
+            (self.basis.program(), before.basis.program()),
+            std::mem::take(&mut before.plots),
+            same_curves,
+            |own, former| axes(&self.line, own) == axes(&before.line, former),
+        );
         self.set_language(before.basis.tag());
         let mut lost = self.adopt_runs(&mut before, &names);
         let same = |own, former| asks_the_same((&self.basis, own), (&before.basis, former), &names);

@@ -4,9 +4,8 @@ use super::link::{VERSION, decode, encode};
 use super::state::MOST_CHANGES;
 use crate::controls::button::read;
 use crate::controls::drawing;
-use crate::plots::plot::PlotState;
 use crate::time::recipe::{Change, Moments, Recipe};
-use crate::{Announcement, Changes, MOST_KEPT, Play, PlotId, Refusal};
+use crate::{Announcement, Changes, MOST_KEPT, Play, Refusal};
 use engine::Method;
 use figure::{Interval, View};
 use units::number::compact as exact;
@@ -45,11 +44,8 @@ impl Play {
         }
         let changes = self.line.set_speed(1.0);
         self.note(changes);
-        let first = PlotState::AT_FIRST..self.basis.program().plots.len();
-        for (index, plot) in self.plots.iter_mut().enumerate() {
-            (plot.shown, plot.view) = (!first.contains(&index), View::default());
-        }
-        self.note(Changes::PLOTS);
+        let changes = self.plots.reset_all(self.basis.program().plots.len());
+        self.note(changes);
         let mut reader = Reader { play: self, left_out: Vec::new() };
         let fields: Vec<&str> = fields.collect();
         let mut sections = fields.split(|field| *field == "k");
@@ -159,18 +155,14 @@ impl Reader<'_> {
             "x" => self.play.set_speed(number(value)?),
             "w" => self.play.show_hidden(true),
             "v" => {
-                self.play.plots.iter_mut().for_each(|plot| plot.shown = true);
-                for index in value.split(',').filter(|index| !index.is_empty()) {
-                    let index: usize = index.parse().ok()?;
-                    self.play.plots.get(index)?;
-                    self.play.show_plot(PlotId::at(index), false);
-                }
+                let hidden = value.split(',').filter(|index| !index.is_empty()).map(|index| index.parse().ok());
+                let changes = self.play.plots.show_except(hidden)?;
+                self.play.note(changes);
             }
             "z" => {
                 let (index, limits) = value.split_once(',')?;
-                let index: usize = index.parse().ok()?;
-                let plot = self.play.plots.get_mut(index)?;
-                plot.view = view(limits).filter(|view| view.y.is_empty() || view.y.len() == plot.labels.axes.len())?;
+                let changes = self.play.plots.set_view(index.parse().ok()?, view(limits)?)?;
+                self.play.note(changes);
             }
             _ => return None,
         }

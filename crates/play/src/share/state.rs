@@ -24,7 +24,6 @@ use super::link::{VERSION, encode};
 use crate::Play;
 use crate::controls::button::written;
 use crate::controls::drawing;
-use crate::plots::plot::PlotState;
 use crate::time::recipe::{Change, Recipe};
 use engine::Setup;
 use figure::{Interval, View};
@@ -60,17 +59,14 @@ impl Play {
         if self.line.speed() != 1.0 {
             fields.push(format!("x={}", exact(self.line.speed())));
         }
-        let hidden = self.plots.iter().enumerate().filter(|(_, plot)| !plot.shown);
-        let hidden: Vec<usize> = hidden.map(|(index, _)| index).collect();
-        if !hidden.iter().copied().eq(PlotState::AT_FIRST..self.basis.program().plots.len()) {
+        let documents = self.basis.program().plots.len();
+        if let Some(hidden) = self.plots.hidden(documents) {
             let hidden: Vec<String> = hidden.iter().map(usize::to_string).collect();
             fields.push(format!("v={}", hidden.join(",")));
         }
         // Plots of measurements come and go with the records, which a link does not contain.
-        for (index, plot) in self.plots.iter().enumerate().take(self.basis.program().plots.len()) {
-            if !plot.view.is_automatic() {
-                fields.push(format!("z={index},{}", limits(&plot.view)));
-            }
+        for (index, view) in self.plots.zoomed().filter(|(index, _)| *index < documents) {
+            fields.push(format!("z={index},{}", limits(view)));
         }
         for recipe in self.line.kept_recipes() {
             fields.push("k".to_owned());

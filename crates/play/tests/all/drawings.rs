@@ -124,7 +124,7 @@ fn kept_runs_and_the_ghost_keep_theirs() {
     assert_ne!(play.csv(), kept);
     // Both kept runs draw the same curve.
     play.clear_ghost();
-    let drawn = |mut play: Play| play.plot_csv(play::PlotId::at(0));
+    let drawn = |mut play: Play| play.plots_to_front().csv(play::PlotId::at(0));
     assert_eq!(drawn(play), drawn(other));
 }
 

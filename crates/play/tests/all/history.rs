@@ -133,7 +133,7 @@ fn moving_a_slider_leaves_the_ghost_of_the_real_run() {
         play.tick(0.016);
     }
     let settings = Default::default();
-    let svg = play.plot_svg(PlotId::at(0), &settings, &play::figure::Palette::LIGHT);
+    let svg = play.plots_to_front().svg(PlotId::at(0), &settings, &play::figure::Palette::LIGHT);
     assert!(play.time_line().has_ghost());
     assert!(svg.contains("10"), "the axis still has room for the ghost's 10 s");
     play.back_to_start();

@@ -46,7 +46,7 @@ fn every_document_runs_and_is_drawn() {
             play.time_line().problem(play.basis())
         );
         assert!(play.scene_values().iter().all(|value| value.is_finite()), "{name}");
-        for plot in 0..play.plots().len() {
+        for plot in 0..play.plots().list().len() {
             let figure = play.layout_plot(PlotId::at(plot), &Settings::default()).unwrap();
             assert!(figure.items().count() > 10, "{name}");
         }
@@ -127,7 +127,7 @@ fn everything_is_said_in_spanish() {
     for (parameter, label) in model.parameters.iter().zip(&labels) {
         assert_ne!(parameter.label.as_ref(), Some(label));
     }
-    for (plot, view) in play.program().plots.clone().iter().zip(play.plots()) {
+    for (plot, view) in play.program().plots.clone().iter().zip(play.plots().list()) {
         assert_ne!(plot.title, view.title);
     }
     for readout in play.readouts() {

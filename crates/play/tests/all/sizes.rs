@@ -26,7 +26,7 @@ fn another_size_runs_as_the_document_that_states_it() {
     let mut play = Play::open(document.program.clone());
     set(&mut play, "k", 9.0);
     go_on(&mut play, [0.5]);
-    play.show_plot(PlotId::at(1), false);
+    play.change_plots(|plots| plots.show(PlotId::at(1), false));
     play.choose_member("x", 0, 4);
     play.play();
     while play.take_announcement().is_some() {}
@@ -40,7 +40,7 @@ fn another_size_runs_as_the_document_that_states_it() {
     go_on(&mut stated, [0.5]);
     assert_eq!(bits(&play), bits(&stated));
     assert_eq!(play.states().len(), 24);
-    assert!(!play.plots()[1].shown);
+    assert!(!play.plots().list()[1].shown);
     let index = |play: &mut Play| {
         let chosen = play.readouts().into_iter().find(|one| one.label == "Displacement").unwrap();
         chosen.members.unwrap().indices[0]

@@ -49,9 +49,9 @@ fn plots_keep_what_was_chosen_by_their_titles() {
     let settings = Settings::default();
     for index in 0..3 {
         play.layout_plot(PlotId::at(index), &settings);
-        play.zoom_plot(PlotId::at(index), None, 2.0, Direction::Both);
+        play.change_plots(|plots| plots.zoom(PlotId::at(index), None, 2.0, Direction::Both));
     }
-    play.show_plot(PlotId::at(1), false);
+    play.change_plots(|plots| plots.show(PlotId::at(1), false));
     let added = play.add_plot();
     play.added_plot(added).unwrap().labels.title = "Residuals".to_owned();
     play.added_plot_changed(added);
@@ -59,7 +59,7 @@ fn plots_keep_what_was_chosen_by_their_titles() {
         ("\"Motion\": y, y' against t", "\"Speed\": abs(y') against t\n\"Motion\": y, y' against t"),
         ("E, T, V against t", "E, T, V against y"),
     ]));
-    let plots = play.plots();
+    let plots = play.plots().list();
     let seen: Vec<(&str, bool, bool)> =
         plots.iter().map(|plot| (plot.title.as_str(), plot.shown, plot.automatic)).collect();
     assert_eq!(
@@ -75,7 +75,7 @@ fn plots_keep_what_was_chosen_by_their_titles() {
     );
     assert!(play.added_plot(PlotId::at(4)).is_some());
     play.set_language("es");
-    assert_eq!(play.plots()[4].title, "Residuals");
+    assert_eq!(play.plots().list()[4].title, "Residuals");
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn kept_runs_are_computed_with_the_new_equation() {
     assert_eq!(play.time_line().kept(play.basis()), other.time_line().kept(other.basis()));
     assert_eq!(play.time_line().kept(play.basis()).iter().map(|kept| kept.id).collect::<Vec<_>>(), ids);
     play.clear_ghost();
-    assert_eq!(play.plot_csv(PlotId::at(0)), other.plot_csv(PlotId::at(0)));
+    assert_eq!(play.plots_to_front().csv(PlotId::at(0)), other.plots_to_front().csv(PlotId::at(0)));
     assert_eq!(play.undo_number(), None, "the run that was removed was one of the former equation");
     play.replace_program(edited(&[("0..20000", "0..250")]));
     assert_eq!(dropped(&mut play), ["b = 300 kg/s", "the kept run “b = 300 kg/s”"]);
@@ -144,7 +144,7 @@ fn a_language_stays_and_names_what_is_lost() {
     play.set_language("es");
     let narrower = UTUBE.replace("in 0..20000", "in 0..100");
     play.replace_program(open(&narrower, &[UTUBE_ES]).program().clone());
-    assert_eq!((play.basis().tag(), play.plots()[0].title.as_str()), ("es", "Movimiento"));
+    assert_eq!((play.basis().tag(), play.plots().list()[0].title.as_str()), ("es", "Movimiento"));
     assert_eq!(dropped(&mut play), ["b = 200 kg/s"]);
     let text = Announcement::Replaced(vec!["b = 200 kg/s".to_owned()]).text(play.basis(), play.time_line());
     assert_eq!(text, "El documento cambiado está en marcha; se omitió lo que no encaja: b = 200 kg/s");

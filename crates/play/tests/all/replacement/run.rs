@@ -41,9 +41,9 @@ fn a_run_of_the_same_model_stays_as_it_is() {
             other.scrub(3.3);
             let drawn = |play: &mut Play, index| {
                 play.clear_ghost();
-                play.plot_svg(PlotId::at(index), &Settings::default(), &Palette::LIGHT)
+                play.plots_to_front().svg(PlotId::at(index), &Settings::default(), &Palette::LIGHT)
             };
-            for index in 0..other.plots().len() {
+            for index in 0..other.plots().list().len() {
                 assert_eq!(drawn(&mut play, index), drawn(&mut other, index), "{what}, plot {index}");
             }
             for play in [&mut play, &mut other] {
@@ -135,7 +135,7 @@ fn with_another_equation_the_run_is_the_new_one_at_the_same_time_and_goes_on() {
             play.tick(1.0);
         }
         assert_ne!(state(&play), state(&other));
-        let old = play.plot_csv(PlotId::at(0));
+        let old = play.plots_to_front().csv(PlotId::at(0));
         play.replace_program(edited(&[quadratic]));
         assert!(play.time_line().is_playing() && dropped(&mut play).is_empty());
         assert_eq!((play.course().time(), play.time_line().speed(), play.course().begun().step), (4.034, 2.0, 0.04));
@@ -145,7 +145,7 @@ fn with_another_equation_the_run_is_the_new_one_at_the_same_time_and_goes_on() {
         let column = |csv: &str, number: usize| -> Vec<String> {
             csv.lines().skip(1).filter_map(|line| line.split(',').nth(number)).map(str::to_owned).collect()
         };
-        let all = play.plot_csv(PlotId::at(0));
+        let all = play.plots_to_front().csv(PlotId::at(0));
         assert!(column(&all, 1).starts_with(&column(&old, 1)), "the ghost is the former run");
         for play in [&mut play, &mut other] {
             play.tick(0.5);

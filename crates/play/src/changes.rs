@@ -31,6 +31,11 @@ impl Changes {
     /// All parts.
     pub const ALL: Self = Self((1 << 9) - 1);
 
+    /// True if both have a part in common.
+    pub(crate) fn touch(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
     /// These changes if `changed`, otherwise none.
     pub fn only_if(self, changed: bool) -> Self {
         if changed { self } else { Self::NONE }
@@ -77,7 +82,7 @@ pub struct Revision {
 impl Revision {
     /// Copy with the counters of these changes raised by one.
     pub(crate) fn after(self, changes: Changes) -> Self {
-        let next = |count: u64, part: Changes| count + u64::from(changes.0 & part.0 != 0);
+        let next = |count: u64, part: Changes| count + u64::from(changes.touch(part));
         Self {
             frame: next(self.frame, Changes::FRAME),
             parameters: next(self.parameters, Changes::PARAMETERS),

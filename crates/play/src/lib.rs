@@ -47,7 +47,7 @@ pub use changes::{Changes, Revision};
 pub use claims::{ClaimView, Claims, ClaimsView, Deviation, deviation, deviation_svg};
 pub use controls::{
     ButtonView, ChoiceView, DrawingView, MethodView, ParameterGroup, ParameterView, PresetGroup, PresetView, SizeView,
-    Slider, StateView,
+    Slider,
 };
 pub use name::name_of;
 pub use play::Play;
@@ -56,4 +56,4 @@ pub use questions::{Answer, AnswerView, Answers, Grade, Verdict};
 pub use refusal::Refusal;
 pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};
 pub use time::{Course, KeptView, LONGEST_GAP, MOST_KEPT, Problem, SPEEDS, Status, TimeLine, WORK_PER_TICK};
-pub use values::{Follows, Index, Members, Outline, Readout, ReadoutKind, symbol};
+pub use values::{Follows, Index, Members, Outline, Readout, ReadoutKind, Shown, StateView, Values, symbol};

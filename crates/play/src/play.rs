@@ -6,9 +6,10 @@ use crate::number::Style;
 use crate::questions::given::Answer;
 use crate::removed::Undo;
 use crate::time::course::Course;
-use crate::values::trails::Trails;
-use crate::values::{Lines, Outline};
-use crate::{AddedPlot, Answers, Basis, Changes, Claims, Figures, PlotId, Plots, Refusal, Revision, TimeLine, Verdict};
+use crate::{
+    AddedPlot, Answers, Basis, Changes, Claims, Figures, Outline, PlotId, Plots, Readout, Refusal, Revision, Shown,
+    TimeLine, Values, Verdict,
+};
 use engine::{Readings, Setup};
 use figure::{Figure, Point, Settings};
 use program::{Model, NodeId, Program};
@@ -23,29 +24,16 @@ pub struct Play {
     pub(crate) line: TimeLine,
     pub(crate) hold: Option<Holding>,
     pub(crate) plots: Plots,
-    /// Outline drawn over the scene.
-    pub(crate) outline: Option<Outline>,
+    pub(crate) values: Values,
     pub(crate) evaluators: Evaluators,
-    pub(crate) lines: Lines,
     pub(crate) answers: Answers,
     pub(crate) claims: Claims,
     pub(crate) undo: Undo,
-    /// Greatest magnitude of each quantity in this run, SI.
-    pub(crate) quantity_scales: Vec<f64>,
 }
 
 /// Evaluators for the expressions of the document, by subject.
 #[derive(Debug)]
 pub(crate) struct Evaluators {
-    pub quantities: Readings,
-    /// Values of the scene in the chosen language. `scene_frame` identifies the frame of their last evaluation.
-    pub scene: Readings,
-    /// Trails: past positions of points of the scene.
-    pub trails: Trails,
-    pub scene_values: Vec<f64>,
-    /// Greatest magnitude of each scene value in this run.
-    pub scene_scales: Vec<f64>,
-    pub scene_frame: Option<(u64, u64)>,
     pub initial: Readings,
     /// All assignments of all presets.
     pub presets: Readings,
@@ -59,11 +47,9 @@ impl Play {
         let mut play = Self {
             revision: Revision::default(),
             announcements: Announcements::default(),
-            lines: Lines::of(&program.model),
-            quantity_scales: vec![0.0; program.model.quantities.len()],
-            evaluators: Evaluators::new(program, basis.tag()),
+            evaluators: Evaluators::new(program),
             plots: Plots::new(program, line.columns()),
-            outline: None,
+            values: Values::new(&basis),
             answers: Answers::new(program),
             claims: Claims::default(),
             hold: None,
@@ -84,6 +70,7 @@ impl Play {
     /// Records what has changed.
     pub(crate) fn note(&mut self, changes: Changes) {
         self.revision = self.revision.after(changes);
+        self.values.follow(changes);
     }
 
     /// The program being played.
@@ -105,10 +92,7 @@ impl Play {
     /// fall back to English.
     pub fn set_language(&mut self, language: &str) {
         self.basis.set_language(language);
-        self.evaluators.scene = Evaluators::scene(self.basis.program(), language);
-        self.evaluators.trails = Trails::new(self.basis.model(), self.basis.program().scene(language));
-        self.evaluators.scene_frame = None;
-        self.evaluators.scene_scales.clear();
+        self.values.basis_changed(&self.basis);
         let changes = self.plots.label(&self.basis, self.line.columns());
         self.note(changes | Changes::LANGUAGE);
     }
@@ -255,6 +239,62 @@ impl Play {
         self.note(changes);
     }
 
+    /// The values at the moment shown, and the recorded rows.
+    pub fn values(&self) -> Shown<'_> {
+        self.values.shown(&self.basis, &self.line, &self.answers)
+    }
+
+    /// All readouts at the time shown; see [`Readout`].
+    pub fn readouts(&mut self) -> Vec<Readout> {
+        let values = self.values.quantities(self.line.course());
+        self.values().readouts(&values)
+    }
+
+    /// Displays another member of a family: sets the index at position `place` to `value`. If that member does not
+    /// exist, the next one in the direction of the change.
+    pub fn choose_member(&mut self, family: &str, place: usize, value: i64) {
+        let changes = self.values.choose_member(family, place, value);
+        self.note(changes);
+    }
+
+    /// Values of [`program::Scene::values`] at the time shown, SI, for attributes. Computed once per frame.
+    pub fn scene_values(&mut self) -> &[f64] {
+        self.values.scene_values(self.line.course())
+    }
+
+    /// Value `index` of the scene at the time shown, formatted with its unit; empty for an unknown index.
+    pub fn scene_text(&mut self, index: usize, decimals: Option<u8>) -> String {
+        self.values.scene_text(&self.basis, self.line.course(), index, decimals)
+    }
+
+    /// Writes the path of a trail of the scene up to the time shown into `path`, in scene units.
+    pub fn scene_trail(&mut self, number: usize, path: &mut String) {
+        self.values.trail(&self.basis, &mut self.line, number, path);
+    }
+
+    /// Outline drawn over the scene.
+    pub fn outline(&self) -> Option<&Outline> {
+        self.values.outline()
+    }
+
+    /// Sets or removes the outline.
+    pub fn set_outline(&mut self, outline: Option<Outline>) {
+        self.values.set_outline(outline);
+    }
+
+    /// Sets the values of the outline for the time shown.
+    pub fn set_outline_values(&mut self, values: Option<&[f64]>) {
+        self.values.set_outline_values(values);
+    }
+
+    /// Pitch in hertz of the first state while the run is playing or a part is dragged: 440 Hz at 0, one octave up or
+    /// down at its greatest magnitude in this run. `None` if there is nothing to hear.
+    pub fn pitch(&self) -> Option<f64> {
+        let (&value, scale) = (self.course().state().first()?, self.line.greatest(0));
+        let sounding = (self.line.is_playing() || self.hold.is_some()) && value.is_finite() && scale > 0.0;
+        sounding.then(|| 440.0 * libm::exp2((value / scale).clamp(-1.0, 1.0)))
+    }
+
     /// The author's claims.
     pub fn claims(&self) -> &Claims {
         &self.claims
@@ -321,8 +361,7 @@ impl Play {
 
     fn run_replaced(&mut self, changes: Changes) {
         self.plots.forget_rows();
-        self.quantity_scales.fill(0.0);
-        self.evaluators.scene_scales.clear();
+        self.values.forget_run();
         self.note(changes);
         if self.course().error().is_some() {
             self.announce(Announcement::Failed);
@@ -337,27 +376,13 @@ impl Play {
 }
 
 impl Evaluators {
-    pub(crate) fn new(program: &Program, language: &str) -> Self {
+    pub(crate) fn new(program: &Program) -> Self {
         let model = &program.model;
         let reading = |nodes: Vec<NodeId>| Readings::new(model, &nodes);
         let presets = program.presets.iter().flat_map(|preset| &preset.values);
         Self {
-            quantities: reading(model.quantities.iter().map(|quantity| quantity.value.node).collect()),
-            scene: Self::scene(program, language),
-            trails: Trails::new(model, program.scene(language)),
-            scene_values: Vec::new(),
-            scene_scales: Vec::new(),
-            scene_frame: None,
             initial: reading(model.states.iter().map(|state| state.initial).collect()),
             presets: reading(presets.map(|assignment| assignment.value.node).collect()),
         }
-    }
-
-    fn scene(program: &Program, language: &str) -> Readings {
-        let nodes: Vec<NodeId> = program
-            .scene(language)
-            .map(|scene| scene.values.iter().map(|value| value.node).collect())
-            .unwrap_or_default();
-        Readings::new(&program.model, &nodes)
     }
 }

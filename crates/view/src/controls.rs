@@ -115,12 +115,12 @@ fn presets(app: App) -> View {
 /// Fields of the state, editable while the run is paused.
 fn states(app: App) -> View {
     let words = app.words();
-    let states = app.read(|play| play.state_lines());
+    let states = app.read(|play| play.values().state_lines());
     if states.is_empty() {
         return View::new();
     }
     let mut block = div().class("block");
-    let now = followed(app, &block.node(), |play| play.state_lines());
+    let now = followed(app, &block.node(), |play| play.values().state_lines());
     let field = |(line, state): (usize, StateView)| {
         let id = format!("state-{line}");
         let view = move || now.with(|states| states.get(line).cloned());

@@ -56,7 +56,7 @@ impl Handle {
         }
         let moved = match self.drag.target {
             Dragged::State(index) => {
-                let state = play.state(index);
+                let state = play.values().state(index);
                 state.map(|state| (state.label, format!("{} {}", state.text, state.unit), state.value))
             }
             Dragged::Parameter(index) => {

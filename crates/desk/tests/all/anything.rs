@@ -102,12 +102,13 @@ fn perform(desk: &mut Desk, action: Action) {
         Action::Answer(text) => drop(desk.play_mut().check_answer(0, &text)),
         Action::Reopen => {
             let fragment = desk.play().share();
-            let before = (desk.play().csv(), desk.play().course().time(), desk.play().course().parameters().to_vec());
+            let before =
+                (desk.play().values().csv(), desk.play().course().time(), desk.play().course().parameters().to_vec());
             let changes = fragment.matches("&c=").count();
             desk.play_mut().restore(&fragment).unwrap_or_else(|refusal| panic!("{fragment}: {refusal:?}"));
             assert!(changes < 300);
             assert_eq!(
-                (desk.play().csv(), desk.play().course().time(), desk.play().course().parameters().to_vec()),
+                (desk.play().values().csv(), desk.play().course().time(), desk.play().course().parameters().to_vec()),
                 before,
                 "{fragment}"
             );
@@ -117,8 +118,8 @@ fn perform(desk: &mut Desk, action: Action) {
 
 fn look(desk: &mut Desk) {
     assert!(desk.play().course().time() >= 0.0 && desk.play().course().time() <= desk.play().course().front());
-    assert_eq!(desk.play().table_length(), desk.play().csv().lines().count() - 1);
-    assert!(desk.play().table_row_now() < desk.play().table_length());
+    assert_eq!(desk.play().values().table_length(), desk.play().values().csv().lines().count() - 1);
+    assert!(desk.play().values().table_row_now() < desk.play().values().table_length());
     desk.play_mut().readouts();
     desk.play_mut().scene_values();
     desk.play_mut().presets();

@@ -66,23 +66,23 @@ fn the_scene_has_numbers_for_attributes_and_words_for_texts() {
 fn the_table_has_every_row_and_its_file_reads_back() {
     let mut desk = utube();
     play(&mut desk, [2.0]);
-    assert_eq!(desk.play().table_length(), 41);
-    assert_eq!(desk.play().table_header()[..3], ["t [s]", "y [m]", "y′ [m/s]"]);
-    let rows = desk.play().table_rows(38..1000);
+    assert_eq!(desk.play().values().table_length(), 41);
+    assert_eq!(desk.play().values().table_header()[..3], ["t [s]", "y [m]", "y′ [m/s]"]);
+    let rows = desk.play().values().table_rows(38..1000);
     assert_eq!(rows.len(), 3);
     assert_eq!(rows[2][0], "2.00", "times have the decimals of the step");
-    assert_eq!(desk.play().table_row_now(), 40);
-    assert!(desk.play().table_rows(100..200).is_empty());
-    let csv = desk.play().csv();
+    assert_eq!(desk.play().values().table_row_now(), 40);
+    assert!(desk.play().values().table_rows(100..200).is_empty());
+    let csv = desk.play().values().csv();
     let mut lines = csv.lines();
     assert!(lines.next().unwrap().starts_with("t [s],y [m],y' [m/s],"));
     let last: Vec<f64> = lines.last().unwrap().split(',').take(3).map(|cell| cell.parse().unwrap()).collect();
     assert_eq!(last, [2.0, crate::support::state(&desk)[0], crate::support::state(&desk)[1]]);
     assert_eq!(csv.lines().count(), 42);
     desk.set_language("es");
-    assert_eq!(desk.play().table_rows(1..2)[0][0], "0,05");
+    assert_eq!(desk.play().values().table_rows(1..2)[0][0], "0,05");
     // The same numbers for a spreadsheet with decimal commas.
-    let spanish = desk.play().csv();
+    let spanish = desk.play().values().csv();
     assert!(spanish.starts_with("\u{feff}t [s];y [m];y' [m/s];"), "{spanish}");
     let read = |text: &str| analysis::import::text(text.as_bytes()).unwrap().table;
     let bits = |text: &str| -> Vec<Vec<u64>> {
@@ -113,7 +113,7 @@ fn the_file_is_that_of_a_run_without_a_session() {
     for row in 0..=40 {
         table.write_row(Dialect::Lines, run.history(), row, &mut expected).unwrap();
     }
-    assert_eq!(desk.play().csv(), expected);
+    assert_eq!(desk.play().values().csv(), expected);
 }
 
 /// The points of all lines of a figure.
@@ -313,7 +313,7 @@ fn units_other_than_si_are_shown_everywhere() {
     let source = "---\ntitle: Spring\n---\n```model\nparameter k = 4 [N/cm] in 1..100 \"Stiffness\"\nparameter m = 250 [g] in 100..500 step 10\nm*x'' = -k*x\nx(0) = 5 [cm] in [cm]\nx'(0) = 0 in [cm/s]\n```\n```plots\n\"Motion\": x against t\n```\n";
     let mut desk = open(source, &[]);
     assert_eq!(readout(&mut desk, "x"), "5.000");
-    assert_eq!(desk.play().table_header(), ["t [s]", "x [cm]", "x′ [cm/s]"]);
+    assert_eq!(desk.play().values().table_header(), ["t [s]", "x [cm]", "x′ [cm/s]"]);
     assert_eq!(desk.play().basis().parameter(desk.play().course(), 1).unwrap().text, "250");
     assert_eq!(
         desk.play().basis().parameter(desk.play().course(), 1).unwrap().slider.map(|slider| slider.position),

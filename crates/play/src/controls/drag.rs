@@ -86,7 +86,12 @@ impl Play {
         });
         let framed = scene.length.map(|index| (index, Unit::si(Dimension::LENGTH)));
         let (factor, unit) = lengths.collect::<Vec<_>>().into_iter().next().or(framed)?;
-        let factor = self.scene_values().get(factor).copied().filter(|factor| factor.is_finite() && *factor != 0.0)?;
+        let factor = self
+            .values
+            .scene_values(self.line.course())
+            .get(factor)
+            .copied()
+            .filter(|factor| factor.is_finite() && *factor != 0.0)?;
         Some((factor.abs(), unit))
     }
 
@@ -114,7 +119,7 @@ impl Play {
 
     /// Change of the dragged value (SI) per scene unit to the right and upwards, at the moment shown.
     fn drag_factors(&mut self, drag: &Drag) -> (f64, f64) {
-        let values = self.scene_values();
+        let values = self.values.scene_values(self.line.course());
         let factor = |index: Option<usize>| {
             index.and_then(|index| values.get(index).copied()).filter(|value| value.is_finite()).unwrap_or(0.0)
         };
@@ -249,7 +254,7 @@ impl Play {
 
     /// Values that determine the drawing for a run with this start.
     fn drawing(&mut self, hold: &Hold, Pulled { parameters, state, .. }: &Pulled) -> Vec<f64> {
-        let values = self.evaluators.scene.at(parameters, state, 0.0, state);
+        let values = self.values.scene_at_start(parameters, state);
         hold.shaping.iter().filter_map(|&index| values.get(index).copied()).collect()
     }
 }

@@ -82,7 +82,8 @@ impl Play {
             return;
         }
         self.line.model_changed(&self.basis);
-        self.evaluators = Evaluators::new(self.basis.program(), self.basis.tag());
+        self.evaluators = Evaluators::new(self.basis.program());
+        self.values.basis_changed(&self.basis);
         self.answers.model_changed(self.basis.program());
         self.plots.model_changed(self.basis.program(), self.line.columns());
         self.note(Changes::PARAMETERS);

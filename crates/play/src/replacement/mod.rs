@@ -56,7 +56,7 @@ impl Play {
         self.announcements = std::mem::take(&mut before.announcements);
         self.number_removals_from(before.removals());
         self.line.adopt_speed(&before.line);
-        self.lines.choose_as(std::mem::take(&mut before.lines));
+        self.values.adopt(&mut before.values);
         let axes = |line: &TimeLine, plot| line.columns().plot(plot).map(|columns| columns.axes.clone());
         self.plots.adopt(
             (self.basis.program(), before.basis.program()),

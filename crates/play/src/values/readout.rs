@@ -1,8 +1,9 @@
 //! Readouts: time, states and quantities with their units; and the pitch.
 
+use super::Shown;
 use super::lines::{Line, Member};
 use super::members::{Members, ReadoutKind};
-use crate::{Play, number, words};
+use crate::{number, words};
 use program::{Compiled, Kind, Node, NodeId, Role};
 use units::Unit;
 use units::mathml::{self, typeset_name};
@@ -33,7 +34,7 @@ pub struct Readout {
 }
 
 /// Significant digits of a changing value.
-pub(crate) const MOVING_DIGITS: usize = 4;
+pub(super) const MOVING_DIGITS: usize = 4;
 
 /// One value of a line, before formatting.
 struct Part<'a> {
@@ -50,13 +51,12 @@ struct Part<'a> {
     word: Option<&'a Compiled>,
 }
 
-impl Play {
+impl Shown<'_> {
     /// All readouts at the time shown: the independent variable, the states, the quantities. A vector is one readout; a
-    /// family shows the selected member ([`Play::choose_member`]).
-    pub fn readouts(&mut self) -> Vec<Readout> {
-        let values = self.quantity_values();
+    /// family shows the selected member ([`crate::Play::choose_member`]). `values` are those of the quantities, SI.
+    pub(crate) fn readouts(&self, values: &[f64]) -> Vec<Readout> {
         let mut readouts = vec![self.time_readout()];
-        let lines = self.lines.readouts.iter().filter_map(|line| self.line_readout(line, &values));
+        let lines = self.values.lines.readouts.iter().filter_map(|line| self.line_readout(line, values));
         readouts.extend(lines);
         readouts.extend(self.friction_readouts());
         readouts
@@ -64,11 +64,12 @@ impl Play {
 
     fn time_readout(&self) -> Readout {
         let independent = &self.basis.model().independent;
-        let (value, unit) = match self.basis.small_times(self.course()) {
-            Some(group) => (group.number(self.course().time()), group.unit_text()),
-            None => {
-                (self.basis.time_number(self.course(), self.course().time()), number::unit_text(&independent.unit.text))
-            }
+        let (value, unit) = match self.basis.small_times(self.line.course()) {
+            Some(group) => (group.number(self.line.course().time()), group.unit_text()),
+            None => (
+                self.basis.time_number(self.line.course(), self.line.course().time()),
+                number::unit_text(&independent.unit.text),
+            ),
         };
         Readout {
             kind: ReadoutKind::Independent,
@@ -84,7 +85,7 @@ impl Play {
     }
 
     fn line_readout(&self, line: &Line<ReadoutKind>, values: &[f64]) -> Option<Readout> {
-        let member = line.member(self.lines.chosen_of(line))?;
+        let member = line.member(self.values.lines.chosen_of(line))?;
         let parts: Vec<Part> = member.parts.iter().filter_map(|&kind| self.part(kind, values)).collect();
         let first = parts.first()?;
         let hidden = parts.iter().any(|part| part.hidden);
@@ -95,7 +96,7 @@ impl Play {
             (None, [one]) if !member.is_vector => self.constant(one.value, one.node, one.unit),
             _ => self.vector(&parts, first.unit),
         };
-        let members = self.lines.family(line);
+        let members = self.values.lines.family(line);
         let label_of = |member: &Member<ReadoutKind>| self.line_label(&member.parts, member.is_vector);
         // The first labelled member names the family.
         let label = label_of(member).or_else(|| line.members.iter().find_map(label_of)).unwrap_or_default();
@@ -122,7 +123,7 @@ impl Play {
             ReadoutKind::State(index) => {
                 let state = model.states.get(index)?;
                 Part {
-                    value: self.course().state().get(index).copied().unwrap_or(f64::NAN),
+                    value: self.line.course().state().get(index).copied().unwrap_or(f64::NAN),
                     scale: self.line.greatest(index),
                     node: model.graph.find(Node::State(index as u32)),
                     unit: &state.unit,
@@ -137,13 +138,13 @@ impl Play {
                 let quantity = model.quantities.get(index)?;
                 Part {
                     value: values.get(index).copied().unwrap_or(f64::NAN),
-                    scale: self.quantity_scales.get(index).copied().unwrap_or_default(),
+                    scale: self.values.quantity_scales.get(index).copied().unwrap_or_default(),
                     node: Some(quantity.value.node),
                     unit: &quantity.value.unit,
                     name: quantity.name.clone(),
                     label: quantity.label.as_deref(),
                     varies: quantity.varies,
-                    hidden: self.answers.hide(&self.basis, index),
+                    hidden: self.answers.hide(self.basis, index),
                     word: Some(&quantity.value).filter(|value| value.kind != Kind::Number),
                 }
             }
@@ -152,7 +153,9 @@ impl Play {
 
     fn varies(&self, kind: ReadoutKind) -> bool {
         match kind {
-            ReadoutKind::Quantity(index) => self.model().quantities.get(index).is_some_and(|quantity| quantity.varies),
+            ReadoutKind::Quantity(index) => {
+                self.basis.model().quantities.get(index).is_some_and(|quantity| quantity.varies)
+            }
             _ => true,
         }
     }
@@ -194,7 +197,7 @@ impl Play {
 
     /// Readouts that show whether each dry friction sticks or slips.
     fn friction_readouts(&self) -> impl Iterator<Item = Readout> {
-        let states = self.basis.model().states.iter().zip(self.course().state()).enumerate();
+        let states = self.basis.model().states.iter().zip(self.line.course().state()).enumerate();
         let frictions = states.filter(|(_, (state, _))| state.role == Role::Friction);
         let several = frictions.clone().nth(1).is_some();
         frictions.map(move |(index, (state, &motion))| {
@@ -230,26 +233,6 @@ impl Play {
         }
         let unit = unit.for_size(unit.from_si(value).abs());
         (number::plain(unit.from_si(value), MOVING_DIGITS, self.basis.style()), number::unit_text(&unit.text))
-    }
-
-    /// Pitch in hertz of the first state while the run is playing or a part is dragged: 440 Hz at 0, one octave up or
-    /// down at its greatest magnitude in this run. `None` if there is nothing to hear.
-    pub fn pitch(&self) -> Option<f64> {
-        let (&value, scale) = (self.course().state().first()?, self.line.greatest(0));
-        let sounding = (self.line.is_playing() || self.hold.is_some()) && value.is_finite() && scale > 0.0;
-        sounding.then(|| 440.0 * libm::exp2((value / scale).clamp(-1.0, 1.0)))
-    }
-
-    fn quantity_values(&mut self) -> Vec<f64> {
-        let course = self.line.course();
-        let values =
-            self.evaluators.quantities.at(course.parameters(), course.initial(), course.time(), course.state());
-        for (scale, value) in self.quantity_scales.iter_mut().zip(values) {
-            if value.is_finite() {
-                *scale = scale.max(value.abs());
-            }
-        }
-        values.to_vec()
     }
 }
 

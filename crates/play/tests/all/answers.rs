@@ -190,14 +190,14 @@ fn values_are_hidden_until_their_questions_are_answered() {
     let all = |play: &mut Play| ["T_0", "f_0", "omega_0"].map(|name| value(play, name));
     assert_eq!(all(&mut play), ["hidden", "hidden", "hidden"]);
     // Its column in the table is hidden, too.
-    let place = play.table_header().iter().position(|head| head.starts_with("E ")).unwrap();
-    assert_eq!(play.table_rows(0..1)[0][place], "hidden");
+    let place = play.values().table_header().iter().position(|head| head.starts_with("E ")).unwrap();
+    assert_eq!(play.values().table_rows(0..1)[0][place], "hidden");
     // A wrong answer reveals no value. A right answer reveals the values that no other open question hides.
     play.check_answer(0, "1");
     assert_eq!(all(&mut play), ["hidden", "hidden", "hidden"]);
     play.check_answer(0, "3.755 s");
     assert_eq!(all(&mut play), ["3.755", "hidden", "hidden"]);
-    assert_ne!(play.table_rows(0..1)[0][place], "hidden");
+    assert_ne!(play.values().table_rows(0..1)[0][place], "hidden");
     let link = play.share();
     // In the teacher's view all values are shown, and the link contains this choice.
     play.show_hidden(true);

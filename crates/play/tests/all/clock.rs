@@ -57,9 +57,9 @@ fn the_drawing_moves_between_steps() {
     assert!(shown.windows(2).all(|pair| pair[1] < pair[0]), "{shown:?}");
     // y'' = -2 g y / L at the start: y(0.05) = 0.5 - 0.5 * 1.4 * 0.05 * 0.05 in the first approximation.
     assert!((shown[11] - (0.5 - 0.00175)).abs() < 2e-5, "{shown:?}");
-    assert_eq!(play.table_length(), 1, "the row ahead of the moment shown is not there yet");
+    assert_eq!(play.values().table_length(), 1, "the row ahead of the moment shown is not there yet");
     play.tick(1.0 / 240.0);
-    assert_eq!(play.table_length(), 2);
+    assert_eq!(play.values().table_length(), 2);
 }
 
 #[test]
@@ -265,7 +265,7 @@ fn a_closed_form_runs_too() {
     let source = "---\ntitle: Theory\n---\n```model\nparameter A = 2 [m] in 0..5\ny = A*cos(t*1 [1/s])\n```\n";
     let mut play: Play = open(source, &[]);
     go_on(&mut play, [1.0]);
-    assert_eq!(play.table_length(), 21);
+    assert_eq!(play.values().table_length(), 21);
     assert!(state(&play).is_empty());
     assert_eq!(play.readouts()[1].value, "1.081");
 }

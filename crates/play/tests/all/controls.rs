@@ -26,7 +26,7 @@ fn expressions_are_taken_as_presets_have_them() {
         assert!((value - expected).abs() < 1e-9 * expected, "{text}: {value} and not {expected}");
     }
     play.set_state_text(0, "-y(0)/2").unwrap();
-    assert_eq!(play.state(0).unwrap().value, -0.25);
+    assert_eq!(play.values().state(0).unwrap().value, -0.25);
     for text in ["2*m", "b*t", "y'*m", "2*", "regime", "1/0", "nothing"] {
         assert!(play.set_parameter_text(b, text).is_err(), "{text}");
     }
@@ -255,7 +255,7 @@ fn the_table_shows_what_is_small_beside_the_greatest() {
     let text = "---\ntitle: Decay\nstep: 1 [s]\nuntil: 40 [s]\n---\n```model\nN' = -1 [1/s]*N\nN(0) = 1000\n```\n";
     let mut play = open(text, &[]);
     go_on(&mut play, [30.0]);
-    let rows = play.table_rows(0..play.table_length());
+    let rows = play.values().table_rows(0..play.values().table_length());
     assert_eq!(rows[0][1], "1000.00");
     assert!(
         rows.len() > 20 && rows.iter().all(|row| row[1].contains(|digit: char| ('1'..='9').contains(&digit))),

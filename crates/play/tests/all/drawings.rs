@@ -115,13 +115,13 @@ fn kept_runs_and_the_ghost_keep_theirs() {
     go_on(&mut play, [2.0]);
     play.keep().unwrap();
     assert_eq!(play.time_line().kept(play.basis())[0].name, "Push");
-    let kept = play.csv();
+    let kept = play.values().csv();
     level(&mut play, 0, 0.0);
     assert!(play.time_line().has_ghost());
     go_on(&mut play, [2.0]);
     let other = by_link(&play);
     assert_eq!(other.time_line().kept(other.basis()).len(), 1);
-    assert_ne!(play.csv(), kept);
+    assert_ne!(play.values().csv(), kept);
     // Both kept runs draw the same curve.
     play.clear_ghost();
     let drawn = |mut play: Play| play.plots_to_front().csv(play::PlotId::at(0));

@@ -48,7 +48,7 @@ fn a_change_of_damping_takes_effect_at_once_without_a_jump() {
     set(&mut play, "b", 5000.0);
     assert_eq!(state(&play), before);
     assert!(!play.time_line().has_ghost(), "the run goes on");
-    let length = play.table_length();
+    let length = play.values().table_length();
     // The past is unchanged, and the next steps are those of a strongly damped liquid.
     let mut other = utube();
     go_on(&mut other, [1.025]);
@@ -57,7 +57,7 @@ fn a_change_of_damping_takes_effect_at_once_without_a_jump() {
     go_on(&mut other, [0.3]);
     let (damped, free) = (state(&play)[1], state(&other)[1]);
     assert!(damped.abs() < 0.6 * free.abs(), "{damped} {free}");
-    assert_eq!(play.table_length(), length + 6);
+    assert_eq!(play.values().table_length(), length + 6);
 }
 
 #[test]

@@ -63,7 +63,7 @@ fn bounces_are_counted_in_whole_numbers() {
     go_on(&mut play, [1.0; 2]);
     // After sqrt(2 h/g) = 0.639 s, and again 2*0.8 times as long after that.
     assert_eq!(crate::support::readout(&mut play, "bounces"), "2");
-    let bounces = play.states().into_iter().find(|state| state.name == "bounces").unwrap();
+    let bounces = play.values().states().into_iter().find(|state| state.name == "bounces").unwrap();
     assert_eq!((bounces.text.as_str(), bounces.spoken.as_str()), ("2", "2"));
 }
 

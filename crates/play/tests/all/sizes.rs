@@ -39,7 +39,7 @@ fn another_size_runs_as_the_document_that_states_it() {
     set(&mut stated, "k", 9.0);
     go_on(&mut stated, [0.5]);
     assert_eq!(bits(&play), bits(&stated));
-    assert_eq!(play.states().len(), 24);
+    assert_eq!(play.values().states().len(), 24);
     assert!(!play.plots().list()[1].shown);
     let index = |play: &mut Play| {
         let chosen = play.readouts().into_iter().find(|one| one.label == "Displacement").unwrap();

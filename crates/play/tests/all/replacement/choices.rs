@@ -16,7 +16,7 @@ fn a_method_and_a_step_that_were_chosen_stay_and_others_are_the_documents() {
     go_on(&mut play, [1.0]);
     play.replace_program(edited(&[step, ("method: rk4", "method: euler")]));
     assert_eq!(
-        (play.course().begun().step, play.course().begun().method.name(), play.table_length()),
+        (play.course().begun().step, play.course().begun().method.name(), play.values().table_length()),
         (0.02, "euler", 51)
     );
     play.set_method("velocity-verlet").unwrap();

@@ -24,13 +24,13 @@ fn a_run_of_the_same_model_stays_as_it_is() {
             play.scrub(3.3);
             // A row has the same value at the same address, because nothing has been recomputed.
             let row = |play: &Play| play.course().history().unwrap().times().as_ptr();
-            let (before, table, place) = (state(&play), play.table_cells(), row(&play));
+            let (before, table, place) = (state(&play), play.values().table_cells(), row(&play));
             play.replace_program(edited(&[(from, to)]));
             assert_eq!(dropped(&mut play), [""; 0], "{what}");
             assert_eq!((play.course().time(), play.course().front(), state(&play)), (3.3, 6.0, before), "{what}");
             assert_eq!(row(&play), place, "{what}");
             if what != "a quantity" {
-                assert_eq!(play.table_cells(), table, "{what}");
+                assert_eq!(play.values().table_cells(), table, "{what}");
             }
             // Plots and later bits equal those of a run that used this program from the beginning.
             let mut other = fresh(&[(from, to)]);
@@ -172,7 +172,7 @@ fn a_change_keeps_its_time_where_events_leave_other_rows() {
     let (mut play, mut other) = (open(&ball(1.0), &[]), open(&ball(2.0), &[]));
     run(&mut play);
     run(&mut other);
-    assert_ne!(play.table_length(), other.table_length());
+    assert_ne!(play.values().table_length(), other.values().table_length());
     play.keep().unwrap();
     play.replace_program(other.program().clone());
     assert_eq!((play.course().time(), bits(&play)), (other.course().time(), bits(&other)));

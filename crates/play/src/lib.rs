@@ -26,12 +26,8 @@ mod play;
 mod plots;
 mod questions;
 mod refusal;
-mod removed;
-mod replacement;
 mod share;
 mod time;
-mod transport;
-mod undo;
 mod values;
 pub mod words;
 
@@ -46,8 +42,8 @@ pub use basis::input::DIGITS;
 pub use changes::{Changes, Revision};
 pub use claims::{ClaimView, Claims, ClaimsView, Deviation, deviation, deviation_svg};
 pub use controls::{
-    ButtonView, ChoiceView, DrawingView, MethodView, ParameterGroup, ParameterView, PresetGroup, PresetView, SizeView,
-    Slider,
+    ButtonView, ChoiceView, Controls, DrawingView, Grips, MethodView, ParameterGroup, ParameterView, PresetGroup,
+    PresetView, SizeView, Slider,
 };
 pub use name::name_of;
 pub use play::Play;

@@ -78,7 +78,7 @@ fn presets(app: App) -> View {
     let words = app.words();
     let now = memo(move || {
         app.changes.parameters.track();
-        app.read(|play| play.presets())
+        app.read(|play| play.controls().presets(play.basis(), play.course()))
     });
     let groups = now.get_clone_untracked();
     if groups.is_empty() {

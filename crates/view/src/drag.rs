@@ -71,7 +71,7 @@ impl Handle {
                 (None, number) => format!("{quantity} {number}"),
             };
             let _ = self.node.set_attribute("aria-label", &label);
-            if let Some((least, greatest)) = play.drag_range(&self.drag) {
+            if let Some((least, greatest)) = play.grips().range(&self.drag) {
                 let _ = self.node.set_attribute("aria-valuemin", &short(least));
                 let _ = self.node.set_attribute("aria-valuemax", &short(greatest));
             }

@@ -122,7 +122,7 @@ fn look(desk: &mut Desk) {
     assert!(desk.play().values().table_row_now() < desk.play().values().table_length());
     desk.play_mut().readouts();
     desk.play_mut().scene_values();
-    desk.play_mut().presets();
+    desk.play().controls().presets(desk.play().basis(), desk.play().course());
     assert!(desk.play().time_line().kept(desk.play().basis()).len() <= play::MOST_KEPT);
     for plot in 0..3 {
         followed(desk).layout_plot(PlotId::at(plot), &Settings::default());

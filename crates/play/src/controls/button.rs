@@ -1,6 +1,6 @@
 //! Buttons of the document. A press is an event at the moment shown and becomes part of the run.
 
-use crate::{Announcement, Basis, Play, Refusal};
+use crate::Basis;
 use engine::Press;
 use program::Button;
 use units::number::compact;
@@ -22,34 +22,6 @@ impl Basis {
     pub fn buttons(&self) -> Vec<ButtonView> {
         let buttons = self.model().buttons.iter().enumerate();
         buttons.map(|(index, button)| ButtonView { index, title: self.text(&button.title).to_owned() }).collect()
-    }
-}
-
-impl Play {
-    /// Presses a button at the moment shown. If an earlier moment is shown, the run continues from there and the later
-    /// rows become the ghost.
-    pub fn press(&mut self, index: usize) -> Result<(), Refusal> {
-        if index >= self.model().buttons.len() {
-            return Err(Refusal::Unknown { name: index.to_string() });
-        }
-        if !self.line.can_press() {
-            return Err(Refusal::RunEnded);
-        }
-        let time = self.course().time();
-        let before = |press: &&Press| press.time <= time;
-        if self.course().begun().presses.iter().filter(before).count() >= MOST_PRESSES {
-            return Err(Refusal::TooManyPresses { most: MOST_PRESSES });
-        }
-        self.hold = None;
-        self.branch();
-        let changes = self.line.press(index);
-        self.note(changes);
-        self.announce(Announcement::Pressed(index, time));
-        if self.course().error().is_some() && self.line.is_playing() {
-            self.stop();
-            self.announce(Announcement::Failed);
-        }
-        Ok(())
     }
 }
 

@@ -1,10 +1,8 @@
 //! Curves drawn by the reader: tables of the model whose points are set in the page. Changing a curve restarts the run.
 
 use crate::basis::input::DIGITS;
-use crate::play::Evaluators;
-use crate::removed::Removed;
 use crate::values::symbol::symbol;
-use crate::{Announcement, Basis, Changes, Course, Play, Refusal, number};
+use crate::{Basis, Course, Refusal, number};
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use engine::Setup;
@@ -38,56 +36,6 @@ pub struct DrawingView {
     pub arguments: [String; 2],
     /// True if the curve is the document's own.
     pub is_default: bool,
-}
-
-impl Play {
-    /// Replaces a curve by one through points at these heights (0 to 1); the run restarts.
-    pub fn draw(&mut self, index: usize, heights: &[f64]) -> Result<(), Refusal> {
-        let unknown = || Refusal::Unknown { name: index.to_string() };
-        let (_, drawn) = table(self.model(), index).ok_or_else(unknown)?;
-        if heights.len() != Drawn::POINTS || heights.iter().any(|height| !height.is_finite()) {
-            return Err(unknown());
-        }
-        let values: Vec<f64> = heights.iter().map(|&height| value(drawn, level(height))).collect();
-        if self.course().begun().drawings.get(index) != Some(&values) {
-            self.redraw(index, values);
-            self.announce(Announcement::Drawn(index));
-        }
-        Ok(())
-    }
-
-    /// Restores the document's own curve; the run restarts.
-    pub fn clear_drawing(&mut self, index: usize) {
-        let Some(values) = self.basis.defaults().drawings.get(index).cloned() else { return };
-        if self.course().begun().drawings.get(index) != Some(&values) {
-            let before = Setup { parameters: self.course().parameters().to_vec(), ..self.course().begun().clone() };
-            self.redraw(index, values);
-            self.can_undo(Removed::Start(before));
-            self.announce(Announcement::DrawingCleared(index));
-        }
-    }
-
-    fn redraw(&mut self, index: usize, values: Vec<f64>) {
-        let parameters = self.course().parameters().to_vec();
-        let mut setup = Setup { parameters, ..self.course().begun().clone() };
-        if let Some(own) = setup.drawings.get_mut(index) {
-            *own = values;
-        }
-        self.restart(setup);
-    }
-
-    /// Replaces the drawn curves of the model. Does nothing if they are unchanged.
-    pub(crate) fn adopt_drawings(&mut self, drawings: &[Vec<f64>]) {
-        if !self.basis.set_drawings(drawings) {
-            return;
-        }
-        self.line.model_changed(&self.basis);
-        self.evaluators = Evaluators::new(self.basis.program());
-        self.values.basis_changed(&self.basis);
-        self.answers.model_changed(self.basis.program());
-        self.plots.model_changed(self.basis.program(), self.line.columns());
-        self.note(Changes::PARAMETERS);
-    }
 }
 
 impl Basis {
@@ -159,6 +107,14 @@ impl Basis {
 }
 
 impl Basis {
+    /// Values (SI) of a curve through points at these heights (0 to 1).
+    pub(crate) fn drawn_values(&self, index: usize, heights: &[f64]) -> Result<Vec<f64>, Refusal> {
+        let drawn = table(self.model(), index).map(|(_, drawn)| drawn);
+        let fits = heights.len() == Drawn::POINTS && heights.iter().all(|height| height.is_finite());
+        let drawn = drawn.filter(|_| fits).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
+        Ok(heights.iter().map(|&height| value(drawn, level(height))).collect())
+    }
+
     /// Label of a drawn curve in the chosen language.
     pub(crate) fn drawing_label(&self, index: usize) -> String {
         table(self.model(), index).map_or_else(String::new, |(table, _)| self.label_of(table))

@@ -1,6 +1,6 @@
 //! Integration method and step.
 
-use crate::{Announcement, Basis, Course, Play, Refusal, number, words};
+use crate::{Basis, Course, Refusal, number, words};
 use engine::{Cause, Method, Run, RunError, Setup};
 
 /// A method in the list.
@@ -24,49 +24,6 @@ impl Basis {
             Err(RunError { cause: Cause::NotSecondOrder(_), .. }) => Some(Refusal::Method { method }),
             _ => None,
         }
-    }
-}
-
-impl Play {
-    /// Selects a method by its name; the run restarts from its start.
-    pub fn set_method(&mut self, name: &str) -> Result<(), Refusal> {
-        let method: Method = name.parse().map_err(|_| Refusal::Unknown { name: name.to_owned() })?;
-        if let Some(refusal) = self.basis.method_refusal(method) {
-            return Err(refusal);
-        }
-        if method != self.course().begun().method || self.course().history().is_none() {
-            let parameters = self.course().parameters().to_vec();
-            self.restart(Setup { method, parameters, ..self.course().begun().clone() });
-            self.announce(Announcement::Method(method));
-        }
-        Ok(())
-    }
-
-    /// Step (SI); for adaptive methods, the spacing of the rows.
-    pub fn step(&self) -> f64 {
-        self.course().begun().step
-    }
-
-    /// Sets the step from typed text; the run restarts from its start.
-    pub fn set_step_text(&mut self, text: &str) -> Result<(), Refusal> {
-        if text.trim() == self.basis.step_text(self.course()).0 {
-            return Ok(());
-        }
-        let step = self.basis.read_value(text, &self.model().independent.unit)?;
-        self.set_step(step)
-    }
-
-    /// Sets the step (SI); the run restarts from its start.
-    pub fn set_step(&mut self, step: f64) -> Result<(), Refusal> {
-        if !(step.is_finite() && step > 0.0) {
-            return Err(Refusal::NotPositive);
-        }
-        if step != self.course().begun().step {
-            let parameters = self.course().parameters().to_vec();
-            self.restart(Setup { step, parameters, ..self.course().begun().clone() });
-            self.announce(Announcement::Step(step));
-        }
-        Ok(())
     }
 }
 

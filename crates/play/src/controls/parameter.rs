@@ -2,10 +2,8 @@
 
 use crate::basis::input::DIGITS;
 use crate::controls::slider::Mapping;
-use crate::removed::Removed;
-use crate::{Announcement, Basis, Changes, Course, Play, Refusal, Slider, number};
-use engine::Setup;
-use program::{Choices, Parameter};
+use crate::{Basis, Course, Slider, number};
+use program::Choices;
 
 /// A parameter, for its control.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,93 +52,6 @@ pub struct ChoiceView {
     pub value: f64,
     /// Text of the option in the chosen language.
     pub text: String,
-}
-
-impl Play {
-    /// Sets a parameter to an SI value. If an initial value depends on it, the run restarts; otherwise it takes effect
-    /// from the next step.
-    pub fn set_parameter(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
-        let value = self.basis.admit(index, value)?;
-        let mut parameters = self.course().parameters().to_vec();
-        let Some(old) = parameters.get_mut(index) else {
-            return Ok(());
-        };
-        if old.to_bits() == value.to_bits() {
-            return Ok(());
-        }
-        *old = value;
-        self.change_parameters(parameters);
-        self.announce(Announcement::ParameterSet(index, value));
-        Ok(())
-    }
-
-    /// Sets a parameter from typed text: a number in the parameter's unit, a number with a unit of the same dimension,
-    /// or an expression for its present value. The text shown in the field leaves the value unchanged.
-    pub fn set_parameter_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
-        let unknown = || Refusal::Unknown { name: index.to_string() };
-        let (view, parameter) =
-            self.basis.parameter(self.course(), index).zip(self.model().parameters.get(index)).ok_or_else(unknown)?;
-        match self.basis.read_field(self.course(), text, &view.text, &parameter.unit)? {
-            Some(value) => self.set_parameter(index, value),
-            None => Ok(()),
-        }
-    }
-
-    /// Sets a parameter to the value at a slider position.
-    pub fn slide(&mut self, index: usize, position: u32) {
-        let Some(mapping) = self.model().parameters.get(index).and_then(Mapping::of) else {
-            return;
-        };
-        // Slider values lie within the range, so this cannot be refused.
-        let _ = self.set_parameter(index, mapping.value(position));
-    }
-
-    /// Resets one parameter to its default.
-    pub fn restore_default(&mut self, index: usize) {
-        if let Some(value) = self.model().parameters.get(index).map(|parameter| parameter.value) {
-            let _ = self.set_parameter(index, value);
-        }
-    }
-
-    /// Resets all parameters to their defaults. If the run started from a state set by hand or with drawn curves, it
-    /// restarts with the document's initial values and curves.
-    pub fn restore_defaults(&mut self) {
-        let parameters = self.basis.defaults().parameters.clone();
-        if self.is_started_by_hand() || self.course().begun().drawings != self.basis.defaults().drawings {
-            let before = Setup { parameters: self.course().parameters().to_vec(), ..self.course().begun().clone() };
-            let drawings = self.basis.defaults().drawings.clone();
-            self.restart(Setup { parameters, start: None, drawings, ..before.clone() });
-            self.can_undo(Removed::Start(before));
-        } else {
-            self.overwrite_parameters(parameters);
-        }
-        self.announce(Announcement::DefaultsRestored);
-    }
-
-    /// Sets all parameters (SI). Restarts the run if an initial value depends on a changed one.
-    pub(crate) fn change_parameters(&mut self, parameters: Vec<f64>) {
-        let old = self.course().parameters();
-        if old == parameters {
-            return;
-        }
-        let deciding = |(index, parameter): (usize, &Parameter)| {
-            (parameter.restarts && old.get(index) != parameters.get(index)).then_some(index)
-        };
-        let decides = self.model().parameters.iter().enumerate().find_map(deciding);
-        self.note(Changes::PARAMETERS);
-        if decides.is_some() || self.course().history().is_none() {
-            let setup = Setup { parameters, start: None, ..self.course().begun().clone() };
-            let begun = self.course().front() > 0.0 || self.is_started_by_hand();
-            self.restart(setup);
-            if let (Some(index), true) = (decides, begun) {
-                self.announce(Announcement::Restarted(index));
-            }
-        } else {
-            self.branch();
-            let changes = self.line.set_parameters(self.basis.model(), parameters);
-            self.note(changes);
-        }
-    }
 }
 
 impl Basis {

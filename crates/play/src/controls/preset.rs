@@ -1,7 +1,8 @@
 //! Presets: named sets of parameter values.
 
+use super::Controls;
 use crate::values::symbol::symbol;
-use crate::{Announcement, Play, Refusal};
+use crate::{Basis, Course};
 use engine::Readings;
 use program::Assignment;
 
@@ -30,58 +31,6 @@ pub struct PresetView {
 /// Relative tolerance for equal values: values of expressions are rounded.
 const SAME: f64 = 1e-9;
 
-impl Play {
-    /// Presets by group, in the order of the text.
-    pub fn presets(&mut self) -> Vec<PresetGroup> {
-        let mut groups: Vec<(Option<String>, PresetGroup)> = Vec::new();
-        for index in 0..self.basis.program().presets.len() {
-            let now = self.course().parameters().to_vec();
-            let then = self.preset_parameters(index);
-            let Some(preset) = self.basis.program().presets.get(index) else {
-                continue;
-            };
-            let near = |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
-            let assigned = self.basis.assigned(&preset.values, &then);
-            let assigned: Vec<String> =
-                assigned.iter().map(|(name, value)| format!("{} = {value}", symbol(name))).collect();
-            let view = PresetView {
-                index,
-                name: self.basis.text(&preset.name).to_owned(),
-                description: assigned.join(", "),
-                selected: now.iter().zip(&then).all(near),
-            };
-            match groups.last_mut() {
-                Some((group, last)) if *group == preset.group => last.presets.push(view),
-                _ => {
-                    let name = preset.group.as_deref().map_or("", |group| self.basis.text(group)).to_owned();
-                    groups.push((preset.group.clone(), PresetGroup { name, presets: vec![view] }));
-                }
-            }
-        }
-        groups.into_iter().map(|(_, group)| group).collect()
-    }
-
-    /// Sets the parameters of a preset; each value may depend on those assigned before it. If one is refused, none is
-    /// changed.
-    pub fn apply_preset(&mut self, index: usize) -> Result<(), Refusal> {
-        let parameters = self.preset_parameters(index);
-        let preset =
-            self.basis.program().presets.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
-        let parameters = self.basis.admit_assignments(&preset.values, parameters)?;
-        self.overwrite_parameters(parameters);
-        self.announce(Announcement::Preset(index));
-        Ok(())
-    }
-
-    fn preset_parameters(&mut self, index: usize) -> Vec<f64> {
-        let presets = &self.basis.program().presets;
-        let first = presets.iter().take(index).map(|preset| preset.values.len()).sum();
-        let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
-        let course = self.line.course();
-        assign(&mut self.evaluators.presets, first, values, course.parameters(), course.initial())
-    }
-}
-
 /// Parameters (SI) after `assignments`, whose values are the readings from index `first` on. Each is evaluated with the
 /// parameters left by the previous ones.
 pub(crate) fn assign(
@@ -100,4 +49,44 @@ pub(crate) fn assign(
         }
     }
     parameters
+}
+
+impl Controls {
+    /// Presets by group, in the order of the text.
+    pub fn presets(&self, basis: &Basis, at: &Course) -> Vec<PresetGroup> {
+        let mut groups: Vec<(Option<String>, PresetGroup)> = Vec::new();
+        for index in 0..basis.program().presets.len() {
+            let now = at.parameters().to_vec();
+            let then = self.preset_parameters(basis, at, index);
+            let Some(preset) = basis.program().presets.get(index) else {
+                continue;
+            };
+            let near = |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
+            let assigned = basis.assigned(&preset.values, &then);
+            let assigned: Vec<String> =
+                assigned.iter().map(|(name, value)| format!("{} = {value}", symbol(name))).collect();
+            let view = PresetView {
+                index,
+                name: basis.text(&preset.name).to_owned(),
+                description: assigned.join(", "),
+                selected: now.iter().zip(&then).all(near),
+            };
+            match groups.last_mut() {
+                Some((group, last)) if *group == preset.group => last.presets.push(view),
+                _ => {
+                    let name = preset.group.as_deref().map_or("", |group| basis.text(group)).to_owned();
+                    groups.push((preset.group.clone(), PresetGroup { name, presets: vec![view] }));
+                }
+            }
+        }
+        groups.into_iter().map(|(_, group)| group).collect()
+    }
+
+    /// Present parameters (SI), with those of a preset.
+    pub(crate) fn preset_parameters(&self, basis: &Basis, at: &Course, index: usize) -> Vec<f64> {
+        let presets = &basis.program().presets;
+        let first = presets.iter().take(index).map(|preset| preset.values.len()).sum();
+        let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
+        assign(&mut self.presets.clone(), first, values, at.parameters(), at.initial())
+    }
 }

@@ -114,11 +114,11 @@ fn the_damping_slider_is_fine_near_zero_and_reaches_critical_damping() {
 #[test]
 fn presets_are_computed_one_after_the_other() {
     let mut play = utube();
-    let groups = play.presets();
+    let groups = play.controls().presets(play.basis(), play.course());
     let names: Vec<&str> = groups.iter().map(|group| group.name.as_str()).collect();
     assert_eq!(names, ["Liquid", "Regime"]);
     let selected = |play: &mut Play| {
-        let presets = play.presets().into_iter().flat_map(|group| group.presets);
+        let presets = play.controls().presets(play.basis(), play.course()).into_iter().flat_map(|group| group.presets);
         presets.filter(|preset| preset.selected).map(|preset| preset.name).collect::<Vec<_>>()
     };
     assert_eq!(selected(&mut play), ["Water"]);
@@ -139,7 +139,7 @@ fn presets_are_computed_one_after_the_other() {
     assert_eq!(play.course().parameters(), before);
     assert!(play.apply_preset(99).is_err());
     play.set_language("es");
-    assert_eq!(play.presets()[0].presets[1].name, "Mercurio");
+    assert_eq!(play.controls().presets(play.basis(), play.course())[0].presets[1].name, "Mercurio");
 }
 
 #[test]

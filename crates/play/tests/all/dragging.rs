@@ -21,7 +21,7 @@ fn the_liquid_follows_the_pointer_and_is_let_go() {
     play.tick(1.0);
     let held = state(&play)[0];
     play.drag_begin(&drag);
-    assert!(!play.time_line().is_playing() && play.is_dragging());
+    assert!(!play.time_line().is_playing() && play.controls().is_dragging());
     play.drag_move(500.0, 10.0);
     assert_eq!(play.course().time(), 0.0);
     assert!((state(&play)[0] - (held + 0.25)).abs() < 1e-12);
@@ -34,7 +34,7 @@ fn the_liquid_follows_the_pointer_and_is_let_go() {
     play.drag_move(f64::NAN, 1.0);
     play.drag_move(0.0, 8.0);
     play.drag_end();
-    assert!(play.time_line().is_playing() && !play.is_dragging());
+    assert!(play.time_line().is_playing() && !play.controls().is_dragging());
     let from = state(&play);
     play.tick(0.5);
     assert!(state(&play)[0] < from[0]);
@@ -189,11 +189,11 @@ fn a_parameter_is_dragged_within_its_range_while_the_run_goes_on() {
                   viewBox='0 0 100 100'><circle cx='{10*s/(1 [m])}' cy='9' r='3' drag='s' drag-right='0.1 [m]'/></svg>\n```\n";
     let mut play = crate::support::open(source, &[]);
     let drag = handle(&play);
-    assert_eq!(play.drag_range(&drag), Some((0.0, 2.0)));
+    assert_eq!(play.grips().range(&drag), Some((0.0, 2.0)));
     play.play();
     play.drag_begin(&drag);
     play.drag_move(5.0, 7.0);
-    assert!(play.time_line().is_playing() && play.is_dragging());
+    assert!(play.time_line().is_playing() && play.controls().is_dragging());
     assert_eq!(play.basis().parameters(play.course())[0].value, 1.5);
     play.tick(0.5);
     assert!(state(&play)[0] > 0.5, "it follows the new value: {:?}", state(&play));

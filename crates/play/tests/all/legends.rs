@@ -53,7 +53,7 @@ fn a_label_that_the_plot_gives_stands_in_the_legend() {
 #[test]
 fn a_length_in_the_drawing_is_that_of_its_handles() {
     // 40 scene units are 1 m.
-    assert_eq!(utube().scene_length(40.0).as_deref(), Some("1 m"));
+    assert_eq!(utube().grips().length(40.0).as_deref(), Some("1 m"));
 }
 
 #[test]
@@ -86,6 +86,6 @@ theta'(0) = 0 [rad/s] "Angular velocity"
     let document = document::open(source, &[]).document.unwrap();
     let mut play = play::Play::open(document.program);
     // 4 m are 200 units wide.
-    assert_eq!(play.scene_length(50.0).as_deref(), Some("1 m"));
-    assert_eq!(play.from_start().scene_scale().map(|(metres, _)| metres), Some(0.02));
+    assert_eq!(play.grips().length(50.0).as_deref(), Some("1 m"));
+    assert_eq!(play.from_start().grips().scale().map(|(metres, _)| metres), Some(0.02));
 }

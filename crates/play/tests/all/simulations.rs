@@ -70,12 +70,13 @@ fn bounces_are_counted_in_whole_numbers() {
 #[test]
 fn every_preset_can_be_chosen_and_shows_itself_as_chosen() {
     let mut play = utube();
-    let presets: Vec<_> = play.presets().into_iter().flat_map(|group| group.presets).collect();
+    let presets: Vec<_> =
+        play.controls().presets(play.basis(), play.course()).into_iter().flat_map(|group| group.presets).collect();
     assert!(presets.len() > 10);
     for preset in presets {
         play.restore_defaults();
         play.apply_preset(preset.index).unwrap_or_else(|refusal| panic!("{}: {refusal:?}", preset.name));
-        let selected = play.presets().into_iter().flat_map(|group| group.presets);
+        let selected = play.controls().presets(play.basis(), play.course()).into_iter().flat_map(|group| group.presets);
         let selected: Vec<_> = selected.filter(|preset| preset.selected).map(|preset| preset.index).collect();
         assert!(selected.contains(&preset.index), "{}", preset.name);
     }

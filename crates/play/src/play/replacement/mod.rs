@@ -24,7 +24,7 @@ mod names;
 mod plots;
 mod recipe;
 
-use crate::share::restore::MOST_WORK;
+use super::restore::MOST_WORK;
 use crate::time::recipe::{Moments, Recipe};
 use crate::{Announcement, Changes, Play, TimeLine, words};
 use answers::asks_the_same;

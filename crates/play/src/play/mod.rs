@@ -1,42 +1,40 @@
 //! The central state: a program, a run of it, and the choices of the visitor.
 
+mod drag;
+mod replacement;
+mod restore;
+mod settings;
+mod share;
+mod transport;
+mod undo;
+
 use crate::announcement::{Announcement, Announcements};
-use crate::controls::hold::Holding;
 use crate::number::Style;
 use crate::questions::given::Answer;
-use crate::removed::Undo;
 use crate::time::course::Course;
 use crate::{
-    AddedPlot, Answers, Basis, Changes, Claims, Figures, Outline, PlotId, Plots, Readout, Refusal, Revision, Shown,
-    TimeLine, Values, Verdict,
+    AddedPlot, Answers, Basis, Changes, Claims, Controls, Figures, Outline, PlotId, Plots, Readout, Refusal, Revision,
+    Shown, TimeLine, Values, Verdict,
 };
-use engine::{Readings, Setup};
+use engine::Setup;
 use figure::{Figure, Point, Settings};
-use program::{Model, NodeId, Program};
+use program::{Model, Program};
+use undo::Undo;
 use units::Language;
 
 /// One simulation operated by a visitor.
 #[derive(Debug)]
 pub struct Play {
-    pub(crate) basis: Basis,
-    pub(crate) revision: Revision,
-    pub(crate) announcements: Announcements,
-    pub(crate) line: TimeLine,
-    pub(crate) hold: Option<Holding>,
-    pub(crate) plots: Plots,
-    pub(crate) values: Values,
-    pub(crate) evaluators: Evaluators,
-    pub(crate) answers: Answers,
-    pub(crate) claims: Claims,
-    pub(crate) undo: Undo,
-}
-
-/// Evaluators for the expressions of the document, by subject.
-#[derive(Debug)]
-pub(crate) struct Evaluators {
-    pub initial: Readings,
-    /// All assignments of all presets.
-    pub presets: Readings,
+    basis: Basis,
+    revision: Revision,
+    announcements: Announcements,
+    line: TimeLine,
+    plots: Plots,
+    values: Values,
+    controls: Controls,
+    answers: Answers,
+    claims: Claims,
+    undo: Undo,
 }
 
 impl Play {
@@ -47,12 +45,11 @@ impl Play {
         let mut play = Self {
             revision: Revision::default(),
             announcements: Announcements::default(),
-            evaluators: Evaluators::new(program),
+            controls: Controls::new(program),
             plots: Plots::new(program, line.columns()),
             values: Values::new(&basis),
             answers: Answers::new(program),
             claims: Claims::default(),
-            hold: None,
             undo: Undo::default(),
             line,
             basis,
@@ -68,7 +65,7 @@ impl Play {
     }
 
     /// Records what has changed.
-    pub(crate) fn note(&mut self, changes: Changes) {
+    pub(super) fn note(&mut self, changes: Changes) {
         self.revision = self.revision.after(changes);
         self.values.follow(changes);
     }
@@ -127,6 +124,11 @@ impl Play {
     /// invalid. `None` if no rows were discarded.
     pub fn take_rewritten(&mut self) -> Option<f64> {
         self.line.take_rewritten()
+    }
+
+    /// Presets, and the part of the scene that is being dragged.
+    pub fn controls(&self) -> &Controls {
+        &self.controls
     }
 
     /// The user's answers to questions.
@@ -291,7 +293,7 @@ impl Play {
     /// down at its greatest magnitude in this run. `None` if there is nothing to hear.
     pub fn pitch(&self) -> Option<f64> {
         let (&value, scale) = (self.course().state().first()?, self.line.greatest(0));
-        let sounding = (self.line.is_playing() || self.hold.is_some()) && value.is_finite() && scale > 0.0;
+        let sounding = (self.line.is_playing() || self.controls.is_dragging()) && value.is_finite() && scale > 0.0;
         sounding.then(|| 440.0 * libm::exp2((value / scale).clamp(-1.0, 1.0)))
     }
 
@@ -318,12 +320,12 @@ impl Play {
         self.announcements.take()
     }
 
-    pub(crate) fn announce(&mut self, announcement: Announcement) {
+    pub(super) fn announce(&mut self, announcement: Announcement) {
         self.announcements.push(announcement);
     }
 
     /// Updates the columns and the contents of the plots to the front of the run.
-    pub(crate) fn follow(&mut self) {
+    pub(super) fn follow(&mut self) {
         self.line.follow();
         self.plots.follow(&mut self.line);
     }
@@ -339,12 +341,12 @@ impl Play {
     }
 
     /// Settings of the present run, with the parameters shown.
-    pub(crate) fn setup(&self) -> Setup {
+    pub(super) fn setup(&self) -> Setup {
         Setup { parameters: self.course().parameters().to_vec(), ..self.course().begun().clone() }
     }
 
     /// Starts another run. The present one becomes the ghost if it is long enough to be seen.
-    pub(crate) fn restart(&mut self, mut setup: Setup) {
+    pub(super) fn restart(&mut self, mut setup: Setup) {
         // Presses belong to the former run.
         setup.presses.clear();
         self.keep_ghost();
@@ -354,7 +356,7 @@ impl Play {
     }
 
     /// Replaces the present run.
-    pub(crate) fn replace_course(&mut self, course: Course) {
+    pub(super) fn replace_course(&mut self, course: Course) {
         let changes = self.line.replace(course);
         self.run_replaced(changes);
     }
@@ -365,24 +367,6 @@ impl Play {
         self.note(changes);
         if self.course().error().is_some() {
             self.announce(Announcement::Failed);
-        }
-    }
-
-    /// Initial state (SI) for given parameters (SI).
-    pub(crate) fn initial_for(&mut self, parameters: &[f64]) -> Vec<f64> {
-        let nothing = vec![0.0; self.basis.model().states.len()];
-        self.evaluators.initial.at(parameters, &nothing, 0.0, &nothing).to_vec()
-    }
-}
-
-impl Evaluators {
-    pub(crate) fn new(program: &Program) -> Self {
-        let model = &program.model;
-        let reading = |nodes: Vec<NodeId>| Readings::new(model, &nodes);
-        let presets = program.presets.iter().flat_map(|preset| &preset.values);
-        Self {
-            initial: reading(model.states.iter().map(|state| state.initial).collect()),
-            presets: reading(presets.map(|assignment| assignment.value.node).collect()),
         }
     }
 }

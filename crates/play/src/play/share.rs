@@ -20,10 +20,10 @@
 //! | `v` | plots not shown: `0,2` |
 //! | `z` | zoom of a plot, once for each: the plot, then the limits of the horizontal axis (empty if automatic) and of each vertical one: `0,1:2.5,-3:3` |
 
-use super::link::{VERSION, encode};
 use crate::Play;
 use crate::controls::button::written;
 use crate::controls::drawing;
+use crate::share::link::{VERSION, encode};
 use crate::time::recipe::{Change, Recipe};
 use engine::Setup;
 use figure::{Interval, View};

@@ -1,9 +1,9 @@
 //! Restores a state from the text written by [`Play::share`].
 
-use super::link::{VERSION, decode, encode};
-use super::state::MOST_CHANGES;
+use super::share::MOST_CHANGES;
 use crate::controls::button::read;
 use crate::controls::drawing;
+use crate::share::link::{VERSION, decode, encode};
 use crate::time::recipe::{Change, Moments, Recipe};
 use crate::{Announcement, Changes, MOST_KEPT, Play, Refusal};
 use engine::Method;
@@ -12,7 +12,7 @@ use units::number::compact as exact;
 
 /// Maximum work for all recomputed runs together, in floating-point operations. A link may come from a stranger, and
 /// the page is blocked meanwhile: about a second on a slow phone.
-pub(crate) const MOST_WORK: u64 = 50_000_000;
+pub(super) const MOST_WORK: u64 = 50_000_000;
 
 /// Maximum number of rows of a run in a link, because recording a row takes time.
 const MOST_ROWS: usize = 2_500_000;
@@ -60,7 +60,7 @@ impl Play {
             left_out.push(format!("t={}", exact(present.front)));
         }
         self.stop();
-        self.hold = None;
+        self.controls.hold(None);
         let changes = self.line.forget_runs();
         self.note(changes);
         self.replace_course(course);

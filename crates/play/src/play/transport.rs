@@ -1,6 +1,6 @@
 //! Operations on the time line and their announcements: play, pause, step, scrub, keep runs.
 
-use crate::removed::Removed;
+use super::undo::Removed;
 use crate::time::course::Outcome;
 use crate::{Announcement, Changes, Play, Refusal, WORK_PER_TICK, words};
 use engine::Setup;
@@ -27,7 +27,7 @@ impl Play {
         if self.line.is_playing() {
             return;
         }
-        self.hold = None;
+        self.controls.hold(None);
         self.branch();
         let changes = self.line.play();
         self.note(changes);
@@ -77,7 +77,7 @@ impl Play {
     /// discards it); the ghost is removed.
     pub fn back_to_start(&mut self) {
         self.stop();
-        self.hold = None;
+        self.controls.hold(None);
         self.restart(self.setup());
         self.clear_ghost();
         self.announce(Announcement::BackAtStart);
@@ -174,14 +174,14 @@ impl Play {
     }
 
     /// Turns all rows into the ghost, if there are enough to be seen.
-    pub(crate) fn keep_ghost(&mut self) {
+    pub(super) fn keep_ghost(&mut self) {
         self.follow();
         let changes = self.line.keep_ghost(0);
         self.note(changes);
     }
 
     /// Makes the moment shown the front of the run; rows recorded after it become the ghost.
-    pub(crate) fn branch(&mut self) {
+    pub(super) fn branch(&mut self) {
         if self.course().is_scrubbed() {
             self.follow();
             let changes = self.line.branch();
@@ -189,7 +189,7 @@ impl Play {
         }
     }
 
-    pub(crate) fn stop(&mut self) {
+    pub(super) fn stop(&mut self) {
         let changes = self.line.stop();
         self.note(changes);
     }

@@ -4,14 +4,16 @@
 //! | folder | contents |
 //! |---|---|
 //! | `basis` | the program in the language of the visitor, parsing of typed values |
-//! | `time` | the run, its time line and clock |
-//! | `controls` | parameters, presets, buttons, states, dragging, method and step |
+//! | `time` | the run, its time line and clock, kept runs |
 //! | `plots` | figures of the run and of kept runs, points and plots added by other crates |
 //! | `values` | readouts, values of the scene, table of rows |
+//! | `controls` | views of parameters, presets, buttons and drawn curves; what a drag reaches |
 //! | `questions` | answers and their grades |
 //! | `claims` | claims of the author and their results |
-//! | `replacement` | replacing the program while it runs |
-//! | `share` | the state as a link |
+//! | `play` | the wiring of these parts: operations of the visitor, links, replacing the program |
+//! | `share` | documents of links, pages in other pages |
+//!
+//! An operation on a part returns [`Changes`]. [`Play`] folds them into its [`Revision`].
 //!
 //! A [`Refusal`] is returned for input that cannot be accepted; the state is then unchanged. Getters that return texts use
 //! the chosen language. No method panics; an index that does not exist is ignored or refused.

@@ -84,7 +84,7 @@ impl Grips<'_> {
         if held >= from.len() || from.iter().any(|value| !value.is_finite()) {
             return None;
         }
-        let at_start = self.line.course().time() == 0.0 && !self.line.course().begun().start.is_some();
+        let at_start = self.line.course().time() == 0.0 && self.line.course().begun().start.is_none();
         if !at_start {
             self.rest(held, &mut from);
         }

@@ -30,7 +30,7 @@ impl Basis {
         self.model().sizes.iter().map(view).collect()
     }
 
-    /// Sizes, by name, with which the program must be built before restoring a state written by [`Play::share`]. Empty
+    /// Sizes, by name, with which the program must be built before restoring a state written by [`crate::Play::share`]. Empty
     /// if they are those of this program.
     pub fn sizes_for(&self, fragment: &str) -> Vec<(String, u32)> {
         let field = fragment.split('&').find_map(|field| field.strip_prefix("n=")).unwrap_or_default();

@@ -124,7 +124,7 @@ impl Figures<'_> {
     /// Descriptions of the series of a plot, in their order.
     pub(crate) fn series_names(&self, index: usize) -> Vec<SeriesName> {
         let Some(plot) = self.figure_of(index) else { return Vec::new() };
-        let kept = self.line.kept(&self.basis);
+        let kept = self.line.kept(self.basis);
         let curves = self.plots.states.get(index).map_or(&[][..], |plot| &plot.labels.curves);
         let moment = self.moment_of(index);
         let name = |series: &Series<'_>| {

@@ -86,7 +86,7 @@ impl<'a> Figures<'a> {
         let curves = self.plots.states.get(index).map_or(&[][..], |plot| &plot.labels.curves);
         let ghosts = if self.line.has_ghost() { curves.len() } else { 0 };
         let kept: Vec<String> =
-            self.line.kept(&self.basis).into_iter().filter(|kept| kept.shown).map(|kept| kept.name).collect();
+            self.line.kept(self.basis).into_iter().filter(|kept| kept.shown).map(|kept| kept.name).collect();
         for sample in readout.samples.iter_mut().filter(|sample| sample.series < first) {
             let Some(place) = sample.series.checked_sub(points + ghosts) else {
                 continue;

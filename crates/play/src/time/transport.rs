@@ -13,9 +13,9 @@ pub enum Status {
     Playing,
     /// Paused because the recording is full; go back to the start or scrub back to continue.
     Full,
-    /// Paused because the run failed; [`Play::problem`] gives the reason.
+    /// Paused because the run failed; [`TimeLine::problem`] gives the reason.
     Failed,
-    /// Paused at the end set by the document or an event; [`Play::play`] continues beyond it.
+    /// Paused at the end set by the document or an event; [`crate::Play::play`] continues beyond it.
     Ended,
 }
 
@@ -27,7 +27,7 @@ pub const SPEEDS: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 pub const LONGEST_GAP: f64 = 60.0;
 
 /// Maximum work in one tick, in floating-point operations: some milliseconds. The resulting delay is
-/// [`Play::slippage`].
+/// [`TimeLine::slippage`].
 pub const WORK_PER_TICK: u64 = 1_000_000;
 
 impl TimeLine {

@@ -1,5 +1,5 @@
 //! A ruler on the scene: a line whose two ends are moved by pointer or arrow keys. It shows lengths in the scale of the
-//! drawing ([`Play::scene_scale`]); a scene without scale has no ruler.
+//! drawing ([`play::Grips::scale`]); a scene without scale has no ruler.
 
 use crate::app::App;
 use crate::views::document;

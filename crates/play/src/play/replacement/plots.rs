@@ -18,7 +18,7 @@ impl Play {
         let (plots, former) = (&self.basis.program().plots, &before.basis.program().plots);
         plots.len() == former.len()
             && plots.iter().zip(former).all(|(one, other)| same_curves(one, other))
-            && self.line.columns().is_arranged_like(&before.line.columns())
+            && self.line.columns().is_arranged_like(before.line.columns())
     }
 
     /// True if the columns also compute the same values, for runs with the same states.

@@ -3,7 +3,7 @@
 #![no_main]
 
 use desk::Desk;
-use document::project::Project;
+use desk::saved::project::Project;
 use libfuzzer_sys::fuzz_target;
 
 const DOCUMENT: &str = "```model\nx' = -k*x\nparameter k = 1 [1/s]\nx(0) = 1 [m]\n```\n";

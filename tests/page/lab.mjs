@@ -88,6 +88,9 @@ export function visit(title, ...rest) {
     try {
       await does(lab);
       lab.wasQuiet();
+    } catch (failure) {
+      console.log(`${title}: the page, when this failed: ${await lab.described()}`);
+      throw failure;
     } finally {
       await lab.context.close();
     }
@@ -148,6 +151,20 @@ export class Lab {
   async go(address) {
     await this.page.goto(address);
     await this.page.getByRole("heading", { level: 1 }).waitFor();
+  }
+
+  /** The state of the page in one line, for a failure that is not seen again: faults, heading, history and names of what is stored. */
+  async described() {
+    const page = this.page.evaluate(() => ({
+      heading: document.querySelector("h1")?.innerText,
+      visibility: document.visibilityState,
+      messages: document.querySelector("#messages")?.innerText,
+      fragment: location.hash.slice(0, 80),
+      history: String(history.state).slice(0, 80),
+      stored: Object.keys(localStorage),
+    }));
+    const state = await page.catch((failure) => ({ silent: String(failure) }));
+    return JSON.stringify({ faults: this.faults, ...state });
   }
 
   /** Nobody was asked for anything, and nothing went wrong. */

@@ -11,6 +11,7 @@ mod derivatives;
 mod export;
 mod failure;
 mod fitting;
+mod handing;
 mod load;
 mod lsp;
 mod page;
@@ -45,6 +46,8 @@ fn main() -> ExitCode {
         Command::Fit(fit) => fitting::fit(fit, terminal),
         Command::Rank(rank) => fitting::rank(rank, terminal),
         Command::Track(track) => track::run(track, terminal),
+        Command::HandIn(arguments) => handing::hand_in(arguments, terminal),
+        Command::Verify(verify) => handing::verify(verify, terminal),
         Command::Export(export) => export::export(export, terminal),
         Command::New(new) => authoring::new(new, terminal),
         Command::Format(format) => authoring::format(format, terminal),

@@ -8,7 +8,7 @@
 //! | `measured` | points over curves, residuals, the outline in the scene |
 //! | `cycles` | an oscillation cycle by cycle |
 //! | `fits` | fit settings, queue, results, application to the sliders, reports |
-//! | `saved` | records, films, fits and answers stored for the next visit, in one format |
+//! | `storing` | records, films, fits and answers stored for the next visit |
 //! | `writing` | editing of the texts of the document |
 //!
 //! A [`Refusal`] is the error for rejected input; the state is then unchanged. Getters that return texts use the chosen
@@ -23,8 +23,8 @@ mod measured;
 mod records;
 mod refusal;
 mod removed;
-mod saved;
 mod sizes;
+mod storing;
 mod undo;
 mod words;
 mod workbook;
@@ -35,6 +35,7 @@ pub use analysis::tracker::{Gathering, gathering};
 pub use document;
 pub use film;
 pub use play;
+pub use saved;
 pub use units::number;
 
 pub use announcement::Announcement;
@@ -54,7 +55,7 @@ pub use records::{
     Sample, VariableView,
 };
 pub use refusal::Refusal;
-pub use saved::{Change, Item, Left, Shelf, own_document_key};
+pub use storing::{Visit, document_data};
 pub use writing::{
     DrawingPlaces, Insight, LineChanges, Mark, Proposals, TextChange, Writing, insight, line_changes,
     superfluous_versions, text_changes,

@@ -18,7 +18,6 @@ pub mod form;
 mod format;
 mod open;
 pub mod page;
-pub mod project;
 mod prose;
 mod resized;
 mod scene;

@@ -29,11 +29,11 @@ pub(crate) struct Tracer<'a> {
     sleeve: Option<((f32, f32), (f32, f32))>,
     /// Greatest distance of the line from the last point drawn, pixels.
     reach: f32,
-    column: Option<Column>,
+    column: Option<PixelColumn>,
 }
 
 /// Points kept of one column of pixels.
-struct Column {
+struct PixelColumn {
     number: i32,
     /// Number of points after the first.
     count: u32,
@@ -79,7 +79,7 @@ impl<'a> Tracer<'a> {
             _ => {
                 self.flush_column();
                 let point = (0, x, y);
-                self.column = Some(Column { number, count: 0, lowest: point, highest: point, last: point });
+                self.column = Some(PixelColumn { number, count: 0, lowest: point, highest: point, last: point });
                 self.line_to(x, y);
             }
         }
@@ -87,7 +87,7 @@ impl<'a> Tracer<'a> {
 
     /// Draws the points kept of a column, in their original order.
     fn flush_column(&mut self) {
-        let Some(Column { lowest, highest, last, .. }) = self.column.take() else {
+        let Some(PixelColumn { lowest, highest, last, .. }) = self.column.take() else {
             return;
         };
         let (one, two) = if lowest.0 < highest.0 { (lowest, highest) } else { (highest, lowest) };

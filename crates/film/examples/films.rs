@@ -17,7 +17,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
-/// What is known of a film.
+/// Film with its description.
 struct Film {
     planes: Vec<Plane>,
     times: Vec<f64>,
@@ -78,7 +78,7 @@ impl Film {
     fn column(&self, clicked: usize, beside: [f64; 2], shaken: bool) -> (Track, [f64; 3]) {
         let [x, y] = self.pair(clicked, "seen");
         let mut settings = Settings::new(Click { frame: clicked, position: [x + beside[0], y + beside[1]] });
-        // Where the camera is held at an angle, the tube is given by two points.
+        // If the camera is held at an angle, the tube is given by two points.
         let angle = self.about["frames"][0]["camera"][2].as_f64().unwrap_or(0.0);
         if angle.abs() > 0.05 && !shaken {
             let along = [-libm::sin(angle), libm::cos(angle)];

@@ -1,13 +1,14 @@
-//! How many frames can be tracked at once, known before any of them is decoded.
+//! Upper bound of the number of frames that can be tracked at once, known before any frame is decoded.
 
 use crate::tracking::{Plan, Refusal};
 
-/// Refuses a plan with more frames than the strips of its surfaces have room for, in pictures of `size` (width, height in pixels,
-/// as they are stored).
+/// Checks that the strips of all surfaces in a plan fit into memory. `size`: width and height of the stored picture,
+/// px.
 ///
-/// The room for bodies depends on their outline in the first picture; [`crate::tracking::Following::take`] checks it.
+/// The bound for bodies depends on their outline in the first picture. [`crate::tracking::Following::take`] checks it.
 ///
 /// # Errors
+///
 /// [`Refusal::Long`] with the number of frames that fit.
 pub fn check(plan: &Plan, size: [usize; 2]) -> Result<(), Refusal> {
     let most = plan.surfaces.iter().map(|surface| surface.settings.most_frames(size)).min();

@@ -1,8 +1,7 @@
-//! Films of experiments: where a film keeps its frames and when each was taken, where something is in each of them, and how
-//! large it is.
+//! Films of experiments: containers, frame times, tracking and calibration.
 //!
-//! Nothing here decodes pictures. Whoever can (a browser, `ffmpeg`) hands over each frame as a [`Plane`] of grey values
-//! together with its presentation time.
+//! No pictures are decoded here. A browser or `ffmpeg` supplies each frame as a [`Plane`] of grey values with its
+//! presentation time.
 
 pub mod calibration;
 pub mod camera;

@@ -1,41 +1,41 @@
-//! The table of what was found in a film: times, positions and their standard errors.
+//! Table of tracked positions: times, coordinates and standard errors.
 
 use crate::calibration::{Calibration, Lengths};
 use crate::tracking::{Point, Track};
 use std::collections::BTreeSet;
 
-/// Points through which a value at another time is interpolated.
+/// Number of points for the interpolation at another time.
 const AROUND: usize = 6;
 
-/// The table.
+/// Table of one or several tracks, one row per frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// The unit of lengths.
+    /// Unit of lengths: `px` or `m`.
     pub unit: &'static str,
-    /// The number of the frame of each row.
+    /// Frame number of each row.
     pub frames: Vec<usize>,
-    /// The time of each row in seconds.
+    /// Time of each row, s.
     pub times: Vec<f64>,
-    /// Name, values and standard errors of each quantity; not a number where its track has no point.
+    /// Quantities of each track, one value per row; NaN in frames without a point.
     pub quantities: Vec<Vec<Quantity>>,
 }
 
-/// A quantity of the table.
+/// Column of values with standard errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
-    /// `y`, or `y_2` where there are several.
+    /// Name: `x` or `y`, with the number of the track if there are several (`y_2`).
     pub name: String,
-    /// The value in each frame of the track.
+    /// Values in units of [`Table::unit`], one per row.
     pub values: Vec<f64>,
-    /// Their standard errors.
+    /// Standard errors in the same unit, one per row.
     pub sigmas: Vec<f64>,
 }
 
 impl Table {
-    /// The rows of some tracks of one film. `taken` says when a frame was taken, in the seconds of the tracks.
+    /// Table of the tracks of one film. `taken`: time of the middle row of a frame, s, on the same clock as the tracks.
     ///
-    /// A rolling shutter reads two surfaces at two times of one frame. Several tracks are therefore brought to the time of the
-    /// frame itself, that of its middle row, by the polynomial through the six points around.
+    /// A rolling shutter reads each track at another time within the frame. If there are several tracks, their values
+    /// are interpolated to the time of the middle row, by the polynomial through the six nearest points.
     pub fn of(tracks: &[Track], calibration: &Calibration, taken: &dyn Fn(usize) -> f64) -> Self {
         let frames: BTreeSet<usize> =
             tracks.iter().flat_map(|track| track.points.iter().map(|point| point.frame)).collect();
@@ -69,7 +69,7 @@ impl Table {
         Self { unit, frames, times, quantities }
     }
 
-    /// Its columns with their headings: the time, then for each track its quantities and their standard errors.
+    /// Columns with headings: the time, then the quantities and their standard errors for each track.
     pub fn columns(&self) -> Vec<(String, &[f64])> {
         let mut columns = vec![("t [s]".to_owned(), self.times.as_slice())];
         for track in &self.quantities {
@@ -82,7 +82,7 @@ impl Table {
     }
 }
 
-/// What a track shows: the level along its tube, or both coordinates of a body. `suffix` is added to the names.
+/// Quantities of a track: the level along a tube, or both coordinates of a body. `suffix` is appended to their names.
 fn measured(track: &Track, calibration: &Calibration, suffix: &str) -> Vec<Quantity> {
     let quantity = |name: &str, pick: &dyn Fn(&Point) -> [f64; 2]| {
         let (values, sigmas) = track.points.iter().map(|point| pick(point).into()).unzip();
@@ -105,7 +105,7 @@ fn measured(track: &Track, calibration: &Calibration, suffix: &str) -> Vec<Quant
     vec![quantity("y", &level)]
 }
 
-/// The value at a time near that of one of some points, by the polynomial through the points around (J. L. Lagrange).
+/// Lagrange interpolation at `time`, close to `times[at]`.
 fn at_time(times: &[f64], values: &[f64], at: usize, time: f64) -> f64 {
     let count = AROUND.min(times.len());
     let first = at.saturating_sub(count / 2).min(times.len() - count);

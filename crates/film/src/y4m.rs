@@ -1,37 +1,37 @@
-//! Uncompressed films in the format YUV4MPEG2 of the MJPEG tools, with eight bits.
+//! Uncompressed films in the format YUV4MPEG2 of the MJPEG tools, with 8 bits per value.
 
 use crate::plane::{Colour, Plane};
 use units::{Words, words};
 
-/// Bytes of a header line.
+/// Maximum length of a header line in bytes.
 const LINE: usize = 1024;
-/// Pixels of a frame.
+/// Maximum number of pixels per frame.
 const PIXELS: usize = 64 << 20;
 
-/// Why a film in this format cannot be read.
+/// Reason why a film cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// The file does not begin as one of this format does.
+    /// The file does not begin with the signature of the format.
     Signature,
-    /// The header has no valid width, height or frame rate.
+    /// The header has no valid size or frame rate.
     Header {
-        /// The header.
+        /// Header line, at most 100 characters.
         line: String,
     },
-    /// The pixels are stored in a way that is not read: with more than eight bits, for example.
+    /// Unsupported pixel format, such as one with more than 8 bits.
     Pixels {
-        /// The name of that way, as the header has it.
+        /// Name of the pixel format in the header.
         name: String,
     },
-    /// What follows a frame is no frame.
+    /// Invalid or incomplete header of a frame.
     Frame {
-        /// How many frames were read before.
+        /// Number of frames read before it.
         read: usize,
     },
 }
 
 impl Fault {
-    /// The message for people: what happened, and what to do.
+    /// Message: what happened, and what to do.
     pub fn words(&self) -> Words {
         match self {
             Self::Signature => words(
@@ -53,16 +53,16 @@ impl Fault {
     }
 }
 
-/// What the header says.
+/// Content of the film header.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Header {
-    /// Pixels in a row.
+    /// Width in px.
     pub width: usize,
-    /// Rows.
+    /// Height in px.
     pub height: usize,
-    /// Frames a second; `None` if it is not stated.
+    /// Frames per second; `None` if unknown.
     pub rate: Option<f64>,
-    /// Width and height of each of the two planes of colour; `None` for grey films.
+    /// Width and height of both colour planes; `None` for grey films.
     colour: Option<[usize; 2]>,
 }
 
@@ -97,12 +97,12 @@ impl Header {
         Ok(Header { width, height, rate, colour })
     }
 
-    /// Bytes of a frame.
+    /// Size of a frame in bytes.
     fn bytes(&self) -> usize {
         self.width * self.height + self.colour.map_or(0, |[width, height]| 2 * width * height)
     }
 
-    /// The frame of these bytes.
+    /// Frame with the given bytes.
     fn plane(&self, mut bytes: Vec<u8>) -> Option<Plane> {
         let colours = bytes.split_off((self.width * self.height).min(bytes.len()));
         let plane = Plane::new(self.width, self.height, bytes)?;
@@ -117,7 +117,7 @@ impl Header {
     }
 }
 
-/// A frame rate such as `30000:1001`; `0:0` says that it is not known.
+/// Frame rate such as `30000:1001`; `Some(None)` for `0:0`, an unknown rate.
 fn quotient(text: &str) -> Option<Option<f64>> {
     let (above, below) = text.split_once(':')?;
     let (above, below): (u32, u32) = (above.parse().ok()?, below.parse().ok()?);
@@ -128,64 +128,63 @@ fn quotient(text: &str) -> Option<Option<f64>> {
     }
 }
 
-enum Part {
-    /// The line of the film's header.
+enum Section {
+    /// Header line of the film.
     Header(Vec<u8>),
-    /// The line before a frame.
+    /// Header line of a frame.
     Line(Vec<u8>),
-    /// Grey values, then colours.
+    /// Grey values, followed by colours.
     Pixels(Vec<u8>),
 }
 
-/// A reader that is given the bytes of a film in pieces of any size.
+/// Incremental reader. Accepts the bytes of a film in parts of any size.
 pub struct Reader {
     header: Option<Header>,
-    part: Part,
+    part: Section,
     read: usize,
 }
 
 impl Default for Reader {
     fn default() -> Self {
-        Reader { header: None, part: Part::Header(Vec::new()), read: 0 }
+        Reader { header: None, part: Section::Header(Vec::new()), read: 0 }
     }
 }
 
 impl Reader {
-    /// What the header says, once it was read.
+    /// Header, once it has been read.
     pub fn header(&self) -> Option<Header> {
         self.header
     }
 
-    /// Reads from the bytes until a frame is complete; `None` where more bytes are needed. The bytes that were read are taken
-    /// away from the slice.
+    /// Reads bytes until a frame is complete, and removes them from the slice. `None` if more bytes are needed.
     ///
     /// # Errors
     ///
-    /// Where the bytes are not those of a film that can be read.
+    /// A [`Fault`] if the bytes are not a readable film.
     pub fn frame(&mut self, bytes: &mut &[u8]) -> Result<Option<Plane>, Fault> {
         while !bytes.is_empty() {
             match &mut self.part {
-                Part::Header(line) => {
+                Section::Header(line) => {
                     if take_line(line, bytes).map_err(|()| Fault::Signature)? {
                         self.header = Some(Header::read(line)?);
-                        self.part = Part::Line(Vec::new());
+                        self.part = Section::Line(Vec::new());
                     }
                 }
-                Part::Line(line) => {
+                Section::Line(line) => {
                     let fault = Fault::Frame { read: self.read };
                     if take_line(line, bytes).map_err(|()| fault.clone())? {
                         if !line.starts_with(b"FRAME") {
                             return Err(fault);
                         }
-                        self.part = Part::Pixels(Vec::new());
+                        self.part = Section::Pixels(Vec::new());
                     }
                 }
-                Part::Pixels(pixels) => {
+                Section::Pixels(pixels) => {
                     let Some(header) = self.header else { return Err(Fault::Signature) };
                     take(pixels, header.bytes(), bytes);
                     if pixels.len() == header.bytes() {
                         let pixels = std::mem::take(pixels);
-                        self.part = Part::Line(Vec::new());
+                        self.part = Section::Line(Vec::new());
                         self.read += 1;
                         return Ok(header.plane(pixels));
                     }
@@ -196,14 +195,14 @@ impl Reader {
     }
 }
 
-/// Moves bytes until there are `size` of them.
+/// Moves bytes until `into` has `size` of them.
 fn take(into: &mut Vec<u8>, size: usize, bytes: &mut &[u8]) {
     let (now, rest) = bytes.split_at(size.saturating_sub(into.len()).min(bytes.len()));
     into.extend_from_slice(now);
     *bytes = rest;
 }
 
-/// Moves bytes up to the end of a line; whether it was reached. An error where the line is too long.
+/// Moves bytes up to the end of a line and returns true if it was reached. An error for a line that is too long.
 fn take_line(line: &mut Vec<u8>, bytes: &mut &[u8]) -> Result<bool, ()> {
     let end = bytes.iter().position(|byte| *byte == b'\n');
     take(line, line.len() + end.unwrap_or(bytes.len()).min(LINE + 1), bytes);

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::{fit, opening};
-use document::project::{LONGEST_PROJECT, PROJECT_ENDING, Project, ProjectError};
+use desk::saved::project::{LONGEST_PROJECT, PROJECT_ENDING, Project, ProjectError};
 use view::browser;
 use web_sys::File;
 

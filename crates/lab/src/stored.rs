@@ -1,18 +1,12 @@
 //! State of the browser's storage as known to this page.
 
-use desk::Shelf;
+use desk::Visit;
 
 /// Contents of the storage as known to this page.
 #[derive(Default)]
 pub struct Saved {
-    /// The records.
-    pub records: Shelf,
-    /// Work on films.
-    pub films: Shelf,
-    /// The fits.
-    pub fits: Shelf,
-    /// Answers to the questions of the open document.
-    pub answers: Shelf,
+    /// Items that this page has read or written.
+    pub visit: Visit,
     /// True if a delayed save is pending.
     pub is_due: bool,
     /// True if a refusal by the browser has been reported.

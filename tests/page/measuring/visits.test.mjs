@@ -28,7 +28,6 @@ answer: sqrt(k) within 1 %
 `;
 
 /** A text as it was stored before the present format. */
-const earlier = (name) => readFileSync(beside(`../../crates/desk/tests/all/earlier/${name}.txt`), "utf8");
 
 const OWN_SPANISH = `---
 title: Mi propio oscilador
@@ -175,6 +174,7 @@ visit("Back and Forward walk through the documents", async (lab) => {
   assert.equal(await lab.number("Stiffness"), 2.25);
   // A heading of the prose is a place in the same document.
   await lab.page.evaluate(() => { location.hash = "panel"; });
+  await lab.drawn();
   await lab.page.reload();
   await shows(lab, "My own oscillator");
 });
@@ -239,27 +239,6 @@ visit("two pages keep each other's records, and what one removes is gone", async
     await eventually(async () => assert.deepEqual(await records(page).locator("h3").allInnerTexts(), ["film 2.csv"]));
   }
   second.wasQuiet();
-});
-
-visit("what earlier versions have stored comes back and is stored in the present format", async (lab) => {
-  const stored = () => lab.page.evaluate(() => Object.fromEntries(Object.entries(localStorage).filter(([key]) => /^meniscus:(record|fit)/.test(key))));
-  await lab.page.evaluate(([record, other, fit]) => {
-    localStorage.setItem("meniscus:records", record);
-    localStorage.setItem("meniscus:record:ad6a005bfab9dd0f", `900\n${other}`);
-    localStorage.setItem("meniscus:fit:32b1c3fa448d2a8c", `1000\n${fit}`);
-  }, ["record", "other-record", "fit-of-two"].map(earlier));
-  for (const _ of ["the first visit", "another one"]) {
-    await lab.page.reload();
-    await lab.tab("Measure");
-    await eventually(async () => assert.deepEqual(await records(lab).locator("h3").allInnerTexts(), ["vídeo 1.txt", "tube 2.txt"]));
-    await eventually(async () => {
-      const items = await stored();
-      assert.equal(Object.keys(items).length, 3, Object.keys(items).join());
-      assert.ok(Object.values(items).every((text) => JSON.parse(text).meniscus === 3));
-    });
-    await lab.tab("Fit");
-    await eventually(async () => assert.match(await lab.page.locator("body").innerText(), /vídeo 1\.txt \+ tube 2\.txt/));
-  }
 });
 
 visit("a browser that refuses to store anything is reported once", async (lab) => {

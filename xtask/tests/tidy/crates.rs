@@ -4,7 +4,7 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 16] = [
+const ARROWS: [(&str, &[&str]); 18] = [
     ("units", &[]),
     ("program", &["units"]),
     ("model", &["program", "units"]),
@@ -15,17 +15,27 @@ const ARROWS: [(&str, &[&str]); 16] = [
     ("analysis", &["engine", "program", "units"]),
     ("report", &["analysis", "document", "figure", "film", "model", "program", "units"]),
     ("play", &["engine", "figure", "program", "units"]),
-    ("desk", &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "units"]),
+    ("saved", &["document", "units"]),
+    (
+        "desk",
+        &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "saved", "units"],
+    ),
+    ("class", &["analysis", "desk", "document", "saved", "units"]),
     ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
-    ("lab", &["desk", "document", "figure", "film", "model", "play", "program", "units", "view"]),
-    ("cli", &["analysis", "document", "engine", "figure", "film", "model", "program", "report", "units"]),
+    ("lab", &["class", "desk", "document", "figure", "film", "model", "play", "program", "units", "view"]),
+    (
+        "cli",
+        &["analysis", "class", "document", "engine", "figure", "film", "model", "program", "report", "saved", "units"],
+    ),
 ];
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
-const CORE: [&str; 11] =
-    ["units", "program", "model", "document", "engine", "analysis", "film", "figure", "report", "play", "desk"];
+const CORE: [&str; 13] = [
+    "units", "program", "model", "document", "engine", "analysis", "film", "figure", "report", "play", "saved", "desk",
+    "class",
+];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];
 

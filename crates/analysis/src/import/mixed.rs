@@ -11,7 +11,7 @@ use crate::finding::Finding;
 
 /// First cells of a column that show the meaning of its signs.
 #[derive(Clone, Debug, Default)]
-struct Column {
+struct ColumnSigns {
     /// True if a cell has the decimal sign of the file.
     usual: bool,
     /// Line and text of a number that is only valid with the other decimal sign, `0.020`.
@@ -23,7 +23,7 @@ struct Column {
 /// Meaning of the signs in each column, collected while the rows are read.
 #[derive(Debug, Default)]
 pub(super) struct Survey {
-    columns: Vec<Column>,
+    columns: Vec<ColumnSigns>,
     /// Number of lines read.
     lines: usize,
     /// True if a number with groups has shown the meaning of the sign: `1.295,5` or `1.234.567`.
@@ -63,7 +63,7 @@ impl Survey {
                 continue;
             }
             if self.columns.len() <= place {
-                self.columns.resize_with(place + 1, Column::default);
+                self.columns.resize_with(place + 1, ColumnSigns::default);
             }
             let Some(column) = self.columns.get_mut(place) else { continue };
             let here = || (header_lines + self.lines + 1, rows::excerpt(cell));

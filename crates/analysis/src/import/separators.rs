@@ -14,7 +14,7 @@ const SMOOTHER: f64 = 1.5;
 
 /// Properties of the cells of one column that contain the sign.
 #[derive(Clone, Debug, Default)]
-struct Column {
+struct ColumnEvidence {
     /// Line and text of the first number like `1,295`.
     grouped: Option<(usize, String)>,
     /// True if one of these ends with a zero, `1,290`: a program that omits trailing zeros does not write it as a decimal.
@@ -30,7 +30,7 @@ struct Column {
 /// Evidence for either reading in each column, collected while the rows are read.
 #[derive(Debug, Default)]
 pub(super) struct Survey {
-    columns: Vec<Column>,
+    columns: Vec<ColumnEvidence>,
     /// Number of lines read.
     lines: usize,
     /// True if a number has shown that the sign is decimal.
@@ -72,7 +72,7 @@ impl Survey {
         for (place, cell) in Cells::of(line, format.delimiter).enumerate().take(COLUMNS) {
             let Cell::Number(value) = number::cell(cell, format.signs()) else { continue };
             if self.columns.len() <= place {
-                self.columns.resize_with(place + 1, Column::default);
+                self.columns.resize_with(place + 1, ColumnEvidence::default);
             }
             let column = self.columns.get_mut(place)?;
             let here = || (header_lines + self.lines + 1, rows::excerpt(cell));

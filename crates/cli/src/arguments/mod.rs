@@ -7,6 +7,7 @@ pub(crate) mod variable;
 
 use crate::authoring::arguments::{FORMAT_EXAMPLES, Format as FormatDocuments, NEW_EXAMPLES, New};
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
+use crate::handing::arguments::{HAND_IN_EXAMPLES, HandIn, VERIFY_EXAMPLES, Verify};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
 use assignments::{Assignment, Observe, assignment, observe, press};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -17,7 +18,7 @@ use units::Language;
 #[derive(Debug, Parser)]
 #[command(name = "meniscus", version, after_help = EXIT_CODES, disable_help_subcommand = true)]
 pub struct Arguments {
-    /// What to do.
+    /// Command to run.
     #[command(subcommand)]
     pub command: Command,
 
@@ -34,7 +35,8 @@ pub struct Arguments {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  the document has errors, its run failed, a claim of it does not hold, or its layout differs (format --check)
+  1  the document has errors, its run failed, a claim of it does not hold, its layout differs (format --check), or a hand-in does not
+     hold (verify)
   2  wrong arguments, or a file that cannot be read or written";
 
 /// Choice of coloured messages.
@@ -75,6 +77,12 @@ pub enum Command {
     /// Track a liquid's surface or a body in films
     #[command(after_help = TRACK_EXAMPLES)]
     Track(Track),
+    /// Make a hand-in from a project: the work, and the values that follow from it
+    #[command(after_help = HAND_IN_EXAMPLES)]
+    HandIn(HandIn),
+    /// Compute the values of hand-ins again from their data
+    #[command(after_help = VERIFY_EXAMPLES)]
+    Verify(Verify),
     /// Make one offline page of a document, with its source inside
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),
@@ -157,7 +165,7 @@ pub struct Run {
     #[arg(long = "draw", value_name = "TABLE=FILE", value_parser = assignment)]
     pub draw: Vec<Assignment>,
 
-    /// How the equations are solved [default: the document's, or rk4]
+    /// Method of integration [default: the document's, or rk4]
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,
 
@@ -169,11 +177,11 @@ pub struct Run {
     #[arg(long, value_name = "X")]
     pub tolerance: Option<f64>,
 
-    /// Where the run ends [default: the document's, or 100 s]
+    /// End of the run [default: the document's, or 100 s]
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub until: Option<String>,
 
-    /// Which columns, in this order, also constants and parameters [default: all that changes]
+    /// Columns in this order, also constants and parameters [default: all that changes]
     #[arg(long, value_name = "NAMES")]
     pub columns: Option<Vec<String>>,
 
@@ -261,7 +269,7 @@ pub struct Cycles {
     #[arg(value_name = "DATA")]
     pub data: PathBuf,
 
-    /// What is observed, and its column by name, body.name or number [default: the column that moves most]
+    /// Observed quantity, and its column by name, body.name or number [default: the column that moves most]
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe)]
     pub observe: Option<Observe>,
 
@@ -309,7 +317,7 @@ pub struct Derivatives {
     #[arg(value_name = "DATA")]
     pub data: PathBuf,
 
-    /// What is differentiated, and its column by name, body.name or number
+    /// Quantity to differentiate, and its column by name, body.name or number
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe)]
     pub observe: Observe,
 

@@ -22,7 +22,7 @@ pub struct New {
     #[arg(value_name = "DIR")]
     pub directory: PathBuf,
 
-    /// What to begin with
+    /// Template of the document
     #[arg(long, value_name = "NAME", default_value = "oscillator")]
     #[arg(value_parser = PossibleValuesParser::new(TEMPLATES.map(|template| template.name)))]
     pub template: String,

@@ -11,7 +11,7 @@ const WIDTH: f64 = 460.0;
 const HEIGHT: f64 = 250.0;
 
 /// Values of one quantity, one per cycle.
-struct Column {
+struct CycleValues {
     label: &'static str,
     unit: String,
     values: Vec<f64>,
@@ -19,7 +19,7 @@ struct Column {
     limits: Vec<Interval>,
 }
 
-impl Column {
+impl CycleValues {
     fn of(record: &Record, label: &'static str, unit: String, of: impl Fn(&Cycle) -> Measured) -> Self {
         let measured: Vec<Measured> = record.found.cycles.iter().map(of).collect();
         // Margin for the error bars at the ends.
@@ -43,10 +43,10 @@ impl Column {
 
 /// SVG of all panels.
 pub fn svg(record: &Record) -> String {
-    let time = Column::of(record, "t", "s".to_owned(), |cycle| cycle.time);
+    let time = CycleValues::of(record, "t", "s".to_owned(), |cycle| cycle.time);
     let of = |quantity: Quantity| {
         let unit = quantity.unit(&record.unit, "s");
-        Column::of(record, quantity.symbol(Language::English), unit, |cycle| quantity.of(cycle))
+        CycleValues::of(record, quantity.symbol(Language::English), unit, |cycle| quantity.of(cycle))
     };
     let amplitude = of(Quantity::Amplitude);
     let mut panels =
@@ -70,7 +70,7 @@ pub fn svg(record: &Record) -> String {
 }
 
 /// Panel of the record with its envelope: offset plus and minus amplitude.
-fn measured(record: &Record, time: &Column, amplitude: &Column) -> String {
+fn measured(record: &Record, time: &CycleValues, amplitude: &CycleValues) -> String {
     let offsets = record.found.cycles.iter().map(|cycle| cycle.offset.value);
     let (above, below): (Vec<f64>, Vec<f64>) =
         offsets.zip(&amplitude.values).map(|(offset, size)| (offset + size, offset - size)).unzip();
@@ -95,7 +95,7 @@ fn capital(name: &str) -> String {
 }
 
 /// Panel of one quantity against another, with error bars. `bounded`: limits the ordinate to the well-known values.
-fn panel(x: &Column, y: &Column, title: &str, bounded: bool) -> String {
+fn panel(x: &CycleValues, y: &CycleValues, title: &str, bounded: bool) -> String {
     let limits = if bounded { y.limits.clone() } else { Vec::new() };
     let series = Series { style: Style::Points, x: &x.values, y: &y.values, spread: &y.errors, ..Series::default() };
     drawn(&Plot {

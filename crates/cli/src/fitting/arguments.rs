@@ -32,7 +32,7 @@ error of what it then predicts is shown: that is what tells a theory from a flex
 /// Arguments common to `fit` and `rank`.
 #[derive(Debug, Args)]
 pub struct Common {
-    /// What is observed, and its column by name, body.name or number; the columns in turn in a file without a header
+    /// Observed quantity, and its column by name, body.name or number; the columns in turn in a file without a header
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe, required = true)]
     pub observe: Vec<Observe>,
 
@@ -44,11 +44,11 @@ pub struct Common {
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
     pub unit: Vec<Assignment>,
 
-    /// What is varied [default: what the document's front matter says]
+    /// Parameters to vary, also t_origin and y_offset [default: as the document's front matter says]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub vary: Vec<String>,
 
-    /// What has one value in all records, of what is varied
+    /// Varied numbers that have one value in all records
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub share: Vec<String>,
 
@@ -68,7 +68,7 @@ pub struct Common {
     #[arg(long, value_name = "y=VALUE", value_parser = assignment)]
     pub error: Vec<Assignment>,
 
-    /// What residuals cost: with huber or tukey, values far from the curve count less
+    /// Cost of residuals: with huber or tukey, values far from the curve count less
     #[arg(long, value_enum, default_value_t = LossName::LeastSquares)]
     pub loss: LossName,
 
@@ -96,7 +96,7 @@ pub struct Fit {
     #[arg(value_name = "DATA", required = true)]
     pub data: Vec<PathBuf>,
 
-    /// What is observed, varied and held.
+    /// Observed quantities, and varied and fixed parameters.
     #[command(flatten)]
     pub common: Common,
 
@@ -120,7 +120,7 @@ pub struct Rank {
     #[arg(long = "model", value_name = "DOC", required = true)]
     pub models: Vec<PathBuf>,
 
-    /// What is observed, varied and held.
+    /// Observed quantities, and varied and fixed parameters.
     #[command(flatten)]
     pub common: Common,
 

@@ -1,4 +1,4 @@
-//! What can be typed after `meniscus track`.
+//! Arguments of `meniscus track`.
 
 use clap::{Args, ValueEnum};
 use film::tracking::Known;
@@ -45,15 +45,17 @@ pub struct Track {
     #[arg(long, value_name = "X1,Y1,X2,Y2=10 [cm]", value_parser = scale)]
     pub scale: Option<Ruler>,
 
-    /// The point that becomes zero [default: the bottom left corner of the picture]
+    /// Origin of the coordinates [default: the bottom left corner of the picture]
     #[arg(long, value_name = "X,Y", value_parser = point)]
     pub origin: Option<Point>,
 
-    /// How many times slower the film plays than things happened [default: as the file says, or 1]
+    /// Factor of slow motion: how many times slower the film plays than things happened [default: as the file
+    /// says, or 1]
     #[arg(long, value_name = "FACTOR", value_parser = factor, allow_hyphen_values = true)]
     pub rate: Option<f64>,
 
-    /// Begin at this time of the film, in seconds or as '500 [ms]'; the points are those of the first frame from there on
+    /// Begin at this time of the film, in seconds or as '500 [ms]'; the points are those of the first frame from
+    /// there on
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub from: Option<String>,
 
@@ -61,11 +63,11 @@ pub struct Track {
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub until: Option<String>,
 
-    /// How long a rolling shutter takes from the first row to the last, in seconds [default: auto; 0 for bodies]
+    /// Readout time of a rolling shutter, from the first row to the last, in seconds [default: auto; 0 for bodies]
     #[arg(long, value_name = "auto|S", value_parser = readout, allow_hyphen_values = true)]
     pub readout: Option<Given>,
 
-    /// How long each frame was exposed, in seconds [default: auto]
+    /// Exposure time of each frame, in seconds [default: auto]
     #[arg(long, value_name = "auto|S", value_parser = exposure, allow_hyphen_values = true, conflicts_with = "body")]
     pub exposure: Option<Given>,
 
@@ -82,8 +84,8 @@ pub struct Track {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// Write a report (.html) besides: a frame with the marks, the space-time picture, times and calibration; for several films into
-    /// this folder
+    /// Write a report (.html) besides: a frame with the marks, the space-time picture, times and calibration; for
+    /// several films into this folder
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
 }
@@ -99,44 +101,44 @@ pub enum TrackFormat {
     Json,
 }
 
-/// A point of the upright picture, in pixels.
+/// Point of the upright picture, px.
 pub type Point = [f64; 2];
-/// Two points.
+/// Two points, px.
 pub type Line = [Point; 2];
 
-/// A click.
+/// Click.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Where.
+    /// Position, px.
     pub position: Point,
-    /// In the first frame from this time of the film on, in seconds; without it in the first that is tracked.
+    /// Time of the film in s: the click belongs to the first frame from there on. Default: the first tracked frame.
     pub time: Option<f64>,
 }
 
-/// The surface of a liquid.
+/// Surface of a liquid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
-    /// Where it was clicked. The first click says what is followed; the others hold the path.
+    /// Clicks. The first one selects the surface, the others fix its path.
     pub places: Vec<Place>,
 }
 
-/// A body and its radius in pixels.
+/// Body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Where it was clicked: first, and in key frames.
+    /// Clicks: the first one, and those in key frames.
     pub places: Vec<Place>,
-    /// Without it the radius is found.
+    /// Radius, px. Default: found around the click.
     pub radius: Option<f64>,
 }
 
-/// Two marks and their distance in metres.
+/// Two marks at a known distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ruler {
-    /// The marks.
+    /// Positions of the marks, px.
     pub marks: Line,
-    /// Their distance.
+    /// Distance of the marks, m.
     pub length: f64,
-    /// The same as it was typed.
+    /// Distance as typed.
     pub typed: String,
 }
 
@@ -144,7 +146,7 @@ pub struct Ruler {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Points(pub Vec<Point>);
 
-/// A time of the camera that may be stated.
+/// Exposure or readout time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Given(pub Known);
 
@@ -181,9 +183,10 @@ fn body(text: &str) -> Result<Body, String> {
     Ok(Body { places, radius })
 }
 
-/// A point, perhaps with a radius, and further points with their times: `320,240,12 410,255@3.5`. `example` says how a point is written.
+/// Parses a point with an optional radius, and further points with times: `320,240,12 410,255@3.5`. `example`: advice
+/// on how to write a point, used as error.
 fn places(text: &str, example: &str) -> Result<(Vec<Place>, Option<f64>), String> {
-    // Spaces separate points, but those before a unit and after a comma do not.
+    // Spaces separate points, except before a unit and after a comma.
     let text = text.replace(" [", "[").replace(", ", ",");
     let (mut places, mut radius) = (Vec::new(), None);
     for part in text.split_whitespace() {
@@ -235,12 +238,12 @@ fn exposure(text: &str) -> Result<Given, String> {
     }
 }
 
-/// It may be negative: the rows of a camera that is held upside down are read from the last one to the first.
+/// Readout time. Negative if the camera is held upside down: rows are then read from the last to the first.
 fn readout(text: &str) -> Result<Given, String> {
     known(text)
 }
 
-/// How times of the camera are written.
+/// Advice on how to write times of the camera.
 const TIMES: &str = "write auto, or a time such as 0.02 or '20 [ms]'";
 
 fn known(text: &str) -> Result<Given, String> {
@@ -256,7 +259,11 @@ fn known(text: &str) -> Result<Given, String> {
     }
 }
 
-/// A time, in seconds where no unit is stated; else what is wrong with it.
+/// Parses a time, in s without a unit.
+///
+/// # Errors
+///
+/// A message with the fault.
 fn seconds(text: &str) -> Result<f64, String> {
     match quantity(text)? {
         (value, Some(unit)) if unit.dimension == Dimension::TIME => Ok(unit.to_si(value)),
@@ -265,7 +272,11 @@ fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A number, and its unit if there is one: `10 [cm]`, `10 cm`, `10`; else what is wrong with it.
+/// Parses a number with an optional unit: `10 [cm]`, `10 cm`, `10`.
+///
+/// # Errors
+///
+/// A message with the fault.
 fn quantity(text: &str) -> Result<(f64, Option<Unit>), String> {
     let text = text.trim();
     let finite = |value: f64| if value.is_finite() { Ok(value) } else { Err(format!("{text} is not a finite number")) };

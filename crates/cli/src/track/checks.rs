@@ -1,4 +1,4 @@
-//! What is refused before the first frame is decoded.
+//! Checks before the first frame is decoded.
 
 use super::arguments::{Given, Place, Point, Track as Arguments, TrackFormat};
 use super::clock::{self, Clock};
@@ -10,13 +10,17 @@ use std::path::{Path, PathBuf};
 use units::number::fixed;
 use units::{Words, words};
 
-/// Surfaces and bodies that are tracked at once.
+/// Maximum number of surfaces and of bodies.
 const MOST_SURFACES: usize = 2;
 const MOST_BODIES: usize = 4;
-/// By this part a stated time may exceed what a frame lasts: people round 1/29.97 s to 33.4 ms.
+/// Relative tolerance of a given time that exceeds the frame interval: users round 1/29.97 s to 33.4 ms.
 const ROUNDED: f64 = 0.01;
 
-/// Refuses what no film could satisfy.
+/// Checks that do not depend on the film.
+///
+/// # Errors
+///
+/// A request that no film can satisfy.
 pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
     let (surfaces, bodies, tubes) = (arguments.surface.len(), arguments.body.len(), arguments.tube.len());
     if surfaces + bodies == 0 {
@@ -54,7 +58,7 @@ pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Refuses two clicks at one place: one thing would be followed twice.
+/// Rejects two clicks at one place, which would track the same object twice.
 fn places(arguments: &Arguments) -> Result<(), Failure> {
     let first = |places: &[Place]| places.first().copied();
     let marks = arguments.marks.iter().flat_map(|marks| &marks.0);
@@ -76,16 +80,17 @@ fn places(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Where the table and the report of a film go.
+/// Output files of a film.
 #[derive(Clone, Debug, Default)]
 pub struct Targets {
-    /// Without one the standard output.
+    /// File of the table; `None` for the standard output.
     pub table: Option<PathBuf>,
-    /// Without one there is none.
+    /// File of the report, if any.
     pub report: Option<PathBuf>,
 }
 
-/// The form of the tables: the one that is asked for, else by the ending of the file; of several films the output is a folder.
+/// Format of the tables: the requested one, else by the ending of the output file. With several films the output is a
+/// folder.
 pub fn format(arguments: &Arguments) -> Result<TrackFormat, Failure> {
     let file = arguments.output.as_deref().filter(|_| arguments.films.len() == 1);
     let (Some(path), None) = (file, arguments.format) else {
@@ -112,7 +117,11 @@ pub fn format(arguments: &Arguments) -> Result<TrackFormat, Failure> {
     }
 }
 
-/// Where the results of each film go.
+/// Output files of each film.
+///
+/// # Errors
+///
+/// Unsuitable names, missing folders, or two films with the same output.
 pub fn outputs(arguments: &Arguments, format: TrackFormat) -> Result<Vec<Targets>, Failure> {
     let (output, report) = (arguments.output.as_deref(), arguments.report.as_deref());
     if let [_] = arguments.films.as_slice() {
@@ -149,7 +158,7 @@ fn is_page(path: &Path) -> bool {
     ["html", "htm"].iter().any(|page| ending.eq_ignore_ascii_case(page))
 }
 
-/// A file for each film, beside it or in a folder that an option names.
+/// Output file of each film, beside the film or in the folder given by an option.
 fn several(
     arguments: &Arguments,
     option: &'static str,
@@ -179,14 +188,14 @@ fn several(
     Ok(targets)
 }
 
-/// The file beside a film, or in a folder.
+/// Output file beside a film or in a folder.
 fn beside(film: &Path, folder: Option<&Path>, ending: &str) -> PathBuf {
     let mut name = film.file_name().unwrap_or_default().to_owned();
     name.push(ending);
     folder.map_or_else(|| film.with_file_name(&name), |folder| folder.join(&name))
 }
 
-/// Refuses points outside the picture, and bodies larger than it.
+/// Checks that points lie inside the picture and bodies are smaller than it.
 pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
     let [width, height] = film.upright_size();
     let clicked = |places: &[Place]| places.iter().map(|place| place.position).collect::<Vec<Point>>();
@@ -226,7 +235,7 @@ pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Refuses a click further from the axis of its tube than the strip that is searched.
+/// Checks that clicks lie within the searched strip around the axis of the tube.
 fn off_axis(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
     let [_, height] = film.upright_size();
     for (surface, [[x, y], [u, v]]) in arguments.surface.iter().zip(&arguments.tube) {
@@ -251,7 +260,7 @@ fn off_axis(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Refuses an exposure or a readout longer than a frame lasts.
+/// Checks that exposure and readout are not longer than the frame interval.
 pub fn durations(film: &Opened, clock: &Clock, arguments: &Arguments) -> Result<(), Failure> {
     // A film of one frame has no rate.
     let Some(rate) = clock.rate else { return Ok(()) };

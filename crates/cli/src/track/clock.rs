@@ -1,4 +1,4 @@
-//! When the frames were taken, and which of them are tracked.
+//! Recording times of the frames, and the selection of tracked frames.
 
 use super::arguments::{Place, Track as Arguments};
 use super::opened::{Opened, refused, refused_with};
@@ -9,28 +9,32 @@ use std::ops::RangeInclusive;
 use units::number::fixed;
 use units::{Words, words};
 
-/// Times of films are stated to a millisecond, in seconds.
+/// Resolution of displayed film times, s.
 const SHOWN: f64 = 1e-3;
-/// A time that is earlier than a frame's by no more than this is that frame's: `ffmpeg` counts in microseconds.
+/// Tolerance in s of a given time later than that of a frame: `ffmpeg` counts in microseconds.
 const ROUNDED: f64 = 1e-6;
 
-/// The frames that are tracked.
+/// Times and selection of frames.
 #[derive(Debug)]
 pub struct Clock {
-    /// How many times slower the film plays than things happened.
+    /// Factor of slow motion: duration of playback relative to that of the recording.
     pub factor: f64,
-    /// When each frame of the film was taken, in seconds.
+    /// Recording time of each frame, s.
     pub times: Vec<f64>,
-    /// Frames a second as the film is shown.
+    /// Frames per second of playback.
     pub rate: Option<f64>,
-    /// The numbers of the frames that are tracked, in order.
+    /// Numbers of the tracked frames, ascending.
     pub frames: Vec<usize>,
-    /// What a person should know about the times.
+    /// Notes on the times for the user.
     pub notes: Vec<Words>,
 }
 
 impl Clock {
-    /// The times of a film with the factor and the part that a person asks for.
+    /// Times of a film with the requested factor and part.
+    ///
+    /// # Errors
+    ///
+    /// An invalid factor, or a part without frames.
     pub fn of(film: &Opened, arguments: &Arguments) -> Result<Self, Failure> {
         let intervals = Intervals::of(&film.times);
         let findings = intervals.as_ref().map_or_else(Vec::new, |intervals| intervals.findings(film.stated_rate));
@@ -63,7 +67,7 @@ impl Clock {
         }
         let part = part(arguments)?;
         let rate = intervals.as_ref().map(|intervals| intervals.rate);
-        // Two frames with one time cannot both be right, and the first one is kept.
+        // Two frames with equal times cannot both be correct; the first is kept.
         let doubled = intervals.map_or_else(Vec::new, |intervals| intervals.doubled);
         let inside = |frame: &usize| film.times.get(*frame).is_some_and(|time| part.contains(time));
         let frames: Vec<usize> =
@@ -80,8 +84,12 @@ impl Clock {
         Ok(Self { factor, times: base.times().to_vec(), rate, frames, notes })
     }
 
-    /// The frame in which something was clicked: the first that is tracked from the time of the click on, as for `--from` and for
-    /// the pictures that `ffmpeg -ss` makes.
+    /// Frame of a click: the first tracked one from the time of the click on, as for `--from` and for pictures made by
+    /// `ffmpeg -ss`.
+    ///
+    /// # Errors
+    ///
+    /// A time outside the tracked part.
     pub fn frame_of(&self, film: &Opened, click: &Place) -> Result<usize, Failure> {
         let shown = |frame: &usize| film.times.get(*frame).copied().unwrap_or(f64::NAN);
         let ends = self.frames.first().zip(self.frames.last());
@@ -106,12 +114,12 @@ impl Clock {
     }
 }
 
-/// A time of the film in seconds to its full millisecond: the first frame from there on is the one that is meant.
+/// Time of a film in s, rounded down to the millisecond, so that the frame is the first one from this time on.
 pub fn displayed(seconds: f64) -> Words {
     Words::each(|language| fixed((seconds / SHOWN + ROUNDED).floor() * SHOWN, 3, language.style()))
 }
 
-/// A finding in words. Frames with doubled times are not only found here but left out.
+/// Text of a finding. For doubled times it adds that the frames are left out.
 fn said(finding: &Finding) -> Words {
     match *finding {
         Finding::Doubled { count, time } => words!(
@@ -122,10 +130,11 @@ fn said(finding: &Finding) -> Words {
     }
 }
 
-/// The part of a film that a person asks for, in seconds of the film.
+/// Requested part of a film, s of playback.
 ///
 /// # Errors
-/// What is no part of any film.
+///
+/// An invalid or negative time.
 pub fn part(arguments: &Arguments) -> Result<RangeInclusive<f64>, Failure> {
     let (from, until) = (arguments.from.as_deref(), arguments.until.as_deref());
     let part = limits(from, until, None)?;

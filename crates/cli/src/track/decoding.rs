@@ -1,4 +1,4 @@
-//! The pixels of a film: from `ffmpeg`, or from the file itself.
+//! Pixels of a film, from `ffmpeg` or from the file.
 
 use super::opened::{Frames, Opened, Pixels, refused};
 use crate::failure::Failure;
@@ -8,36 +8,36 @@ use std::io::{ErrorKind, Read, Seek};
 use std::process::{Child, ChildStdout, Command, Stdio};
 use units::{Words, words};
 
-/// What is shown of the complaints of `ffmpeg`.
+/// Maximum length of the error output of `ffmpeg` that is read, bytes.
 const COMPLAINT: u64 = 4096;
 
-/// The frames of a film, decoded one after another.
+/// Decoder of the frames of a film in order.
 pub enum Decoding {
-    /// From the file.
+    /// Reads the file.
     Plain(Frames<File>),
-    /// From `ffmpeg`.
+    /// Runs `ffmpeg`.
     Coded(Box<Decoder>),
 }
 
-/// A running `ffmpeg`, which is ended with this value.
+/// Running `ffmpeg`, terminated when dropped.
 pub struct Decoder {
     child: Child,
     frames: Frames<ChildStdout>,
-    /// Where it writes its complaints: a file, since nothing reads them while it runs.
+    /// Error output: a file, since it is not read while `ffmpeg` runs.
     complaints: File,
     mirrored: bool,
 }
 
 impl Drop for Decoder {
     fn drop(&mut self) {
-        // It has ended already, or nothing needs the rest of its frames.
+        // It has ended, or the remaining frames are not needed.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
 }
 
 impl Decoding {
-    /// Begins with the first frame, and ends after `most` frames if there are more. Colours are decoded if they are needed.
+    /// Starts at the first frame and stops after `most` frames, if given. `coloured`: decodes colours.
     pub fn begin(film: &Opened, most: Option<usize>, coloured: bool) -> Result<Self, Failure> {
         let failure = |error| Failure::file("read", &film.path, &error);
         match film.pixels {
@@ -46,7 +46,7 @@ impl Decoding {
         }
     }
 
-    /// The next frame; `None` at the end.
+    /// Next frame; `None` at the end.
     pub fn next(&mut self) -> Result<Option<Plane>, Failure> {
         match self {
             Self::Plain(frames) => frames.next(),
@@ -57,7 +57,7 @@ impl Decoding {
         }
     }
 
-    /// A number of frames that is not the one of the file, with what `ffmpeg` reports.
+    /// Failure with the reason `why`, and with the error output of `ffmpeg` as hint.
     pub fn failure(&mut self, film: &Opened, why: Words) -> Failure {
         let Self::Coded(decoder) = self else { return refused(&film.path, why) };
         let complaint = decoder.complaint();
@@ -75,7 +75,8 @@ impl Decoder {
     fn begin(film: &Opened, most: Option<usize>, coloured: bool) -> Result<Self, Failure> {
         let complaints = tempfile::tempfile().map_err(|error| Failure::file("write", &std::env::temp_dir(), &error))?;
         let for_child = complaints.try_clone().map_err(|error| Failure::file("read", &film.path, &error))?;
-        // A name that looks like an option or an address is that of a file, and a film refers to no other file.
+        // The prefix prevents that the name is read as an option or an address. The whitelist prevents that the film
+        // refers to other protocols.
         let mut name = std::ffi::OsString::from("file:");
         name.push(&film.path);
         let mut command = Command::new("ffmpeg");
@@ -84,9 +85,9 @@ impl Decoder {
         if let Some(most) = most {
             command.args(["-frames:v", &most.to_string()]);
         }
-        // The size at which the film is shown: some films have pixels that are not square.
+        // Size of the display, since pixels may not be square.
         command.args(["-vf", &format!("scale={}:{}", film.size[0], film.size[1])]);
-        // A header and a mark before each frame: its size need not be guessed.
+        // The format states the size in a header and marks each frame.
         let pixels = if coloured { "yuv420p" } else { "gray" };
         command.args(["-f", "yuv4mpegpipe", "-pix_fmt", pixels, "-"]);
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::from(for_child));
@@ -95,11 +96,11 @@ impl Decoder {
         Ok(Self { child, frames: Frames::new(film.path.clone(), stdout), complaints, mirrored: film.mirrored })
     }
 
-    /// The first line of what it complained about.
+    /// First line of the error output.
     fn complaint(&mut self) -> String {
         let _ = self.child.wait();
         let mut text = Vec::new();
-        // Without its words the failure is still reported.
+        // The failure is reported even if the output cannot be read.
         let _ = self.complaints.rewind();
         let _ = Read::by_ref(&mut self.complaints).take(COMPLAINT).read_to_end(&mut text);
         String::from_utf8_lossy(&text).lines().next().unwrap_or_default().to_owned()
@@ -131,7 +132,7 @@ fn not_started(film: &Opened, error: &std::io::Error) -> Failure {
     )
 }
 
-/// The picture with left and right exchanged.
+/// Picture with left and right exchanged.
 fn mirrored(plane: &Plane) -> Option<Plane> {
     let turned = |values: &[u8], width: usize| -> Vec<u8> {
         values.chunks(width).flat_map(|row| row.iter().rev().copied()).collect()

@@ -1,4 +1,4 @@
-//! From pixels to tracks.
+//! Tracking of a film from the command line.
 
 use super::arguments::{Body, Given, Place, Track as Arguments};
 use super::clock::{Clock, displayed};
@@ -12,23 +12,23 @@ use film::{Plane, capacity};
 use indicatif::ProgressBar;
 use units::{Words, words};
 
-/// Half the width of the strip around a tube, as a part of the height of the upright picture.
+/// Half the width of the strip around a tube, relative to the height of the upright picture.
 pub const HALF_WIDTH: f64 = 1.0 / 16.0;
 
-/// What was found in a film, in pixels of the stored picture.
+/// Result of tracking, in px of the stored picture.
 #[derive(Debug)]
 pub struct Followed {
-    /// A track for each click.
+    /// One track per surface or body.
     pub tracks: Vec<Track>,
-    /// What a person should know.
+    /// Notes for the user.
     pub notes: Vec<Words>,
-    /// The first frame that was tracked, and its number.
+    /// Number and picture of the first tracked frame.
     pub still: Option<(usize, Plane)>,
-    /// The space-time picture of each surface.
+    /// Space-time picture of each surface.
     pub pictures: Vec<SpaceTimePicture>,
 }
 
-/// Tracks what was clicked. Frames that repeat the picture before are left out in a second reading: their times are wrong.
+/// Tracks the clicked objects. Repeated frames, whose times are wrong, are left out in a second pass.
 pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &ProgressBar) -> Result<Followed, Failure> {
     let refusal = |refusal: Refusal| refused(&film.path, refusal.words());
     let plan = plan(film, clock, arguments)?;
@@ -36,7 +36,7 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     let mut following = Following::new(plan).map_err(refusal)?;
     let mut still = None;
     while following.wanted().is_some() {
-        // Surfaces are found by grey values.
+        // Surfaces need no colours.
         read(film, &mut following, &mut still, (bar, !arguments.body.is_empty()))?;
     }
     following.advance(usize::MAX).map_err(refusal)?;
@@ -52,7 +52,7 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     Ok(Followed { tracks: following.tracks(), notes, still, pictures })
 }
 
-/// A part with more frames than fit into memory, and how to end it in time.
+/// Failure for a film with too many frames for the memory, with the latest possible end as hint.
 fn too_long(film: &Opened, clock: &Clock, refusal: &Refusal) -> Failure {
     let last = match refusal {
         Refusal::Long { frames } => clock.frames.get(frames.saturating_sub(1)),
@@ -71,7 +71,7 @@ fn too_long(film: &Opened, clock: &Clock, refusal: &Refusal) -> Failure {
     refused_with(&film.path, refusal.words(), hint)
 }
 
-/// Reads the film once, with the frames that are wanted. The first of them is kept.
+/// Reads the film once and passes the requested frames on. Keeps the first of them.
 fn read(
     film: &Opened,
     following: &mut Following,

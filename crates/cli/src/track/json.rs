@@ -1,4 +1,4 @@
-//! What was found in a film, as one JSON object.
+//! Result of tracking as one JSON object.
 
 use super::arguments::{Body, Given, Place, Surface, Track as Arguments};
 use super::clock::Clock;
@@ -9,7 +9,7 @@ use film::tracking::{Exposure, Known, Track};
 use serde_json::{Map, Value, json};
 use units::{Language, Words};
 
-/// The whole result. Lengths have the unit `unit`, times and exposures are in seconds, clicks in pixels of the upright picture.
+/// Whole result. Lengths in the unit `unit`, times and exposures in s, clicks in px of the upright picture.
 pub fn object(
     film: &Opened,
     arguments: &Arguments,
@@ -51,7 +51,7 @@ fn of_track(track: &Track, quantities: &[Quantity], table: &Table) -> Value {
         add("frame", json!(frame));
         add("t", json!(table.times.get(row)));
         for quantity in quantities {
-            // The names of the columns without their numbers: each track is an object of its own.
+            // Column names without track numbers, since each track is a separate object.
             let name = quantity.name.split('_').next().unwrap_or_default();
             add(name, json!(quantity.values.get(row)));
             add(&format!("sigma_{name}"), json!(quantity.sigmas.get(row)));
@@ -80,7 +80,7 @@ fn settings(arguments: &Arguments) -> Value {
         _ => json!("auto"),
     };
     let click = |place: &Place| json!({ "position": place.position, "time": place.time });
-    // The first click, and the others under the name that they have on the page.
+    // First click, and the others under their name on the page.
     let clicked = |places: &[Place], others: &str| {
         let mut object = Map::new();
         if let Some((first, further)) = places.split_first() {

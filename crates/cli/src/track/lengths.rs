@@ -1,11 +1,11 @@
-//! From pixels of the stored picture to the numbers of the table.
+//! Conversion of px of the stored picture to the numbers of the table.
 
 use super::arguments::Track as Arguments;
 use super::opened::{Opened, refused};
 use crate::failure::Failure;
 use film::calibration::{CLICK, Calibration, Lengths, Scale};
 
-/// The map that a person asks for.
+/// Requested calibration.
 pub fn calibration(film: &Opened, arguments: &Arguments) -> Result<Calibration, Failure> {
     let [_, high] = film.upright_size();
     let lengths = match &arguments.scale {

@@ -1,4 +1,4 @@
-//! `meniscus track`: positions from the frames of a film.
+//! `meniscus track`: positions from the frames of films.
 
 pub mod arguments;
 mod checks;
@@ -27,7 +27,7 @@ use opened::Opened;
 use std::path::Path;
 use units::{Language, Words, words};
 
-/// Tracks each film and writes its table. A film that cannot be tracked does not keep the others from being tracked.
+/// Tracks each film and writes its table. If one film fails, the others are still tracked.
 pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     checks::arguments(arguments)?;
     let format = checks::format(arguments)?;
@@ -45,7 +45,7 @@ pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
             other => other?,
         }
     }
-    // What failed is on the screen already.
+    // The errors have already been printed.
     if failed { Err(Failure::Argument) } else { Ok(()) }
 }
 
@@ -98,7 +98,7 @@ fn text(table: &Table, calibration: &Calibration) -> String {
     csv::write_film(&heads, &values, calibration.relative_sigma(), Dialect::Commas)
 }
 
-/// The table, and on a second sheet the film's name and what a person should know.
+/// Workbook with the table, and the name of the film and the notes on a second sheet.
 fn workbook(path: &Path, table: &Table, calibration: &Calibration, notes: &[Words], language: Language) -> Vec<u8> {
     let columns = table.columns();
     let (heads, values): (Vec<&str>, Vec<&[f64]>) =
@@ -116,7 +116,7 @@ fn workbook(path: &Path, table: &Table, calibration: &Calibration, notes: &[Word
     Workbook { sheets: vec![Sheet::of_film(&name, &heads, &values, calibration.relative_sigma()), about] }.xlsx()
 }
 
-/// Shown on a terminal; indicatif shows nothing where the standard error is none.
+/// Progress bar. It is hidden if the standard error is not a terminal.
 fn progress(path: &Path) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
     let bar = bar.with_message(path.file_name().unwrap_or_default().to_string_lossy().into_owned());

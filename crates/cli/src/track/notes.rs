@@ -1,4 +1,4 @@
-//! What was found in a film, in words.
+//! Notes on the tracks of a film.
 
 use super::clock::displayed;
 use film::calibration::Calibration;
@@ -6,10 +6,10 @@ use film::table::Table;
 use film::tracking::Track;
 use units::{Words, words};
 
-/// Frames that are listed one by one.
+/// Maximum number of listed frames or gaps.
 const LISTED: usize = 8;
 
-/// What a person should know about tracks and their lengths. `shown` are the times of all frames of the film, in seconds.
+/// Notes on tracks and calibration for the user. `shown`: presentation times of all frames of the film, s.
 pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration, shown: &[f64]) -> Vec<Words> {
     let mut notes = Vec::new();
     for (number, track) in (1..).zip(tracks) {
@@ -61,7 +61,7 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
     }
     if let Some(frame) = track.lost {
         let time = shown.get(frame).copied().unwrap_or(f64::NAN);
-        // Rows go on where a key frame finds it again, and for other bodies.
+        // Rows continue if a key frame finds the body again, and for other bodies.
         let then = match track.points.last() {
             Some(last) if last.frame > frame => words("it is found again later", "se vuelve a encontrar después"),
             _ if table.frames.len() > track.points.len() => {
@@ -80,8 +80,8 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
     notes
 }
 
-/// The first and the last frame (from 1) of each gap between positions, but for that in which it was lost. Repeated frames,
-/// which are left out one by one, are no gap.
+/// First and last frame (from 1) of each gap between positions, except the one in which the body was lost. Repeated
+/// frames, left out one at a time, are not gaps.
 fn hidden(track: &Track) -> Vec<(usize, usize)> {
     let pairs = || track.points.windows(2).map(|pair| (pair[0].frame, pair[1].frame));
     let usual = pairs().map(|(before, after)| after.saturating_sub(before)).min().unwrap_or(1).max(1);
@@ -91,7 +91,7 @@ fn hidden(track: &Track) -> Vec<(usize, usize)> {
     pairs().filter(is_gap).map(|(before, after)| (before + usual + 1, after + 1 - usual)).collect()
 }
 
-/// Whether the positions lie within a pixel: a mark on the wall, say, in place of the surface.
+/// True if all positions lie within 1 px, as for a mark on the wall instead of the surface.
 fn rests(track: &Track) -> bool {
     (0..2).all(|axis| {
         let values = track.points.iter().map(|point| point.position[axis]);

@@ -1,4 +1,4 @@
-//! Opening a film: what its file says, without its pixels.
+//! Opening of a film: its description without pixels.
 
 use crate::failure::Failure;
 use film::calibration::Rotation;
@@ -9,51 +9,51 @@ use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use units::{Words, words};
 
-/// How a film of this kind begins.
+/// Signature of a Y4M film.
 const Y4M: &[u8] = b"YUV4MPEG2";
-/// Bytes that are read at once.
+/// Number of bytes read at once.
 const CHUNK: usize = 1 << 20;
 
-/// A film as its file describes it.
+/// Description of a film by its file.
 #[derive(Debug)]
 pub struct Opened {
-    /// Its file.
+    /// Path of the file.
     pub path: PathBuf,
-    /// Its size in bytes.
+    /// Size of the file in bytes.
     pub bytes: u64,
-    /// The name of its coding.
+    /// Name of the coding.
     pub coding: String,
-    /// Where its pixels come from.
+    /// Source of the pixels.
     pub pixels: Pixels,
-    /// Width and height of the picture as it is stored, with square pixels.
+    /// Width and height of the stored picture, square px.
     pub size: [usize; 2],
-    /// How it must be turned to be upright.
+    /// Rotation to the upright picture.
     pub rotation: Rotation,
-    /// Whether left and right of the stored picture are exchanged.
+    /// True if left and right of the stored picture are exchanged.
     pub mirrored: bool,
-    /// When each frame is shown, in seconds.
+    /// Presentation time of each frame, s.
     pub times: Vec<f64>,
-    /// Frames a second, if the file states them apart from the times.
+    /// Frames per second, if the file states them independently of the times.
     pub stated_rate: Option<f64>,
-    /// Frames that the camera took in a second, if the file says so.
+    /// Frames per second at recording, if the file states them.
     pub capture_rate: Option<f64>,
-    /// True if the file is cut or damaged: `ffmpeg` may then decode more frames than are whole.
+    /// True if the file is cut off or damaged. `ffmpeg` may then decode more frames than are complete.
     pub cut: bool,
-    /// What a person should know about the file.
+    /// Notes on the file for the user.
     pub notes: Vec<Words>,
 }
 
-/// Where pixels come from.
+/// Source of the pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pixels {
-    /// The file holds grey values as they are.
+    /// Uncompressed grey values in the file.
     Plain,
-    /// `ffmpeg` decodes them.
+    /// Decoding by `ffmpeg`.
     Coded,
 }
 
 impl Opened {
-    /// Opens a film, whatever its format.
+    /// Opens a film of any supported format.
     pub fn open(path: &Path) -> Result<Self, Failure> {
         let failure = |error: std::io::Error| Failure::file("read", path, &error);
         let mut file = File::open(path).map_err(failure)?;
@@ -115,7 +115,7 @@ impl Opened {
         }
     }
 
-    /// A Y4M film, whose frames are counted by reading it once.
+    /// Opens a Y4M film. Its frames are counted by reading it once.
     fn plain(path: &Path, file: File, bytes: u64) -> Result<Self, Failure> {
         let mut frames = Frames::new(path.to_owned(), file);
         let mut count = 0_usize;
@@ -149,7 +149,7 @@ impl Opened {
             size: [width, height],
             rotation: Rotation::None,
             mirrored: false,
-            // The format has nothing but a rate.
+            // The format has no times, only a rate.
             times: (0..count).map(|frame| frame as f64 / rate).collect(),
             stated_rate: None,
             capture_rate: None,
@@ -158,7 +158,7 @@ impl Opened {
         })
     }
 
-    /// Width and height of the picture as it is seen upright.
+    /// Width and height of the upright picture, px.
     pub fn upright_size(&self) -> [f64; 2] {
         let [width, height] = self.stored_size();
         match self.rotation {
@@ -167,12 +167,12 @@ impl Opened {
         }
     }
 
-    /// Where a point of the upright picture is in the stored one.
+    /// Maps a point of the upright picture to the stored one, px.
     pub fn stored(&self, point: [f64; 2]) -> [f64; 2] {
         self.rotation.undo(point, self.stored_size())
     }
 
-    /// Where a point of the stored picture is in the upright one.
+    /// Maps a point of the stored picture to the upright one, px.
     pub fn upright(&self, point: [f64; 2]) -> [f64; 2] {
         self.rotation.apply(point, self.stored_size())
     }
@@ -182,23 +182,23 @@ impl Opened {
     }
 }
 
-/// The frames of a stream in the format Y4M.
+/// Frames of a Y4M stream.
 pub struct Frames<R> {
     path: PathBuf,
     source: R,
     reader: y4m::Reader,
     bytes: Vec<u8>,
-    /// How many of the bytes were used.
+    /// Number of bytes already used.
     used: usize,
 }
 
 impl<R: Read> Frames<R> {
-    /// Before the first frame. The path stands in messages.
+    /// Reader before the first frame. `path` is used in messages.
     pub fn new(path: PathBuf, source: R) -> Self {
         Self { path, source, reader: y4m::Reader::default(), bytes: Vec::new(), used: 0 }
     }
 
-    /// The next frame; `None` at the end.
+    /// Next frame; `None` at the end.
     pub fn next(&mut self) -> Result<Option<film::Plane>, Failure> {
         loop {
             let mut rest = self.bytes.get(self.used..).unwrap_or_default();
@@ -218,12 +218,12 @@ impl<R: Read> Frames<R> {
     }
 }
 
-/// A film that is not tracked, and why.
+/// Failure of a film with the reason.
 pub fn refused(path: &Path, why: Words) -> Failure {
     Failure::Request { message: named(path, why), hint: None }
 }
 
-/// The same, and what to do.
+/// Failure of a film with the reason and a hint.
 pub fn refused_with(path: &Path, why: Words, hint: Words) -> Failure {
     Failure::in_words(named(path, why), hint)
 }

@@ -1,4 +1,4 @@
-//! A project of Tracker in place of its film: what to track instead.
+//! Tracker project given instead of its film: hint to the film.
 
 use super::opened::refused_with;
 use crate::failure::Failure;
@@ -8,12 +8,12 @@ use std::io::Read;
 use std::path::Path;
 use units::{Words, words};
 
-/// How much of a file is looked at.
+/// Number of bytes that identify a project.
 const LOOK: u64 = 4096;
-/// A larger archive is not searched for its film.
+/// Maximum size of an archive that is searched for its film, bytes.
 const MOST_BYTES: u64 = 256 << 20;
 
-/// The refusal of a project, which names its film; `None` for another file, and for one that cannot be read.
+/// Failure for a project, with the name of its film; `None` for other or unreadable files.
 pub fn refusal(path: &Path) -> Option<Failure> {
     let mut file = File::open(path).ok()?;
     let mut bytes = Vec::new();

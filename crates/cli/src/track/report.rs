@@ -1,4 +1,4 @@
-//! The report of a tracked film: what `--report` writes.
+//! Report of a tracked film (`--report`).
 
 use super::arguments::Track as Arguments;
 use super::clock::Clock;
@@ -9,7 +9,7 @@ use film::tracking::{Point, Track};
 use report::{Film, FilmFile, FilmPicture, Frame, TrackReport, film_html};
 use units::{Language, Words, sentence};
 
-/// The report as a page.
+/// HTML page of the report.
 pub fn page(
     film: &Opened,
     arguments: &Arguments,
@@ -39,7 +39,7 @@ pub fn page(
     film_html(&TrackReport { film: &report, language, command: &command, version: env!("CARGO_PKG_VERSION"), date: "" })
 }
 
-/// The first frame that was tracked, with the ruler, the origin and the paths.
+/// Picture of the first tracked frame with ruler, origin and paths.
 fn frame(film: &Opened, arguments: &Arguments, followed: &Followed) -> Option<FilmPicture> {
     let (number, plane) = followed.still.as_ref()?;
     let upright = |track: &Track| Track {

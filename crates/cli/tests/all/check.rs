@@ -8,7 +8,7 @@ fn a_project_is_checked_and_run_as_its_document() {
     let directory = tempfile::tempdir().expect("a directory");
     let source =
         document::page::Source { name: "a.md".to_owned(), text: "```model\nx' = 1 [1/s]\nx(0) = 0\n```\n".to_owned() };
-    let whole = document::project::Project { documents: vec![source], ..Default::default() }.write();
+    let whole = saved::project::Project { documents: vec![source], ..Default::default() }.write();
     let path = directory.path().join("a.meniscus");
     let file = path.to_str().expect("UTF-8");
     std::fs::write(&path, &whole).expect("it can be written");

@@ -13,6 +13,7 @@ mod cycles;
 mod derivatives;
 mod fit;
 mod fit_options;
+mod hand_ins;
 mod lsp;
 mod office;
 mod pages;

@@ -1,4 +1,4 @@
-//! From what a person says of lengths to the map from pixels to metres.
+//! Conversion of the user's calibration form to a map from px to m.
 
 use crate::films::lengths::{CalibrationForm, LengthsForm, ParallaxForm};
 use crate::films::record::Kept;
@@ -9,12 +9,13 @@ use film::calibration::{CLICK, Calibration, Lengths, Parallax, Rectangle, Scale,
 use units::{Dimension, Unit, Words, words};
 
 impl Desk {
-    /// Takes what a person says of lengths; the record of the film changes at once. `plane` is a frame as it is stored, in which the
-    /// ruler is seen; only marks between two others need it, and only when they or the length have changed.
+    /// Sets the calibration form and updates the record of the film. `plane`: stored frame that shows the ruler; needed
+    /// only for marks between two others, if they or the length have changed.
     ///
     /// # Errors
-    /// A text that is no length, marks that are too close together, a ruler without regular marks, and where no film is open.
-    /// Nothing has changed then.
+    ///
+    /// [`Refusal::Film`] for an invalid length, marks too close together, a ruler without regular marks, or without an
+    /// open film. Nothing changes then.
     pub fn calibrate_film(&mut self, form: CalibrationForm, plane: Option<&Plane>) -> Result<(), Refusal> {
         let calibration = self.calibration_of(&form, plane)?;
         let Some((_, work)) = self.films.current_mut() else { return Err(self.no_film()) };
@@ -72,7 +73,7 @@ impl Desk {
         Ok(Parallax { behind, distance })
     }
 
-    /// A length in metres, as typed with its unit.
+    /// Length in m from text with a unit.
     fn length(&self, typed: &str) -> Result<f64, Refusal> {
         let without_unit = number::parse(typed, self.play.style()).is_some_and(|(_, rest)| rest.is_empty());
         if without_unit {

@@ -1,42 +1,42 @@
-//! Frames that a person should look at.
+//! Frames that the user should check.
 
 use film::tracking::Track;
 use units::{Words, words};
 
-/// Below this correlation a frame does not show what was clicked.
+/// Correlation below which a doubtful frame does not show what was clicked.
 const SCORE: f64 = 0.6;
-/// A standard error is large above so many times the median of its track.
+/// Ratio of a standard error to the median of its track from which it is large.
 const LARGE: f64 = 4.0;
 
-/// One of so many frames in doubt is many.
+/// Reciprocal of the fraction of doubtful frames from which a track is unreliable.
 const MANY: usize = 10;
 
-/// Why a frame is in doubt.
+/// Reason for the doubt about a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Doubt {
-    /// From this frame on the body was not found.
+    /// The body was not found from this frame on.
     Lost,
     /// The picture hardly resembles what was clicked.
     Score,
-    /// The standard error is much larger than usual.
+    /// The standard error is much larger than the median.
     Error,
-    /// The position does not follow from those before and after it.
+    /// The position does not agree with its neighbours.
     Deviation,
 }
 
-/// A frame in doubt.
+/// Doubtful frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DoubtfulFrame {
-    /// The frame.
+    /// Frame number.
     pub frame: usize,
-    /// Of what is followed, from 0.
+    /// Index of the track.
     pub track: usize,
-    /// Why.
+    /// Reason.
     pub doubt: Doubt,
 }
 
 impl Doubt {
-    /// It in a few words.
+    /// Short description.
     pub fn words(self) -> Words {
         match self {
             Self::Lost => words("lost from here on", "perdido desde aquí"),
@@ -49,7 +49,7 @@ impl Doubt {
     }
 }
 
-/// True if a track was lost, or a part of its frames is in doubt that no single look mends.
+/// True if a track was lost, or more than a tenth of its points are doubtful.
 pub(crate) fn plainly(tracks: &[Track]) -> bool {
     let many = |own: &Track| {
         let doubtful = own.points.iter().filter(|point| point.doubtful).count();
@@ -58,7 +58,7 @@ pub(crate) fn plainly(tracks: &[Track]) -> bool {
     tracks.iter().any(many)
 }
 
-/// The frames in doubt of some tracks, in order.
+/// Doubtful frames of some tracks, ordered by frame and track.
 pub(crate) fn doubts(tracks: &[Track]) -> Vec<DoubtfulFrame> {
     let mut found = Vec::new();
     for (track, own) in tracks.iter().enumerate() {

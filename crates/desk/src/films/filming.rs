@@ -1,4 +1,4 @@
-//! Filming the simulation of the open document, and opening what was filmed.
+//! Filming the simulation of the open document.
 
 use crate::films::opening::FilmOpening;
 use crate::films::recipe::{CameraSettings, FilmRecipe, hash};
@@ -8,10 +8,11 @@ use play::Play;
 use units::{Dimension, Words, words};
 
 impl Desk {
-    /// What the camera is set to at first.
+    /// Initial settings of the virtual camera.
     ///
     /// # Errors
-    /// Why this simulation cannot be filmed: it has no scene, or no time in seconds.
+    ///
+    /// [`Refusal::Film`] if the simulation has no scene or no time in seconds.
     pub fn usual_camera(&self) -> Result<CameraSettings, Refusal> {
         let program = self.play.program();
         if program.scene(self.play.basis().tag()).is_none() {
@@ -29,10 +30,11 @@ impl Desk {
         Ok(CameraSettings::usual(program.pace().per_second, program.until.unwrap_or(f64::INFINITY)))
     }
 
-    /// How the simulation is filmed with its present parameters from its start.
+    /// Recipe of a film of the simulation from its start, with the present parameters.
     ///
     /// # Errors
-    /// As [`Desk::usual_camera`], and settings that no camera has.
+    ///
+    /// As [`Desk::usual_camera`], and for invalid settings.
     pub fn film_recipe(&self, settings: CameraSettings) -> Result<FilmRecipe, Refusal> {
         self.usual_camera()?;
         settings.check().map_err(|why| self.film_refusal(&why))?;
@@ -45,10 +47,11 @@ impl Desk {
         })
     }
 
-    /// The simulation as a recipe has it, at its start.
+    /// Simulation of a recipe, at its start.
     ///
     /// # Errors
-    /// A recipe for another document, or for another version of this one.
+    ///
+    /// [`Refusal::Film`] for invalid settings, or a recipe of another document or another version of this one.
     pub fn filmed_play(&self, recipe: &FilmRecipe) -> Result<Play, Refusal> {
         recipe.settings.check().map_err(|why| self.film_refusal(&why))?;
         let mut play = Play::open(self.play.program().clone());
@@ -57,10 +60,11 @@ impl Desk {
         if restored { Ok(play) } else { Err(self.film_refusal(&other_document(&recipe.document))) }
     }
 
-    /// Opens a film that was taken by a recipe, with so many frames, in place of the one that is open. The same recipe takes up the work
-    /// on its film.
+    /// Opens the film of a recipe with this number of frames in place of the open film. Work on a film of the same
+    /// recipe is continued.
     ///
     /// # Errors
+    ///
     /// As [`Desk::open_film`].
     pub fn open_filmed(&mut self, recipe: FilmRecipe, frames: usize, truth: FilmTruth) -> Result<FilmOpening, Refusal> {
         let opening = self.open_film(recipe.identity(), recipe.film(frames))?;
@@ -69,11 +73,11 @@ impl Desk {
             work.recipe = Some(recipe);
         }
         self.revision.films += 1;
-        // Each recipe is another film, whatever its name is.
+        // Each recipe is another film, even with the same name.
         Ok(if opening == FilmOpening::SameName { FilmOpening::New } else { opening })
     }
 
-    /// The recipes of films of this document on which work is kept, the last one first; without that of the open film.
+    /// Recipes of this document's films with stored work, the latest first, without that of the open film.
     pub fn film_recipes(&self) -> Vec<FilmRecipe> {
         let source = hash(&self.document.source);
         let open = self.films.open.as_ref().map(|open| open.work);
@@ -82,7 +86,7 @@ impl Desk {
         recipes.filter(|recipe| recipe.source == source).collect()
     }
 
-    /// How far each track of the open film is from the truth, if it is that of a simulation.
+    /// Comparison of the tracks of the open film with the truth; empty unless it is a film of a simulation.
     pub fn compare_with_truth(&self) -> Vec<TruthComparison> {
         let Some((open, work)) = self.films.current() else { return Vec::new() };
         open.truth.as_ref().map(|truth| compared(&work.tracks(), truth, &work.calibration)).unwrap_or_default()

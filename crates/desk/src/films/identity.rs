@@ -1,24 +1,24 @@
-//! What a film is known by at the next visit.
+//! Identification of a film at the next visit.
 
-/// What a film is known by: no film is stored.
+/// Key by which a film is recognised, since films are not stored.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FilmIdentity {
-    /// The name of its file.
+    /// Name of the file.
     pub name: String,
-    /// How many bytes the file has.
+    /// Size of the file in bytes.
     pub size: u64,
-    /// The hash of its beginning.
+    /// Hash of the first bytes of the file.
     pub hash: String,
 }
 
 impl FilmIdentity {
-    /// How many bytes of the beginning are hashed.
+    /// Number of hashed bytes.
     pub const START: usize = 1 << 20;
 
-    /// That of a file of `size` bytes that begins with these; what follows the first MiB does not count.
+    /// Identity of a file of `size` bytes with the first bytes `start`, of which at most [`Self::START`] count.
     ///
-    /// The hash is FNV-1a with 64 bits (draft-eastlake-fnv): it tells films of one person apart, and nothing depends on it that
-    /// somebody could want to forge.
+    /// The hash is 64-bit FNV-1a (draft-eastlake-fnv). It distinguishes the films of one user and has no security
+    /// purpose.
     pub fn new(name: &str, size: u64, start: &[u8]) -> Self {
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         for byte in start.iter().take(Self::START) {
@@ -28,7 +28,7 @@ impl FilmIdentity {
         Self { name, size, hash: format!("{hash:016x}") }
     }
 
-    /// Whether two files have the same bytes, as far as one can tell, whatever their names.
+    /// True if size and hash are equal, whatever the names.
     pub fn is_same_film(&self, other: &Self) -> bool {
         self.size == other.size && self.hash == other.hash
     }

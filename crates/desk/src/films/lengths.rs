@@ -1,32 +1,32 @@
-//! What a person says of lengths in a film.
+//! Calibration form of a film.
 
 use crate::films::subject::Subject;
 
-/// What a person says of lengths: marks are pixels of the upright picture, lengths are texts with a unit.
+/// Calibration form. Marks in px of the upright picture, lengths as text with a unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CalibrationForm {
-    /// How long something is.
+    /// Definition of lengths.
     pub lengths: LengthsForm,
-    /// The point that becomes zero; the bottom left corner of the picture without it.
+    /// Origin of the coordinates, px. Default: bottom left corner of the picture.
     pub origin: Option<[f64; 2]>,
-    /// A point towards which the x axis points from the origin; to the right without it.
+    /// Point on the positive x axis, px. Default: the axis points to the right.
     pub axis: Option<[f64; 2]>,
-    /// Where the ruler is, if it is not where the motion is.
+    /// Place of the ruler, if it is not in the plane of the motion.
     pub parallax: Option<ParallaxForm>,
 }
 
-/// What a calibration lacks before a record of it can be compared with a model.
+/// Missing part of a calibration without which the record cannot be compared with a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lacking {
-    /// A length: the record is in pixels.
+    /// Scale: the record is in px.
     Lengths,
-    /// The zero of the height: heights count from the bottom of the picture.
+    /// Origin: heights count from the bottom of the picture.
     Origin,
 }
 
 impl CalibrationForm {
-    /// What is still to be clicked. A column in a tube needs its zero, since models count its height from the level of rest; a body
-    /// may start anywhere.
+    /// Missing part of the calibration. A surface in a tube needs an origin, since models count its height from the
+    /// level of rest. A body may start anywhere.
     pub fn lacking(&self, subject: &Subject) -> Option<Lacking> {
         if self.lengths == LengthsForm::Pixels {
             return Some(Lacking::Lengths);
@@ -36,35 +36,35 @@ impl CalibrationForm {
     }
 }
 
-/// How lengths are found.
+/// Definition of lengths.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum LengthsForm {
-    /// They are not: the record stays in pixels.
+    /// No scale: the record is in px.
     #[default]
     Pixels,
-    /// By two marks of a ruler.
+    /// Two marks of a ruler.
     Ruler {
-        /// The marks.
+        /// Positions of the marks, px.
         marks: [[f64; 2]; 2],
-        /// The length between them, such as `10 cm`.
+        /// Length between the marks, such as `10 cm`.
         length: String,
-        /// Into how many equal intervals marks between them divide it; 1 for none, or if they are not to be used.
+        /// Number of equal intervals between the two marks, if those marks are used; else 1.
         intervals: u32,
     },
-    /// By a rectangle in the plane of the motion, seen at an angle.
+    /// Rectangle in the plane of the motion, seen at an angle.
     Rectangle {
-        /// Bottom left, bottom right, top right, top left.
+        /// Corners in px: bottom left, bottom right, top right, top left.
         corners: [[f64; 2]; 4],
         /// Width and height, such as `20 cm`.
         size: [String; 2],
     },
 }
 
-/// Where a ruler is that is not where the motion is.
+/// Place of a ruler outside the plane of the motion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParallaxForm {
-    /// By how much the ruler is behind what moves, such as `1 cm`; negative in front of it.
+    /// Distance of the ruler behind the motion, such as `1 cm`; negative in front of it.
     pub behind: String,
-    /// How far the camera is from what moves, such as `80 cm`.
+    /// Distance of the camera from the motion, such as `80 cm`.
     pub distance: String,
 }

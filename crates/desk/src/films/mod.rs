@@ -1,7 +1,7 @@
-//! Films: what a person says of one, its tracking, lengths, the record that it becomes, and the model over its pictures.
+//! Films: subject, tracking, calibration, record, and the model shown over the pictures.
 //!
-//! A person works on one film at a time, the *open* one. Coordinates are pixels of the upright picture, `x` to the right and `y` down
-//! from the corner of the first pixel; frames count from 0 in the order in which they are shown.
+//! One film is open at a time. Coordinates are px of the upright picture, `x` to the right and `y` down from the corner
+//! of the first pixel. Frames count from 0 in order of presentation.
 
 mod calibrating;
 pub(crate) mod clip;
@@ -15,7 +15,7 @@ mod plan;
 mod project;
 mod project_opening;
 mod recipe;
-mod record;
+pub(crate) mod record;
 mod reporting;
 pub(crate) mod state;
 mod subject;

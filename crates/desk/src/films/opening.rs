@@ -9,22 +9,23 @@ use crate::{Desk, Refusal};
 use film::calibration::Calibration;
 use units::words;
 
-/// How a film was opened.
+/// Result of opening a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FilmOpening {
-    /// It is new.
+    /// The film is new.
     New,
-    /// It is known: the work on it goes on.
+    /// The film is known. The stored work on it is continued.
     TakenUp,
-    /// It is new, and another film has the same name; the work on that one is kept.
+    /// The film is new, but another film has the same name. The work on that one is kept.
     SameName,
 }
 
 impl Desk {
-    /// Opens a film, in place of the one that is open. The work on a film that is known is taken up.
+    /// Opens a film in place of the open one. Stored work on the film is continued.
     ///
     /// # Errors
-    /// A film in which no two frames have different times.
+    ///
+    /// [`Refusal::Film`] if no two frames have different times.
     pub fn open_film(
         &mut self,
         identity: FilmIdentity,
@@ -54,7 +55,7 @@ impl Desk {
         if let Some(work) = self.films.works.get_mut(place) {
             work.stated_factor = clip.stated_factor().unwrap_or(1.0);
             work.ends = clip.ends(work.part);
-            // Stored text is not trusted: what does not fit this film is not followed in it.
+            // Stored text is not trusted: a subject that does not fit this film is discarded.
             if work.subject.check(&clip).is_err() {
                 work.subject = Subject::Nothing;
             }
@@ -75,7 +76,7 @@ impl Desk {
         Ok(opening)
     }
 
-    /// Closes the film. The work on it stays, if there is any.
+    /// Closes the film. The work on it is kept, unless it is empty.
     pub fn close_film(&mut self) {
         let Some(open) = self.films.open.take() else { return };
         let empty = |work: &Work| work.found.is_none() && work.subject.is_nothing() && work.form == Default::default();

@@ -1,4 +1,4 @@
-//! The model over the film: where it would be in the picture of each frame, and which frame shows one of its times.
+//! Comparison of film and model: position of the model in the picture of a frame, and the frame of a model time.
 
 use crate::Desk;
 use crate::films::record::table;
@@ -9,22 +9,24 @@ use engine::Readings;
 use film::tracking::Track;
 use units::Unit;
 
-/// The readings of the model's quantities behind the columns of a track, each with what the column is taken for.
+/// Readings of the quantities that the columns of a track measure.
 struct Model {
     readings: Readings,
-    /// For `x` and `y` of a body, or for the level of a surface: which reading, and how it becomes a number of the column.
+    /// For `x` and `y` of a body, or for the level of a surface: index of the reading, unit of the column, and offset
+    /// (SI).
     coordinates: Vec<Option<(usize, Unit, f64)>>,
 }
 
 impl Desk {
-    /// Where the model is in a frame of the open film, in pixels of the upright picture: by the quantities that the columns of this
-    /// track measure, and the origin that a fit has found. A coordinate that the model does not have is the measured one. `None`
-    /// where the run has not come there, without a record, and where no column measures a quantity of the model.
+    /// Position of the model in a frame of the open film, px of the upright picture. It uses the quantities that the
+    /// columns of this track measure, and the time origin of the record. A coordinate without a quantity in the model
+    /// is the measured one. `None` if the run has not reached the time, without a record, or if no column measures a
+    /// quantity of the model.
     pub fn film_model_at(&mut self, track: usize, frame: usize) -> Option<[f64; 2]> {
         self.film_model(track, &[frame]).into_iter().next().flatten()
     }
 
-    /// The same in several frames: the curve over a space-time picture.
+    /// Positions of the model in several frames, as [`Desk::film_model_at`]: the curve over a space-time picture.
     pub fn film_model(&mut self, track: usize, frames: &[usize]) -> Vec<Option<[f64; 2]>> {
         let nothing = || vec![None; frames.len()];
         let Some((_, work)) = self.films.current() else { return nothing() };
@@ -50,14 +52,14 @@ impl Desk {
         frames.iter().map(&mut place).collect()
     }
 
-    /// The time of the model, SI, at which a frame of the open film was taken.
+    /// Model time (SI) of a frame of the open film.
     pub fn model_time_of(&self, frame: usize) -> Option<f64> {
         let (open, work) = self.films.current()?;
         let taken = open.clip.times().get(frame)? / work.factor();
         Some(taken - self.film_origin(work)?)
     }
 
-    /// The frame of the open film that was taken nearest to a time of the model, SI.
+    /// Frame of the open film nearest to a model time (SI).
     pub fn frame_at_model_time(&self, time: f64) -> Option<usize> {
         let (open, work) = self.films.current()?;
         let shown = (time + self.film_origin(work)?) * work.factor();
@@ -79,7 +81,7 @@ impl Desk {
         let record = self.record(work.record?)?;
         let model = self.play.model();
         let table = table(work)?;
-        // The columns stand in the order of the table: the time, then values and errors of each track.
+        // Order of the columns: the time, then values and errors of each track.
         let before: usize = table.quantities.iter().take(track).map(|own| 2 * own.len()).sum();
         let mut nodes = Vec::new();
         let coordinates: Vec<_> = (0..table.quantities.get(track)?.len())
@@ -98,7 +100,7 @@ impl Desk {
     }
 }
 
-/// What a column is taken for, if it measures something and its unit is known.
+/// Use of a column, if it measures a quantity and its unit is known.
 fn use_of<'a>(record: &'a Record, column: usize, independent: &str) -> Option<&'a Use> {
     let used = record.uses.get(column)?;
     let quantity = &used.meaning.quantity;
@@ -106,7 +108,8 @@ fn use_of<'a>(record: &'a Record, column: usize, independent: &str) -> Option<&'
     measures.then_some(used)
 }
 
-/// The pixel of these coordinates, as the record has them.
+/// Position in px of the given coordinates, in the unit of the record. Missing coordinates of a body are those of the
+/// nearest point.
 pub(super) fn position(
     work: &Work,
     track: &Track,

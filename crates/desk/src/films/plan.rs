@@ -1,4 +1,4 @@
-//! From what a person has clicked to what the tracker is to do, and from its answer to the upright picture.
+//! Conversion of clicks to a tracking plan, and of its result to the upright picture.
 
 use crate::films::clip::Clip;
 use crate::films::subject::{FilmedBody, FilmedSurface, Subject};
@@ -7,10 +7,10 @@ use film::tracking::column::{self, Click, SpaceTimePicture};
 use film::tracking::{Following, Known, Outline, Plan, Point, Surface, Track, body};
 use units::{Words, words};
 
-/// Half the width of the strip around a tube, as a part of the height of the upright picture.
+/// Half the width of the strip around a tube, relative to the height of the upright picture.
 const HALF_WIDTH: f64 = 1.0 / 16.0;
 
-/// What the tracker is to do: all in pixels of the stored picture.
+/// Tracking plan in px of the stored picture.
 pub(crate) fn plan(clip: &Clip, work: &Work) -> Plan {
     let [_, high] = clip.size();
     let surface = |own: &FilmedSurface| {
@@ -39,7 +39,7 @@ pub(crate) fn plan(clip: &Clip, work: &Work) -> Plan {
     Plan { surfaces, bodies, marks, frames: frames(clip, work) }
 }
 
-/// The frames of the part with the times at which they were taken. Of two frames with one time the first is right.
+/// Frames of the used part with their recording times, s. Of frames with equal times, the first is kept.
 fn frames(clip: &Clip, work: &Work) -> Vec<(usize, f64)> {
     let [first, last] = work.ends;
     let times = clip.times().iter().enumerate().skip(first).take((last + 1).saturating_sub(first));
@@ -51,8 +51,8 @@ pub(crate) fn stored(clip: &Clip, click: &Click) -> Click {
     Click { frame: click.frame, position: clip.stored(click.position) }
 }
 
-/// What has been found, upright. Positions are kept to a hundred thousandth of a pixel, far below any error, so that they take
-/// little room when they are saved.
+/// Result of tracking in px of the upright picture. Positions are rounded to 1e-5 px, far below any error, to save
+/// space.
 pub(crate) fn found(following: &Following, clip: &Clip, factor: f64) -> Found {
     let fine = |value: f64| (value * 1e5).round() / 1e5;
     let point = |point: &Point| Point {
@@ -85,7 +85,7 @@ pub(crate) fn pictures(following: &Following, clip: &Clip) -> Vec<SpaceTimePictu
     (0..).map_while(picture).collect()
 }
 
-/// The track of points that were clicked by hand.
+/// Track of points clicked by hand. `sigma`: standard error of each coordinate, px.
 pub(crate) fn by_hand(clicks: &[Click], sigma: f64, clip: &Clip, factor: f64) -> Found {
     let frames: Vec<(usize, f64)> =
         clicks.iter().filter_map(|click| Some((click.frame, clip.times().get(click.frame)? / factor))).collect();

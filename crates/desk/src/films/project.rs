@@ -1,4 +1,4 @@
-//! The film in a project of Tracker, and what the project says of it as a person would here: clicks, axes and scale, factor and part.
+//! Film of a Tracker project, with its clicks, axes, scale, factor and used part in our form.
 
 use crate::films::clip::Clip;
 use crate::films::lengths::{CalibrationForm, LengthsForm};
@@ -8,14 +8,14 @@ use film::tracking::column::Click;
 use std::ops::Range;
 use units::{Words, words};
 
-/// Filters after which a point of the picture is elsewhere.
+/// Filters that move points of the picture.
 const MOVING_FILTERS: [&str; 4] = ["PerspectiveFilter", "RadialDistortionFilter", "ResizeFilter", "RotateFilter"];
-/// A mean duration of frames that differs from the film's by less than this part is not one of a slow motion.
+/// Relative difference of the mean frame interval of project and film below which there is no slow motion.
 const SAME_RATE: f64 = 0.05;
-/// The ruler that stands for the scale is at most this part of the picture's width.
+/// Maximum length of the ruler that represents the scale, relative to the width of the picture.
 const RULER: f64 = 0.8;
 
-/// The film in the archive of a project of Tracker that has become a record.
+/// Film in the archive of a Tracker project that has become a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProjectFilm {
     pub(super) record: u32,
@@ -29,27 +29,27 @@ impl ProjectFilm {
         Some(Self { record, packed, project })
     }
 
-    /// The name of the film, without folders.
+    /// File name of the film, without folders.
     pub fn name(&self) -> &str {
         self.packed.name.rsplit('/').next().unwrap_or_default()
     }
 
-    /// The bytes of the archive that hold it.
+    /// Byte range of the film in the archive.
     pub fn range(&self) -> Range<u64> {
         self.packed.range.clone()
     }
 
-    /// Whether these bytes are compressed (Deflate); otherwise they are the film.
+    /// True if these bytes are compressed by Deflate, false if they are the film.
     pub fn is_deflated(&self) -> bool {
         self.packed.deflated
     }
 
-    /// The size of the film in bytes, as the archive states it.
+    /// Size of the film in bytes, as stated by the archive.
     pub fn size(&self) -> u64 {
         self.packed.size
     }
 
-    /// The positions of each mass in frames of a film of this length.
+    /// Positions of each mass in the frames of the film, px.
     pub(super) fn clicks(&self, clip: &Clip) -> Vec<(&Mass, Vec<Click>)> {
         let frames = clip.times().len();
         let of_mass = |mass: &Mass| -> Vec<Click> {
@@ -64,7 +64,7 @@ impl ProjectFilm {
         masses.filter(|(_, clicks)| !clicks.is_empty()).collect()
     }
 
-    /// The frames in which the project says where a mass is by hand; the first one where it does not distinguish them.
+    /// Frames in which a mass was marked by hand; the first one if the project does not distinguish them.
     pub(super) fn keys(&self, mass: &Mass, clicks: &[Click]) -> Vec<Click> {
         let is_key = |click: &&Click| {
             let mark = mass.marks.iter().find(|mark| self.project.clip.film_frame(mark.frame) == Some(click.frame));
@@ -74,14 +74,15 @@ impl ProjectFilm {
         if keys.is_empty() { clicks.first().copied().into_iter().collect() } else { keys }
     }
 
-    /// How many times slower the film plays than things happened, if the project says so: by the mean duration of a frame.
+    /// Factor of slow motion by the mean frame interval of the project; `None` if it agrees with the film. `stated`:
+    /// factor stated by the file.
     pub(super) fn factor(&self, clip: &Clip, stated: f64) -> Option<f64> {
         let factor = 1.0 / (clip.rate()? * self.project.clip.interval);
         let says_so = factor.is_finite() && factor > 0.0 && (factor / stated - 1.0).abs() > SAME_RATE;
         says_so.then_some(factor)
     }
 
-    /// The part of the film that the project uses, in seconds of the file; `None` where it is an end of the film.
+    /// Used part of the film in s of playback; `None` for an end of the film.
     pub(super) fn part(&self, clip: &Clip) -> [Option<f64>; 2] {
         let own = &self.project.clip;
         let last = own.count.saturating_sub(1).saturating_mul(own.step.max(1)).saturating_add(own.first);
@@ -90,8 +91,12 @@ impl ProjectFilm {
         [first, last].map(|frame| clip.times().get(frame?).copied())
     }
 
-    /// Axes and scale of the project as a person would set them. A project keeps the scale, and not what it was read from: a ruler of a
-    /// round length stands for it.
+    /// Axes and scale of the project as a calibration form. A project stores the scale but not its ruler, so that a
+    /// ruler of a round length represents it.
+    ///
+    /// # Errors
+    ///
+    /// Reason why the form cannot represent the project.
     pub(super) fn form(&self, clip: &Clip, style: number::Style) -> Result<CalibrationForm, Words> {
         let coordinates = &self.project.coordinates;
         if coordinates.changes() {

@@ -1,4 +1,4 @@
-//! Opening the film in a project of Tracker: its times replace those of the project's record.
+//! Opening the film of a Tracker project. Its times replace those of the record.
 
 use crate::films::identity::FilmIdentity;
 use crate::films::opening::FilmOpening;
@@ -13,17 +13,18 @@ use analysis::tracker::Remark;
 use units::{Words, words};
 
 impl Desk {
-    /// The film in the archive of the project that became a record last, once: it is to be opened by [`Desk::open_project_film`].
+    /// Removes and returns the film in the archive of the last imported project, for [`Desk::open_project_film`].
     pub fn take_project_film(&mut self) -> Option<ProjectFilm> {
         self.films.project.take()
     }
 
-    /// Opens the film of a project in place of the one that is open, with positions, scale and part of the project; the record of the
-    /// project gets the times of the film. A film that is known is opened with the work on it instead.
+    /// Opens the film of a project in place of the open one, with positions, scale and used part of the project. The
+    /// record of the project gets the times of the film. If the film is known, its stored work is continued instead.
     ///
     /// # Errors
-    /// What of the project a film here cannot have, and what [`Desk::open_film`] refuses. No film is open then, and the record of
-    /// the project is as it was.
+    ///
+    /// As [`Desk::open_film`], and [`Refusal::Film`] if the project has features that are not supported. No film is
+    /// open then, and the record of the project is unchanged.
     pub fn open_project_film(
         &mut self,
         own: &ProjectFilm,
@@ -86,7 +87,7 @@ impl Desk {
         self.keep_remarks(own.record, times)
     }
 
-    /// Writes the film's record in place of that of the project; what was said of the project and still holds stays.
+    /// Replaces the record of the project by that of the film. Remarks that still apply are kept.
     fn keep_remarks(&mut self, id: u32, times: Option<Remark>) -> Result<(), Refusal> {
         let of_project = |finding: &Finding| match finding {
             Finding::Project(remark) => !matches!(

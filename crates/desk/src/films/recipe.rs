@@ -1,66 +1,67 @@
-//! How a simulation is filmed: a virtual camera films a run of the open document, so that a film with known truth is there without a
-//! laboratory.
+//! Recipe of a film of a simulation: a virtual camera films a run of the open document. The film has a known truth and
+//! needs no laboratory.
 
 use crate::films::identity::FilmIdentity;
 use film::containers::{Codec, Coding, Container, Film, Orientation, Sample};
 use units::{Language, Words, words};
 
-/// Width and height of the picture in pixels.
+/// Width and height of the picture, px.
 pub const FILMED_SIZE: [usize; 2] = [640, 360];
-/// A film has no more frames: each takes a quarter of a megabyte of memory.
+/// Maximum number of frames; each needs 0.25 MB.
 const MOST_FRAMES: f64 = 900.0;
-/// The fewest frames with which an oscillation can be told from a line.
+/// Minimum number of frames, for an oscillation.
 const LEAST_FRAMES: f64 = 10.0;
-/// Frames a second, at most and at least.
+/// Minimum and maximum frame rate, frames per second.
 const RATES: [f64; 2] = [0.01, 10_000.0];
-/// The largest standard deviation of the noise, in grey values of 255.
+/// Maximum standard deviation of the noise, grey values of 255.
 const LOUDEST: f64 = 30.0;
-/// Times of frames are whole microseconds.
+/// Ticks per second of the frame times.
 const TIMESCALE: u32 = 1_000_000;
 
-/// What the virtual camera is set to.
+/// Settings of the virtual camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraSettings {
-    /// How long it films, in seconds.
+    /// Duration of the film, s.
     pub seconds: f64,
-    /// Frames a second.
+    /// Frames per second.
     pub rate: f64,
-    /// How long the shutter is open for each frame, in seconds.
+    /// Exposure time of a frame, s.
     pub exposure: f64,
-    /// The standard deviation of the noise at a grey of 128, in grey values of 255.
+    /// Standard deviation of the noise at a grey value of 128, in grey values of 255.
     pub noise: f64,
-    /// Films of equal seed have the same noise.
+    /// Seed of the noise.
     pub seed: u32,
 }
 
 impl CameraSettings {
-    /// Ten seconds at 30 frames a second, for a run that is watched at this many of its seconds in a second. A run that lasts
-    /// `end` seconds is not filmed for longer.
+    /// Default settings: 10 s of playback at 30 frames per second. `pace`: model seconds per second of playback; `end`:
+    /// duration of the run, s, the maximum duration of the film.
     pub fn usual(pace: f64, end: f64) -> Self {
         let pace = if pace.is_finite() && pace > 0.0 { pace } else { 1.0 };
         let rate = (30.0 / pace).clamp(RATES[0], RATES[1]);
         Self { seconds: (10.0 * pace).min(end), rate, exposure: 0.12 / rate, noise: 2.0, seed: 1 }
     }
 
-    /// How many frames are taken.
+    /// Number of frames.
     pub fn frames(&self) -> usize {
         (self.seconds * self.rate).clamp(0.0, MOST_FRAMES) as usize
     }
 
-    /// The middle of the exposure of a frame, in microseconds of the run. The first exposure begins with the run.
+    /// Middle of the exposure of a frame, in microseconds of the run. The first exposure begins with the run.
     fn ticks(&self, frame: usize) -> i64 {
         (f64::from(TIMESCALE) * (self.exposure / 2.0 + frame as f64 / self.rate)).ceil() as i64
     }
 
-    /// The same in seconds.
+    /// Middle of the exposure of a frame, in s of the run.
     pub fn time(&self, frame: usize) -> f64 {
         self.ticks(frame) as f64 / f64::from(TIMESCALE)
     }
 
-    /// Refuses what no camera can do, or what there is no room for.
+    /// Checks the settings.
     ///
     /// # Errors
-    /// Which number is not possible, and which ones are.
+    ///
+    /// A message with the invalid number and its bounds.
     pub fn check(&self) -> Result<(), Words> {
         let [least, most] = RATES;
         if !(least..=most).contains(&self.rate) {
@@ -91,23 +92,23 @@ impl CameraSettings {
     }
 }
 
-/// All that decides the pictures of a filmed simulation.
+/// All that determines the pictures of a filmed simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmRecipe {
-    /// The title of the document.
+    /// Title of the document.
     pub document: String,
-    /// The hash of its text.
+    /// Hash of the source text of the document.
     pub source: String,
-    /// Its state at the start of the run, as [`play::Play::share`] writes it.
+    /// State at the start of the run, as written by [`play::Play::share`].
     pub state: String,
-    /// The language of the words in the scene.
+    /// Language of the scene.
     pub language: String,
-    /// What the camera is set to.
+    /// Settings of the camera.
     pub settings: CameraSettings,
 }
 
 impl FilmRecipe {
-    /// What the film is known by: a hash of all that decides it.
+    /// Identity of the film: a hash of all fields.
     pub fn identity(&self) -> FilmIdentity {
         let CameraSettings { seconds, rate, exposure, noise, seed } = self.settings;
         let numbers = [seconds, rate, exposure, noise].map(|number| number.to_bits().to_string()).join(" ");
@@ -117,7 +118,7 @@ impl FilmRecipe {
         FilmIdentity::new(&name, text.len() as u64, text.as_bytes())
     }
 
-    /// The film with so many frames, which are in no file.
+    /// Description of the film with this number of frames. It has no file.
     pub(crate) fn film(&self, frames: usize) -> Film {
         let sample =
             |frame: usize| Sample { offset: 0, size: 1, ticks: self.settings.ticks(frame), key: true, shown: true };
@@ -142,7 +143,7 @@ fn filmed() -> Words {
     words("Filmed simulation", "Simulación filmada")
 }
 
-/// The hash by which a text is known again.
+/// Hash of a text.
 pub(crate) fn hash(text: &str) -> String {
     FilmIdentity::new("", 0, text.as_bytes()).hash
 }

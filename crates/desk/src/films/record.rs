@@ -1,4 +1,4 @@
-//! The record that a film becomes: an ordinary one, by the way that files go, and replaced in place when the work on the film changes.
+//! Record of a film. It is an ordinary record, and is replaced in place when the work on the film changes.
 
 use crate::films::work::Work;
 use crate::records::record::LONGEST_SAVED;
@@ -8,20 +8,21 @@ use analysis::inspection::inspect;
 use analysis::reading;
 use film::table::Table;
 
-/// What a fit has found of the record and still holds for the new one.
+/// Results of a fit that remain valid for the new record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Kept {
-    /// Where the model begins.
+    /// Time origin of the model.
     pub origin: bool,
-    /// The zeros of its scales.
+    /// Offsets of the columns.
     pub offsets: bool,
 }
 
 impl Desk {
-    /// Makes a record of the open film, if it has a track and none yet: after one was removed, or where there was no room.
+    /// Makes a record of the open film if it has tracks and no record, for instance after its removal.
     ///
     /// # Errors
-    /// Where nothing was found yet, and where there is no room for another record.
+    ///
+    /// [`Refusal::Film`] without tracks, and a refusal if there is no room for another record.
     pub fn film_to_record(&mut self) -> Result<u32, Refusal> {
         self.write_film_record(true, Kept { origin: true, offsets: true })?;
         let work = self.films.current().map(|(_, work)| work);
@@ -29,13 +30,13 @@ impl Desk {
         record.ok_or_else(|| self.film_refusal(&super::plan::nothing_followed()))
     }
 
-    /// Brings the record up to the work on the open film.
+    /// Updates the record of the open film.
     pub(crate) fn film_changed(&mut self, kept: Kept) -> Result<(), Refusal> {
         self.revision.films += 1;
         self.write_film_record(false, kept)
     }
 
-    /// Writes the record; one that a person has removed only where it is to be made.
+    /// Writes the record. A record that the user has removed is written only if `made`.
     fn write_film_record(&mut self, made: bool, kept: Kept) -> Result<(), Refusal> {
         let Some((open, work)) = self.films.current() else { return Err(self.no_film()) };
         let (place, removed) = (open.work, work.record.is_some_and(|id| self.record(id).is_none()));
@@ -56,8 +57,8 @@ impl Desk {
         }
     }
 
-    /// Another text in place of that of a record. What a person has said of its columns stays; a unit that they have stated gives way
-    /// to one that the text states.
+    /// Replaces the text of a record. The user's meanings of the columns are kept, except units where the text states
+    /// one.
     fn replace_record(&mut self, id: u32, text: &str, kept: Kept) -> Result<(), Refusal> {
         let why = |error: reading::ReadingError| error.message(self.play.language());
         let contents = reading::read(text.as_bytes().to_vec(), crate::LONGEST_RECORD)
@@ -90,13 +91,13 @@ impl Desk {
         Ok(())
     }
 
-    /// The name of the film that a record comes from.
+    /// Identity of the film of a record.
     pub fn film_of_record(&self, id: u32) -> Option<&crate::FilmIdentity> {
         self.films.of_record(id).map(|work| &work.identity)
     }
 }
 
-/// The table of a film as a text. A single row, as after the first click by hand, is no record yet.
+/// Table of a film as CSV. `None` for fewer than two rows, as after the first click by hand.
 pub(crate) fn text(work: &Work) -> Option<String> {
     let table = table(work).filter(|table| table.frames.len() > 1)?;
     let columns = table.columns();
@@ -105,7 +106,7 @@ pub(crate) fn text(work: &Work) -> Option<String> {
     Some(csv::write_film(&heads, &values, work.calibration.relative_sigma(), Dialect::Commas))
 }
 
-/// The numbers of the record.
+/// Table of the record; `None` if it is empty.
 pub(crate) fn table(work: &Work) -> Option<Table> {
     let table = Table::of(&work.tracks(), &work.calibration, &|frame| work.taken(frame).unwrap_or(f64::NAN));
     (!table.frames.is_empty()).then_some(table)

@@ -1,4 +1,4 @@
-//! What a report of a fit says and shows of the film of a record.
+//! Films in the report of a fit.
 
 use crate::Desk;
 use crate::films::clip::Clip;
@@ -14,14 +14,14 @@ use report::{Film, FilmFile, FilmPicture, Frame};
 use units::Words;
 
 impl Desk {
-    /// The films from which the records of a fit come. Pictures are there of the film that is open, once it was tracked since it was
-    /// opened: no film is stored.
+    /// Films from which the records of a fit come. Pictures are included only of the open film, if it was tracked since
+    /// it was opened: films are not stored.
     pub(crate) fn films_of(&self, fit: &Fitted) -> Vec<Film> {
         let parts = fit.definition.parts.iter().enumerate();
         parts.filter_map(|(place, part)| self.film_of(fit, place, part.record)).collect()
     }
 
-    /// The film from which a record comes, without pictures.
+    /// Description of the film of a record, without pictures.
     pub(crate) fn film_described(&self, record: u32) -> Option<Film> {
         let work = self.films.of_record(record)?;
         let clip = self.open_of(work).map(|open| &open.clip);
@@ -36,7 +36,7 @@ impl Desk {
         })
     }
 
-    /// The film of some work, if it is the one that is open.
+    /// Open film, if `work` belongs to it.
     fn open_of(&self, work: &Work) -> Option<&Open> {
         self.films.current().filter(|(_, own)| own.identity.is_same_film(&work.identity)).map(|(open, _)| open)
     }
@@ -68,7 +68,7 @@ impl Desk {
     }
 }
 
-/// The file, and by what its lengths are known.
+/// Description of the file and the calibration.
 fn file(clip: Option<&Clip>, work: &Work) -> FilmFile {
     FilmFile {
         size: clip.map(Clip::size),
@@ -83,11 +83,11 @@ fn file(clip: Option<&Clip>, work: &Work) -> FilmFile {
     }
 }
 
-/// Where the fitted curve is in the frames of a track, in pixels of the upright picture.
+/// Positions of the fitted curve in the frames of a track, px of the upright picture.
 fn fitted(fit: &Fitted, place: usize, work: &Work, tracks: &[Track], track: usize) -> Option<Vec<(usize, [f64; 2])>> {
     let table = table(work)?;
     let part = fit.definition.parts.get(place)?;
-    // The columns stand in the order of the table: the time, then values and errors of each track.
+    // Order of the columns: the time, then values and errors of each track.
     let before: usize = table.quantities.iter().take(track).map(|own| 2 * own.len()).sum();
     let of_column = |k: usize| {
         let used = part.uses.get(1 + before + k).filter(|used| used.fitted)?;
@@ -108,7 +108,7 @@ fn fitted(fit: &Fitted, place: usize, work: &Work, tracks: &[Track], track: usiz
     Some(curve.collect())
 }
 
-/// The marks of the calibration: the ruler or the rectangle, and the point that becomes zero.
+/// Marks of the calibration: ruler or rectangle, and origin, px.
 fn marks(work: &Work) -> Vec<Vec<[f64; 2]>> {
     let mut marks = match &work.form.lengths {
         LengthsForm::Pixels => Vec::new(),

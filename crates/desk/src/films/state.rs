@@ -1,4 +1,4 @@
-//! The films of a desk.
+//! Films of a desk.
 
 use crate::films::clip::Clip;
 use crate::films::project::ProjectFilm;
@@ -9,40 +9,40 @@ use film::tracking::Following;
 use film::tracking::column::SpaceTimePicture;
 use units::Words;
 
-/// All films that a person has worked on, and the one that is open.
+/// Work on all films, and the open film.
 #[derive(Debug, Default)]
 pub(crate) struct Films {
     pub works: Vec<Work>,
     pub open: Option<Open>,
-    /// The film in the archive of a project that has become a record, until it is taken.
+    /// Film in the archive of the last imported project, until it is taken.
     pub project: Option<ProjectFilm>,
 }
 
-/// The film that is open.
+/// Open film.
 #[derive(Debug)]
 pub(crate) struct Open {
-    /// Its place among the works.
+    /// Index of its work.
     pub work: usize,
     pub clip: Clip,
-    /// The tracking, from its beginning on; it stays for corrections.
+    /// Tracking since its start, kept for corrections.
     pub following: Option<Following>,
-    /// Whether the tracking is to go on.
+    /// True while the tracking runs.
     pub running: bool,
-    /// Whether only strips are read: what was found at an earlier visit stays.
+    /// True if only strips are read, and the results of an earlier visit are kept.
     pub reading: bool,
-    /// Whether the tracking has been finished, so that another result is a correction of it.
+    /// True if the tracking has finished once, so that a further result is a correction.
     pub finished: bool,
-    /// What is known of a filmed simulation.
+    /// True positions, for a filmed simulation.
     pub truth: Option<FilmTruth>,
-    /// What a person should know of the project of Tracker by which it was opened.
+    /// Notes on the Tracker project of the film.
     pub notes: Vec<Words>,
-    /// The space-time picture of each surface.
+    /// Space-time picture of each surface.
     pub pictures: Vec<SpaceTimePicture>,
-    /// The first frame that was tracked, for reports.
+    /// First tracked frame, for reports.
     pub still: Option<Still>,
 }
 
-/// A frame as it is stored.
+/// Stored frame.
 #[derive(Debug)]
 pub(crate) struct Still {
     pub frame: usize,
@@ -50,20 +50,20 @@ pub(crate) struct Still {
 }
 
 impl Films {
-    /// The open film and the work on it.
+    /// Open film and the work on it.
     pub fn current(&self) -> Option<(&Open, &Work)> {
         let open = self.open.as_ref()?;
         Some((open, self.works.get(open.work)?))
     }
 
-    /// The same, to be changed.
+    /// Open film and the work on it, mutable.
     pub fn current_mut(&mut self) -> Option<(&mut Open, &mut Work)> {
         let open = self.open.as_mut()?;
         let work = self.works.get_mut(open.work)?;
         Some((open, work))
     }
 
-    /// The work that a record comes from.
+    /// Work from which a record comes.
     pub fn of_record(&self, id: u32) -> Option<&Work> {
         self.works.iter().find(|work| work.record == Some(id))
     }

@@ -1,19 +1,19 @@
-//! What is followed in a film.
+//! Subjects of tracking.
 
 use crate::films::clip::Clip;
 use film::tracking::column::Click;
 use film::tracking::{Refusal, body};
 
-/// How many surfaces are followed at once.
+/// Maximum number of surfaces.
 pub const MOST_SURFACES: usize = 2;
-/// How many bodies are.
+/// Maximum number of bodies.
 pub const MOST_BODIES: usize = 4;
-/// How many clicks a film may have by hand, as key frames or as anchors of a surface.
+/// Maximum number of clicks by hand per film, and of key frames or anchors per object.
 const MOST_CLICKS: usize = 10_000;
-/// The standard error of each coordinate of a point that is clicked by hand, in pixels, unless a person states another one.
+/// Default standard error of each coordinate of a point clicked by hand, px.
 pub const POINT_SIGMA: f64 = 1.0;
 
-/// What is followed.
+/// Subject of tracking.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Subject {
     /// Nothing yet.
@@ -23,51 +23,51 @@ pub enum Subject {
     Surfaces(Vec<FilmedSurface>),
     /// Bodies.
     Bodies(Vec<FilmedBody>),
-    /// A point that a person clicks in each frame.
+    /// Point clicked by hand in each frame.
     Points {
-        /// At most one in a frame.
+        /// Clicks, at most one per frame.
         clicks: Vec<Click>,
-        /// The standard error of each coordinate in pixels: [`POINT_SIGMA`], unless it is stated.
+        /// Standard error of each coordinate, px; default [`POINT_SIGMA`].
         sigma: f64,
     },
 }
 
-/// The surface of a liquid in a tube.
+/// Surface of a liquid in a tube.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmedSurface {
-    /// Where it was clicked.
+    /// Click on the surface.
     pub click: Click,
-    /// Two points of the tube's axis; an upright tube through the click without them.
+    /// Two points of the tube axis, px. Default: an upright tube through the click.
     pub tube: Option<[[f64; 2]; 2]>,
-    /// Where a person has corrected the path.
+    /// Corrections of the path.
     pub anchors: Vec<Click>,
 }
 
 impl FilmedSurface {
-    /// In an upright tube.
+    /// Surface in an upright tube.
     pub fn new(click: Click) -> Self {
         Self { click, tube: None, anchors: Vec::new() }
     }
 }
 
-/// A body.
+/// Body with its key frames.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmedBody {
-    /// Where it was clicked: the frame from which on it is followed, and further key frames.
+    /// Clicks in the first frame and in further key frames.
     pub keys: Vec<Click>,
-    /// Its radius in pixels; found around the click without it.
+    /// Radius, px. Default: found around the click.
     pub radius: Option<f64>,
 }
 
 impl FilmedBody {
-    /// With a radius that is found.
+    /// Body without a given radius.
     pub fn new(click: Click) -> Self {
         Self { keys: vec![click], radius: None }
     }
 }
 
 impl Subject {
-    /// Whether nothing has been clicked.
+    /// True if nothing has been clicked.
     pub fn is_nothing(&self) -> bool {
         match self {
             Self::Nothing => true,
@@ -77,12 +77,12 @@ impl Subject {
         }
     }
 
-    /// Whether frames have to be searched.
+    /// True if frames have to be read for tracking.
     pub fn needs_tracking(&self) -> bool {
         matches!(self, Self::Surfaces(_) | Self::Bodies(_)) && !self.is_nothing()
     }
 
-    /// Refuses clicks that this film does not have, radii that cannot be followed in it, and too many of either.
+    /// Checks clicks, radii and numbers of objects for this film.
     pub(crate) fn check(&self, clip: &Clip) -> Result<(), Refusal> {
         let (size, frames) = (clip.size(), clip.times().len());
         let [least, greatest] = body::radii(clip.plane_size()[1] as f64);
@@ -123,7 +123,8 @@ impl Subject {
         }
     }
 
-    /// Without what has no meaning: keys and points in order and one in a frame, bodies without any, errors that are not positive.
+    /// Removes meaningless content: keeps one click per frame in order, drops bodies without clicks, and replaces an
+    /// invalid standard error.
     pub(crate) fn settled(mut self) -> Self {
         match &mut self {
             Self::Nothing | Self::Surfaces(_) => {}
@@ -142,14 +143,14 @@ impl Subject {
     }
 }
 
-/// The last click of each frame, in order.
+/// Keeps the last click of each frame, in order.
 fn one_in_a_frame(clicks: &mut Vec<Click>) {
     clicks.reverse();
     clicks.sort_by_key(|click| click.frame);
     clicks.dedup_by_key(|click| click.frame);
 }
 
-/// Refuses a point outside the picture.
+/// Checks that a point lies inside the picture, px.
 pub(crate) fn inside([x, y]: [f64; 2], [width, height]: [f64; 2]) -> Result<(), Refusal> {
     let inside = (0.0..=width).contains(&x) && (0.0..=height).contains(&y);
     if inside { Ok(()) } else { Err(Refusal::Click { x, y }) }

@@ -1,4 +1,4 @@
-//! The time base of a film: how fast it was taken, and which part of it is used.
+//! Time base of a film: factor of slow motion, and the used part.
 
 use crate::films::clip::Clip;
 use crate::films::record::Kept;
@@ -7,11 +7,13 @@ use film::timing::LARGEST_FACTOR;
 use units::words;
 
 impl Desk {
-    /// Takes how many times slower the film plays than things happened, as typed: `8`, or `240/30` as a quotient of rates. An empty
-    /// text stands for what the file says. The times of the record change at once.
+    /// Sets the factor of slow motion, the duration of playback relative to that of the recording, from text: `8`, or a
+    /// quotient of rates `240/30`. An empty text selects the factor stated by the file. Updates the times of the
+    /// record.
     ///
     /// # Errors
-    /// What is no positive number, and where no film is open.
+    ///
+    /// [`Refusal::Film`] for a text that is not a factor within the bounds, or without an open film.
     pub fn set_film_factor(&mut self, typed: &str) -> Result<(), Refusal> {
         let factor = match typed.trim() {
             "" => None,
@@ -19,7 +21,7 @@ impl Desk {
         };
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
         work.factor = factor;
-        // Times of frames that are yet to be taken would not fit to those that have been.
+        // Times of later frames would not match those already taken.
         if open.running {
             (open.following, open.running) = (None, false);
         }
@@ -44,11 +46,12 @@ impl Desk {
         })
     }
 
-    /// Takes the part of the film that is used, in seconds of the file; `None` is an end of the film. A record loses rows outside at
-    /// once; rows that it never had need another tracking.
+    /// Sets the used part of the film in s of playback; `None` is an end of the film. Rows outside are removed from the
+    /// record. Rows that were never tracked need another tracking.
     ///
     /// # Errors
-    /// A part with fewer than two frames, and where no film is open.
+    ///
+    /// [`Refusal::Film`] for a part with fewer than two frames, or without an open film.
     pub fn set_film_part(&mut self, part: [Option<f64>; 2]) -> Result<(), Refusal> {
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
         let part = part.map(|end| end.filter(|end| end.is_finite()));
@@ -68,7 +71,7 @@ impl Desk {
 }
 
 impl Clip {
-    /// The first and the last frame of a part, in seconds of the file.
+    /// First and last frame of a part in s of playback.
     pub(crate) fn ends(&self, [from, until]: [Option<f64>; 2]) -> [usize; 2] {
         let first = from.map_or(0, |from| self.times().partition_point(|time| *time < from));
         let end = until.map_or(self.times().len(), |until| self.times().partition_point(|time| *time <= until));

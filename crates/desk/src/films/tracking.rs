@@ -1,4 +1,4 @@
-//! The tracking of the open film as a job that the page drives: it asks for frames, takes them, and computes in portions.
+//! Tracking of the open film as a job that the page drives: it requests frames, takes them, and computes in steps.
 
 use crate::films::plan::{by_hand, found, nothing_followed, pictures, plan, stored};
 use crate::films::record::Kept;
@@ -9,32 +9,33 @@ use film::tracking::Following;
 use film::tracking::column::Click;
 use film::{Plane, capacity};
 
-/// How far a tracking is.
+/// Progress of a tracking.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrackingProgress {
-    /// How many frames have been taken.
+    /// Number of frames taken.
     pub taken: usize,
-    /// Of how many.
+    /// Total number of frames.
     pub of: usize,
-    /// Whether the frames are taken a second time, without repeated ones.
+    /// True if the frames are read a second time, without repeated ones.
     pub again: bool,
-    /// Whether all have been taken, and positions are being computed.
+    /// True if all frames have been taken and positions are computed.
     pub computing: bool,
 }
 
 impl Desk {
-    /// Takes what is followed in the open film. A record that the film has become stays until something else has been found; points
-    /// that are clicked by hand are in it at once. A tracking that has begun is given up.
+    /// Sets the subject of tracking. The record of the film is kept until there is another result; points clicked by
+    /// hand enter it at once. A running tracking is cancelled.
     ///
     /// # Errors
-    /// Clicks outside the picture or the film, too many of them, and where no film is open.
+    ///
+    /// [`Refusal::Film`] for clicks outside the picture or the film, too many clicks, or without an open film.
     pub fn follow_in_film(&mut self, subject: Subject) -> Result<(), Refusal> {
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
         if let Err(refusal) = subject.check(&open.clip) {
             return Err(self.film_refusal(&refusal.words()));
         }
         work.subject = subject.settled();
-        // They belong to other clicks and radii.
+        // The outlines belong to the previous clicks and radii.
         work.found.iter_mut().flat_map(|found| &mut found.tracks).for_each(|track| track.outline = None);
         (open.following, open.running) = (None, false);
         open.pictures.clear();
@@ -46,11 +47,12 @@ impl Desk {
         Ok(())
     }
 
-    /// Sets the radius of a body in pixels; `None` lets it be found around the click. The record stays until the body has been tracked
-    /// again; a tracking that has begun is given up.
+    /// Sets the radius of a body in px; `None` selects the radius found around the click. The record is kept until the
+    /// body has been tracked again. A running tracking is cancelled.
     ///
     /// # Errors
-    /// A radius that cannot be followed in this picture, and where no body of this number or no film is there.
+    ///
+    /// [`Refusal::Film`] for a radius outside the bounds, an unknown body, or without an open film.
     pub fn set_radius(&mut self, body: usize, radius: Option<f64>) -> Result<(), Refusal> {
         let Some((_, work)) = self.films.current() else { return Err(self.no_film()) };
         let mut subject = work.subject.clone();
@@ -63,10 +65,11 @@ impl Desk {
         self.follow_in_film(subject)
     }
 
-    /// Takes marks that rest, against a camera that shakes, as they are in the first frame of the part. The next tracking uses them.
+    /// Sets resting marks against a shaking camera, in px of the first frame of the used part, for the next tracking.
     ///
     /// # Errors
-    /// Marks outside the picture, and where no film is open.
+    ///
+    /// [`Refusal::Film`] for marks outside the picture, too many marks, or without an open film.
     pub fn set_resting_marks(&mut self, marks: Vec<[f64; 2]>) -> Result<(), Refusal> {
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
         let checked = marks.iter().try_for_each(|mark| inside(*mark, open.clip.size()));
@@ -80,18 +83,20 @@ impl Desk {
         Ok(())
     }
 
-    /// Begins to track what is followed, from the first frame of the part on.
+    /// Starts the tracking from the first frame of the used part.
     ///
     /// # Errors
-    /// Where nothing is followed that has to be tracked, and where no film is open.
+    ///
+    /// [`Refusal::Film`] if no subject needs tracking, or without an open film.
     pub fn begin_tracking(&mut self) -> Result<(), Refusal> {
         self.begin_following(false)
     }
 
-    /// Takes up what was found in the open film at an earlier visit: nothing is tracked again, and only the strips of surfaces are read for
-    /// the space-time picture and for corrections. Where nothing is known of what is followed, it is tracked.
+    /// Continues from the results of an earlier visit. Only the strips of surfaces are read, for the space-time picture
+    /// and for corrections. Without results, the film is tracked.
     ///
     /// # Errors
+    ///
     /// As [`Desk::begin_tracking`].
     pub fn take_up_tracking(&mut self) -> Result<(), Refusal> {
         let Some((_, work)) = self.films.current() else { return Err(self.no_film()) };
@@ -120,16 +125,17 @@ impl Desk {
         }
     }
 
-    /// The frame that the tracking needs next; `None` where none is running or it has all frames.
+    /// Number of the frame that the tracking needs next; `None` if no tracking runs or it has all frames.
     pub fn wanted_frame(&self) -> Option<usize> {
         let open = self.films.open.as_ref().filter(|open| open.running)?;
         open.following.as_ref()?.wanted()
     }
 
-    /// Hands over a frame as it is stored, [`crate::Clip::plane_size`] large. A frame that is not wanted is ignored.
+    /// Takes a stored frame of size [`crate::Clip::plane_size`]. A frame that was not requested is ignored.
     ///
     /// # Errors
-    /// Where the film cannot be followed; the tracking is given up then.
+    ///
+    /// [`Refusal::Film`] if the film cannot be tracked. The tracking is cancelled then.
     pub fn give_frame(&mut self, frame: usize, plane: Plane) -> Result<(), Refusal> {
         if self.wanted_frame() != Some(frame) {
             return Ok(());
@@ -140,9 +146,10 @@ impl Desk {
         self.drive(|following| following.take(plane)).map(|_| ())
     }
 
-    /// Goes on without the frame that is wanted: it could not be decoded.
+    /// Skips the requested frame, which cannot be decoded.
     ///
     /// # Errors
+    ///
     /// As [`Desk::give_frame`].
     pub fn leave_out_frame(&mut self, frame: usize) -> Result<(), Refusal> {
         if self.wanted_frame() != Some(frame) {
@@ -151,11 +158,13 @@ impl Desk {
         self.drive(Following::leave_out).map(|_| ())
     }
 
-    /// Computes on by as many steps, each of less than a millisecond; ten are a good portion. True once the tracking is finished: the
-    /// record is there then. Nothing happens while a frame is wanted.
+    /// Continues the computation by `steps` steps of less than 1 ms each; ten are a good number. Returns true once the
+    /// tracking is finished and the record made. Does nothing while a frame is requested.
     ///
     /// # Errors
-    /// Where the film cannot be followed, and where there is no room for another record; what was found is kept then.
+    ///
+    /// [`Refusal::Film`] if the film cannot be tracked, and a refusal if there is no room for another record; the
+    /// tracks are kept then.
     pub fn advance_tracking(&mut self, steps: usize) -> Result<bool, Refusal> {
         if self.wanted_frame().is_none() && self.films.open.as_ref().is_some_and(|open| open.running && open.reading) {
             self.show_strips();
@@ -180,7 +189,8 @@ impl Desk {
         Ok(true)
     }
 
-    /// Brings the space-time pictures up to the frames that have been taken. It takes some milliseconds: a few times a second will do.
+    /// Updates the space-time pictures with the frames taken so far. It takes several milliseconds, so that a few calls
+    /// per second suffice.
     pub fn show_strips(&mut self) {
         let Some(open) = self.films.open.as_mut().filter(|open| open.running) else { return };
         if let Some(following) = &open.following {
@@ -189,12 +199,12 @@ impl Desk {
         }
     }
 
-    /// Whether a tracking is running.
+    /// True while a tracking runs.
     pub fn is_tracking(&self) -> bool {
         self.films.open.as_ref().is_some_and(|open| open.running)
     }
 
-    /// How far the tracking is that is running.
+    /// Progress of the running tracking.
     pub fn tracking_progress(&self) -> Option<TrackingProgress> {
         let open = self.films.open.as_ref().filter(|open| open.running)?;
         let following = open.following.as_ref()?;
@@ -203,7 +213,7 @@ impl Desk {
         Some(TrackingProgress { taken, of, again, computing: following.wanted().is_none() })
     }
 
-    /// Gives up the tracking that is running; what an earlier one has found stays.
+    /// Cancels the running tracking. Earlier results are kept.
     pub fn cancel_tracking(&mut self) {
         if let Some(open) = self.films.open.as_mut().filter(|open| open.running) {
             (open.following, open.running) = (None, false);
@@ -212,12 +222,13 @@ impl Desk {
         }
     }
 
-    /// Fixes a surface in a frame to within some pixels of a click, such as the end of a drag on the space-time picture. Only the path
-    /// and what follows from it are computed again, by [`Desk::advance_tracking`]; a film that has not been tracked since it was
-    /// opened is tracked first.
+    /// Fixes a surface in a frame to within several px of a click, for instance after a drag on the space-time picture.
+    /// [`Desk::advance_tracking`] then repeats only the search of the path and its refinement. A film that was not
+    /// tracked since it was opened is tracked first.
     ///
     /// # Errors
-    /// A click outside the picture, and where no surface of this number is followed.
+    ///
+    /// [`Refusal::Film`] for a click outside the picture, or an unknown surface.
     pub fn anchor_surface(&mut self, surface: usize, click: Click) -> Result<(), Refusal> {
         self.correct_surface(surface, click.frame, Some(click))
     }
@@ -225,12 +236,13 @@ impl Desk {
     /// Removes the correction of a surface in a frame.
     ///
     /// # Errors
-    /// Where no surface of this number is followed.
+    ///
+    /// [`Refusal::Film`] for an unknown surface.
     pub fn release_surface(&mut self, surface: usize, frame: usize) -> Result<(), Refusal> {
         self.correct_surface(surface, frame, None)
     }
 
-    /// Puts an anchor in place of that of a frame, or none.
+    /// Sets or removes the anchor of a frame.
     fn correct_surface(&mut self, surface: usize, frame: usize, anchor: Option<Click>) -> Result<(), Refusal> {
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
         let mut subject = work.subject.clone();
@@ -255,7 +267,7 @@ impl Desk {
         Ok(())
     }
 
-    /// Lets the tracking go on, and gives it up where it fails.
+    /// Lets the tracking continue, and cancels it if it fails.
     fn drive<T>(
         &mut self,
         go_on: impl FnOnce(&mut Following) -> Result<T, film::tracking::Refusal>,
@@ -272,7 +284,7 @@ impl Desk {
     }
 }
 
-/// Whether a tracking has taken no frame yet.
+/// True if a tracking has not taken any frame.
 fn is_fresh(following: &Following) -> bool {
     following.taken().0 == 0
 }

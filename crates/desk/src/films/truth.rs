@@ -1,36 +1,36 @@
-//! The truth of a filmed simulation, and how far a track is from it.
+//! True positions in a filmed simulation, and their comparison with tracks.
 
 use film::calibration::{Calibration, Lengths};
 use film::tracking::{Point, Track};
 
-/// What the virtual camera knows: where the moving parts of the scene were.
+/// True positions of the moving parts of the scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FilmTruth {
-    /// Metres in a pixel; `None` where the scene has no scale.
+    /// Size of a pixel, m; `None` if the scene has no scale.
     pub pixel: Option<f64>,
-    /// The length of the ruler that stands beside the scene, for people.
+    /// Length of the ruler drawn beside the scene, as text.
     pub ruler: Option<String>,
-    /// The middle of each moving part in each frame, at the middle of its exposure: pixels of the picture. Not a number where it
-    /// is not seen.
+    /// Position in px of the middle of each moving part in each frame, at the middle of its exposure; NaN if it is not
+    /// visible.
     pub parts: Vec<Vec<[f64; 2]>>,
 }
 
-/// How far a track is from the truth.
+/// Comparison of a track with the truth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TruthComparison {
-    /// The root mean square of the differences in pixels, without their mean: a click decides which point of a part is followed.
+    /// Root mean square of the differences minus their mean, px. The mean depends on which point was clicked.
     pub rms: f64,
-    /// The same in metres.
+    /// Root mean square in m; `None` without a scale of the scene.
     pub metres: Option<f64>,
-    /// How much larger lengths of the record are than the true ones, as a part of them; `None` without a scale.
+    /// Relative error of lengths in the record; `None` without a scale.
     pub scale_error: Option<f64>,
-    /// Found minus true in each frame, without the mean: along a tube, else to the right and down; pixels.
+    /// Measured minus true position in each frame, minus the mean, px: along a tube, else to the right and down.
     pub differences: Vec<(usize, [f64; 2])>,
-    /// Where the point that was clicked truly was in each frame, in pixels.
+    /// True position of the clicked point in each frame, px.
     pub path: Vec<(usize, [f64; 2])>,
 }
 
-/// How far some tracks are from the truth, calibrated like this.
+/// Comparison of some tracks with the truth.
 pub(crate) fn compared(tracks: &[Track], truth: &FilmTruth, calibration: &Calibration) -> Vec<TruthComparison> {
     let scale_error = match (&calibration.lengths, truth.pixel) {
         (Lengths::Scale(scale), Some(pixel)) => {
@@ -49,32 +49,32 @@ pub(crate) fn compared(tracks: &[Track], truth: &FilmTruth, calibration: &Calibr
     tracks.iter().filter_map(compare).collect()
 }
 
-/// The points of a track with the place of a part in the same frame.
+/// Points of a track with the position of a part in the same frame.
 fn pairs<'a>(track: &'a Track, part: &'a [[f64; 2]]) -> impl Iterator<Item = (&'a Point, [f64; 2])> {
     let place = |point: &'a Point| Some((point, *part.get(point.frame)?));
     track.points.iter().filter_map(place).filter(|(_, at)| at.iter().all(|one| one.is_finite()))
 }
 
-/// Found minus true, less the offset: along the tube of a surface, else to the right and down.
+/// Measured minus true position, minus the offset, px: along the tube of a surface, else to the right and down.
 fn difference(track: &Track, point: &Point, at: [f64; 2], offset: [f64; 2]) -> [f64; 2] {
     let [x, y] = [0, 1].map(|k| point.position[k] - at[k] - offset[k]);
     track.direction.map_or([x, y], |[along, down]| [x * along + y * down, 0.0])
 }
 
-/// The part that moves most like a track.
+/// Part whose motion is nearest to that of a track.
 struct Nearest<'a> {
-    /// The root mean square of the differences, without their mean.
+    /// Root mean square of the differences minus their mean, px.
     rms: f64,
     part: &'a [[f64; 2]],
-    /// The mean of found minus true.
+    /// Mean of measured minus true position, px.
     offset: [f64; 2],
 }
 
-/// The part with the least differences.
+/// Part with the smallest differences.
 fn nearest<'a>(track: &Track, parts: &'a [Vec<[f64; 2]>]) -> Option<Nearest<'a>> {
     let fit = |part: &'a Vec<[f64; 2]>| {
         let count = pairs(track, part).count();
-        // A part that is not seen for some time is another one.
+        // A part that is invisible in more than half of the frames is not the tracked one.
         if count < 2 || 2 * count < track.points.len() {
             return None;
         }

@@ -1,4 +1,4 @@
-//! What a page shows of the open film.
+//! Content of the open film for display.
 
 use crate::films::clip::Clip;
 use crate::films::doubt::{DoubtfulFrame, doubts, plainly};
@@ -16,41 +16,41 @@ use film::tracking::column::SpaceTimePicture;
 use film::tracking::{Outline, Track};
 use units::{Words, words};
 
-/// The film that is open, and the work on it.
+/// Open film, and the work on it.
 #[derive(Clone, Copy, Debug)]
 pub struct OpenFilm<'a> {
     open: &'a Open,
     work: &'a Work,
 }
 
-/// The circle by which a body is followed.
+/// Outline of a tracked body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyOutline {
-    /// The radius in pixels of the upright picture.
+    /// Radius, px of the upright picture.
     pub radius: f64,
-    /// The radius in metres at the first click, along the picture's rows; `None` while lengths are in pixels.
+    /// Radius at the first click along the rows of the picture, m; `None` without a scale.
     pub metres: Option<f64>,
-    /// Pixels to the right and downwards from the click to the centre.
+    /// Vector from the click to the centre, px.
     pub offset: [f64; 2],
-    /// True for a radius that was set, false for one that was found.
+    /// True if the radius was set, false if it was found.
     pub is_set: bool,
 }
 
 impl Desk {
-    /// The film that is open.
+    /// Open film, if any.
     pub fn film(&self) -> Option<OpenFilm<'_>> {
         self.films.current().map(|(open, work)| OpenFilm { open, work })
     }
 
-    /// What a person should know of the open film: file, times, camera, scale, in sentences of the chosen language.
+    /// Notes on file, times, camera and scale of the open film, as sentences in the chosen language.
     pub fn film_notes(&self) -> Vec<String> {
         let Some(film) = self.film() else { return Vec::new() };
         let sentence = |words: Words| units::sentence(words.text(self.play.language()));
         film.notes().into_iter().map(sentence).collect()
     }
 
-    /// What the record says of a frame of the open film, as `y_2 = 0.0413 ± 0.0002 m`; a body has two such numbers. `None` where
-    /// the track of this number has no point there.
+    /// Measured position in a frame of the open film, such as `y_2 = 0.0413 ± 0.0002 m`, with two numbers for a body.
+    /// `None` if the track has no point there.
     pub fn film_position(&self, track: usize, frame: usize) -> Option<String> {
         let table = table(self.films.current()?.1)?;
         let row = table.frames.binary_search(&frame).ok()?;
@@ -65,47 +65,47 @@ impl Desk {
 }
 
 impl<'a> OpenFilm<'a> {
-    /// What it is known by.
+    /// Identity of the film.
     pub fn identity(self) -> &'a FilmIdentity {
         &self.work.identity
     }
 
-    /// What its file says: size, times of the frames, container.
+    /// Description of the file: size, frame times, container.
     pub fn clip(self) -> &'a Clip {
         &self.open.clip
     }
 
-    /// How many times slower it plays than things happened.
+    /// Factor of slow motion: duration of playback relative to that of the recording.
     pub fn factor(self) -> f64 {
         self.work.factor()
     }
 
-    /// The same as a person has typed it; `None` if it is what the file says.
+    /// Factor set by the user; `None` if that of the file applies.
     pub fn typed_factor(self) -> Option<f64> {
         self.work.factor
     }
 
-    /// When a frame was taken, in seconds.
+    /// Recording time of a frame, s.
     pub fn taken(self, frame: usize) -> Option<f64> {
         self.open.clip.times().get(frame).map(|time| time / self.work.factor())
     }
 
-    /// The part that is used, in seconds of the file.
+    /// Used part in s of playback; `None` for an end of the film.
     pub fn part(self) -> [Option<f64>; 2] {
         self.work.part
     }
 
-    /// The first and the last frame of the part.
+    /// First and last frame of the used part.
     pub fn ends(self) -> [usize; 2] {
         self.work.ends
     }
 
-    /// What is followed.
+    /// Subject of tracking.
     pub fn subject(self) -> &'a Subject {
         &self.work.subject
     }
 
-    /// The outline of a body: by the radius that was set, or else as it was found. `None` before it was found.
+    /// Outline of a body with the radius that was set or else found; `None` before that.
     pub fn body_outline(self, body: usize) -> Option<BodyOutline> {
         let Subject::Bodies(bodies) = &self.work.subject else { return None };
         let own = bodies.get(body)?;
@@ -120,52 +120,52 @@ impl<'a> OpenFilm<'a> {
         Some(BodyOutline { radius, metres, offset, is_set: own.radius.is_some() })
     }
 
-    /// Marks that rest.
+    /// Resting marks, px of the upright picture.
     pub fn resting_marks(self) -> &'a [[f64; 2]] {
         &self.work.marks
     }
 
-    /// What a person has said of lengths.
+    /// Calibration form of the user.
     pub fn calibration_form(self) -> &'a CalibrationForm {
         &self.work.form
     }
 
-    /// The map from pixels of the upright picture to lengths.
+    /// Map from px of the upright picture to lengths.
     pub fn calibration(self) -> &'a Calibration {
         &self.work.calibration
     }
 
-    /// The tracks in pixels of the upright picture, with times in seconds; empty before something has been found.
+    /// Tracks in px of the upright picture, with times in s; empty before tracking.
     pub fn tracks(self) -> Vec<Track> {
         self.work.tracks()
     }
 
-    /// The id of the record that it has become; it may have been removed.
+    /// Number of the record of the film. The record may have been removed.
     pub fn record(self) -> Option<u32> {
         self.work.record
     }
 
-    /// How it was taken, if it is that of a simulation.
+    /// Recipe of the film, if it is that of a simulation.
     pub fn recipe(self) -> Option<&'a FilmRecipe> {
         self.work.recipe.as_ref()
     }
 
-    /// What is known of a filmed simulation.
+    /// True positions in a filmed simulation.
     pub fn truth(self) -> Option<&'a FilmTruth> {
         self.open.truth.as_ref()
     }
 
-    /// The frames that a person should look at, in order.
+    /// Frames that the user should check, in order.
     pub fn doubtful(self) -> Vec<DoubtfulFrame> {
         doubts(&self.work.tracks())
     }
 
-    /// True if something was lost, or many frames are in doubt: a person has to look before the record is used.
+    /// True if a track was lost or has many doubtful frames: the user should check before the record is used.
     pub fn is_plainly_in_doubt(&self) -> bool {
         plainly(&self.work.tracks())
     }
 
-    /// The space-time picture of a surface, once the film has been tracked since it was opened.
+    /// Space-time picture of a surface, once the film has been tracked since it was opened.
     pub fn space_time(self, surface: usize) -> Option<&'a SpaceTimePicture> {
         self.open.pictures.get(surface)
     }
@@ -186,7 +186,7 @@ impl<'a> OpenFilm<'a> {
     }
 }
 
-/// What the work on a film says of camera and lengths.
+/// Notes on camera and calibration of a film.
 pub(super) fn work_notes(work: &Work) -> Vec<Words> {
     let mut notes = Vec::new();
     notes.extend(work.recipe.as_ref().map(|recipe| {
@@ -214,7 +214,7 @@ pub(super) fn work_notes(work: &Work) -> Vec<Words> {
             sigma = significant(*sigma, 3)
         ));
     }
-    // Both arms are seen by one camera: what they agree on is said once.
+    // One camera sees both arms: equal notes are shown once.
     for note in work.tracks().iter().flat_map(Track::camera) {
         if !notes.contains(&note) {
             notes.push(note);

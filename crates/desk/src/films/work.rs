@@ -1,4 +1,4 @@
-//! What a person has said of a film, and what has been found in it.
+//! Stored work on a film: user input and results.
 
 use crate::films::identity::FilmIdentity;
 use crate::films::lengths::CalibrationForm;
@@ -7,40 +7,40 @@ use crate::films::subject::Subject;
 use film::calibration::Calibration;
 use film::tracking::{Point, Track};
 
-/// The work on a film: all that is there again when the same film is opened.
+/// Work on a film, restored when the same film is opened again.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Work {
     pub identity: FilmIdentity,
-    /// How many times slower the film plays than things happened, where a person has said so.
+    /// Factor of slow motion set by the user.
     pub factor: Option<f64>,
-    /// The same by what the file says; 1 where it says nothing.
+    /// Factor of slow motion by the file; 1 if it states none.
     pub stated_factor: f64,
-    /// The part that is used, in seconds of the file.
+    /// Used part, s of playback.
     pub part: [Option<f64>; 2],
-    /// The first and the last frame of the part.
+    /// First and last frame of the part.
     pub ends: [usize; 2],
     pub subject: Subject,
-    /// Marks that rest, clicked in the first frame of the part.
+    /// Resting marks in the first frame of the part, px.
     pub marks: Vec<[f64; 2]>,
-    /// What a person has said of lengths.
+    /// Calibration form of the user.
     pub form: CalibrationForm,
-    /// The map that follows from it, from pixels of the upright picture.
+    /// Map that follows from the form, from px of the upright picture.
     pub calibration: Calibration,
     pub found: Option<Found>,
-    /// How the film was taken, if it is that of a simulation.
+    /// Recipe of the film, if it is that of a simulation.
     pub recipe: Option<FilmRecipe>,
-    /// The record that the film has become; there may be none of this id any more.
+    /// Number of the record of the film. The record may have been removed.
     pub record: Option<u32>,
 }
 
-/// What has been found in a film.
+/// Result of tracking a film.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Found {
-    /// In pixels of the upright picture, in the order of what is followed.
+    /// Tracks in px of the upright picture, in the order of the subject.
     pub tracks: Vec<Track>,
-    /// The frames in which something was sought, with the times at which they were taken, in seconds.
+    /// Tracked frames with their recording times, s.
     pub frames: Vec<(usize, f64)>,
-    /// The factor with which times were computed then.
+    /// Factor of slow motion at that time.
     pub factor: f64,
     /// Frames that repeat the picture before and were left out.
     pub repeated: Vec<usize>,
@@ -51,7 +51,7 @@ impl Work {
         self.factor.unwrap_or(self.stated_factor)
     }
 
-    /// What has been found in the part of the film that is used, with the times of the present factor.
+    /// Tracks in the used part of the film, with times by the present factor.
     pub fn tracks(&self) -> Vec<Track> {
         let Some(found) = &self.found else { return Vec::new() };
         let [first, last] = self.ends;
@@ -76,7 +76,7 @@ impl Work {
         found.tracks.iter().map(track).collect()
     }
 
-    /// When a frame was taken, in seconds, if something was sought in it.
+    /// Recording time of a tracked frame, s.
     pub fn taken(&self, frame: usize) -> Option<f64> {
         let found = self.found.as_ref()?;
         let at = found.frames.binary_search_by_key(&frame, |frame| frame.0).ok()?;

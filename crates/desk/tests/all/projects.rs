@@ -2,7 +2,7 @@
 
 use crate::support::utube;
 use desk::document::page::Source;
-use desk::document::project::Project;
+use desk::saved::project::Project;
 use proptest::prelude::*;
 
 const RECORD: &[u8] = b"t [s],y [m]\n0,0.5\n0.5,0.2\n1,-0.3\n1.5,-0.45\n2,-0.1\n2.5,0.3\n3,0.44\n";

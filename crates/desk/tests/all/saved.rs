@@ -1,16 +1,17 @@
-//! The storage format: data of earlier versions, damaged data, and round trips.
+//! The storage format: stored data, damaged data, and round trips.
 
 use crate::support::{bring_back_texts, utube};
-use desk::{Change, Desk, Differentiation, Item, Left, Shelf};
+use desk::saved::Item;
+use desk::{Desk, Differentiation, Visit};
 use play::Grade;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-const RECORD: &str = include_str!("earlier/record.txt");
-const OTHER: &str = include_str!("earlier/other-record.txt");
-const FIT: &str = include_str!("earlier/fit.txt");
-const FIT_OF_TWO: &str = include_str!("earlier/fit-of-two.txt");
+const RECORD: &str = include_str!("stored/record.json");
+const OTHER: &str = include_str!("stored/other-record.json");
+const FIT: &str = include_str!("stored/fit.json");
+const FIT_OF_TWO: &str = include_str!("stored/fit-of-two.json");
 
 fn linear() -> Desk {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../simulations/theories");
@@ -18,62 +19,32 @@ fn linear() -> Desk {
     Desk::open(desk::document::open(&read("linear.md"), &[&read("linear.es.md")]).document.unwrap())
 }
 
-/// A storage, as a page uses it.
-#[derive(Default)]
-struct Visit {
-    desk: Option<Desk>,
-    records: Shelf,
-    fits: Shelf,
+/// Storage key of the open document.
+const DOCUMENT: &str = "linear";
+
+/// Opens a page with this storage. Returns its desk, its visit, and the number of records without room.
+fn begin(storage: &mut BTreeMap<String, String>) -> (Desk, Visit, usize) {
+    let (mut desk, mut visit) = (linear(), Visit::default());
+    let closed = visit.restore_measured(&mut desk, storage);
+    (desk, visit, closed)
 }
 
-impl Visit {
-    /// Opens the page. Returns the visit, and the keys that remain unused in the storage.
-    fn begin(storage: &BTreeMap<String, String>) -> (Self, [Left; 2]) {
-        let (mut desk, mut visit) = (linear(), Self::default());
-        let named = |kind: &str, name: Option<String>| name.map(|name| format!("{kind}:{name}"));
-        let stored = |prefix: &str| -> Vec<(String, String)> {
-            let own = storage.iter().filter(|(key, _)| key.starts_with(prefix));
-            own.map(|(key, text)| (key.clone(), text.clone())).collect()
-        };
-        let records = visit.records.read(stored("record"), |_, item| named("record", desk.restore_record(item)));
-        let fits = visit.fits.read(stored("fit"), |_, item| named("fit", desk.restore_fit(item)));
-        visit.desk = Some(desk);
-        (visit, [records, fits])
-    }
-
-    fn save(&mut self, storage: &mut BTreeMap<String, String>) {
-        let desk = self.desk.as_ref().unwrap();
-        for (shelf, prefix, items) in
-            [(&mut self.records, "record:", desk.saved_records()), (&mut self.fits, "fit:", desk.saved_fits())]
-        {
-            let items = items.into_iter().map(|(name, item)| (format!("{prefix}{name}"), item)).collect();
-            for change in shelf.keep(items, 9000, |key| storage.contains_key(key)) {
-                match change {
-                    Change::Write(key, text) => drop(storage.insert(key, text)),
-                    Change::Remove(key) => drop(storage.remove(&key)),
-                }
-            }
-        }
-    }
-}
-
-fn earlier() -> BTreeMap<String, String> {
+fn stored() -> BTreeMap<String, String> {
     [
-        ("record:159d2ddcf951f93c", format!("1000\n{RECORD}")),
-        ("record:ad6a005bfab9dd0f", format!("900\n{OTHER}")),
-        ("fit:fc704d21dc511cbb", format!("2000\n{FIT}")),
-        ("fit:32b1c3fa448d2a8c", format!("3000\n{FIT_OF_TWO}")),
+        ("record:159d2ddcf951f93c", RECORD),
+        ("record:ad6a005bfab9dd0f", OTHER),
+        ("fit:fc704d21dc511cbb", FIT),
+        ("fit:32b1c3fa448d2a8c", FIT_OF_TWO),
     ]
-    .map(|(key, text)| (key.to_owned(), text))
+    .map(|(key, text)| (key.to_owned(), text.to_owned()))
     .into()
 }
 
 #[test]
-fn what_earlier_versions_have_stored_comes_back_and_is_stored_anew() {
-    let mut storage = earlier();
-    let (mut visit, left) = Visit::begin(&storage);
-    assert_eq!(left, [Left::default(), Left::default()]);
-    let desk = visit.desk.as_mut().unwrap();
+fn records_and_fits_come_back_and_are_stored_once() {
+    let mut storage = stored();
+    let (mut desk, mut visit, closed) = begin(&mut storage);
+    assert_eq!(closed, 0);
     let names: Vec<(String, bool, usize)> =
         desk.records().into_iter().map(|record| (record.name, record.shown, record.columns.len())).collect();
     assert_eq!(names, [("tube 2.txt".into(), false, 2), ("vídeo 1.txt".into(), true, 4)]);
@@ -88,25 +59,27 @@ fn what_earlier_versions_have_stored_comes_back_and_is_stored_anew() {
     desk.set_same(gamma, false);
     assert!(desk.fit_choices()[gamma].values.iter().any(|known| known.text == "0.41"));
 
-    // Records keep their keys, fits get new ones, and no item is stored twice.
-    visit.save(&mut storage);
-    let keys: Vec<&str> = storage.keys().map(String::as_str).collect();
-    assert_eq!(&keys[2..], ["record:159d2ddcf951f93c", "record:ad6a005bfab9dd0f"]);
-    assert_eq!(keys.len(), 4);
-    assert!(storage.values().all(|text| text.starts_with("{\"meniscus\":3,\"since\":")), "{storage:?}");
-    let since = |key: &str| Item::read(&storage[key]).unwrap().0;
-    assert_eq!([keys[2], keys[3]].map(since), [1000, 900]);
-    // The fits keep their times under the new keys.
-    let times = [keys[0], keys[1]].map(since);
-    assert_eq!(times.iter().min().zip(times.iter().max()), Some((&2000, &3000)));
+    // No item is stored twice, and each keeps its time.
+    assert!(visit.save(&desk, &mut storage, DOCUMENT, 9000));
+    let items = |storage: &BTreeMap<String, String>| -> Vec<(String, u64)> {
+        let items = storage.iter().filter(|(key, _)| !key.starts_with("state:"));
+        items.map(|(key, text)| (key.clone(), Item::read(text).unwrap().0)).collect()
+    };
+    let kept = items(&storage);
+    let times = |kind: &str| -> Vec<u64> {
+        let mut times: Vec<u64> =
+            kept.iter().filter(|(key, _)| key.starts_with(kind)).map(|(_, since)| *since).collect();
+        times.sort_unstable();
+        times
+    };
+    assert_eq!((times("record:"), times("fit:")), (vec![900, 1000], vec![2000, 3000]));
+    assert!(kept.iter().any(|(key, _)| key == "record:159d2ddcf951f93c"), "{kept:?}");
     let written = storage.clone();
 
-    let (mut later, left) = Visit::begin(&storage);
-    assert_eq!(left, [Left::default(), Left::default()]);
-    later.save(&mut storage);
+    let (mut later, mut other, _) = begin(&mut storage);
+    other.save(&later, &mut storage, DOCUMENT, 9000);
     assert_eq!(storage, written, "another visit changes nothing");
-    for visit in [&mut visit, &mut later] {
-        let desk = visit.desk.as_mut().unwrap();
+    for desk in [&mut desk, &mut later] {
         while desk.advance_fit() {}
         let fits = desk.fits();
         assert_eq!(fits.len(), 2);
@@ -116,42 +89,25 @@ fn what_earlier_versions_have_stored_comes_back_and_is_stored_anew() {
         assert_eq!(losses.iter().filter(|tukey| **tukey).count(), 1);
         assert!(fits.iter().any(|fit| fit.records == ["vídeo 1.txt", "tube 2.txt"]));
     }
-    let details = |visit: &Visit| {
-        let desk = visit.desk.as_ref().unwrap();
-        desk.fits().iter().map(|fit| desk.fit_detail(fit.id)).collect::<Vec<_>>()
-    };
-    assert_eq!(details(&visit), details(&later));
+    let details = |desk: &Desk| desk.fits().iter().map(|fit| desk.fit_detail(fit.id)).collect::<Vec<_>>();
+    assert_eq!(details(&desk), details(&later));
 }
 
 #[test]
-fn the_first_versions_had_one_text_for_all() {
-    let (mut desk, mut shelf) = (linear(), Shelf::default());
-    let document = play::name_of(&[&desk.document().source]);
-    let virtual_record = format!(
-        "virtual\nvirtual shown 16   {document} found=1.5e0 1=2e-2\nL=2e-1;gamma=4e-1\n\n0 1\n1 2\n2 4\n3 1\n\n"
-    );
-    let records = format!("{RECORD}{}{virtual_record}", OTHER.strip_prefix("meniscus records 1\n").unwrap());
-    let left = shelf.read([("records".to_owned(), records)], |_, item| desk.restore_record(item));
-    assert_eq!(left, Left::default());
-    assert_eq!(
-        desk.records().iter().map(|record| record.synthetic).collect::<Vec<_>>(),
-        [false, false, true],
-        "{:?}",
-        desk.records().iter().map(|record| &record.name).collect::<Vec<_>>()
-    );
-    let saved = desk.saved_records();
-    let text = saved[2].1.write(0);
-    for part in [r#""truth":[["L",0.2],["gamma",0.4]]"#, r#""origin":1.5,"origin_fitted":true,"offsets":[[1,0.02]]"#] {
-        assert!(text.contains(part), "{text}");
-    }
-    let changes = shelf.keep(saved, 5, |key| key == "records");
-    assert_eq!(changes.len(), 4);
-    let times = changes.iter().filter_map(|change| match change {
-        Change::Write(_, text) => Item::read(text).map(|(since, _)| since),
-        Change::Remove(_) => None,
-    });
-    assert_eq!(times.collect::<Vec<_>>(), [0, 1, 2], "their order stays");
-    assert_eq!(changes[3], Change::Remove("records".into()), "after all of them have been written");
+fn what_another_page_removed_is_gone() {
+    let mut storage = stored();
+    let (mut desk, mut visit, _) = begin(&mut storage);
+    visit.save(&desk, &mut storage, DOCUMENT, 9000);
+    let (other, mut their_visit, _) = begin(&mut storage);
+    let record = desk.records()[1].id;
+    desk.remove_record(record);
+    visit.save(&desk, &mut storage, DOCUMENT, 9001);
+    their_visit.save(&other, &mut storage, DOCUMENT, 9002);
+    assert!(!storage.contains_key("record:159d2ddcf951f93c"));
+    // Its fits go at the next visit.
+    let (desk, mut visit, _) = begin(&mut storage);
+    visit.save(&desk, &mut storage, DOCUMENT, 9003);
+    assert_eq!(storage.keys().filter(|key| key.starts_with("fit:")).count(), 0);
 }
 
 #[test]
@@ -170,9 +126,10 @@ fn a_record_that_there_is_no_room_for_stays_in_the_storage() {
         .collect();
     assert_eq!(storage.len(), 2);
     let mut after = storage.clone();
-    let (mut visit, [left, _]) = Visit::begin(&storage);
-    assert_eq!((left.refused.len(), left.unreadable.len()), (1, 0));
-    visit.save(&mut after);
+    let (desk, mut visit, closed) = begin(&mut after);
+    assert_eq!(closed, 1);
+    visit.save(&desk, &mut after, DOCUMENT, 9000);
+    after.retain(|key, _| !key.starts_with("state:"));
     assert_eq!(after, storage);
 }
 
@@ -186,26 +143,23 @@ fn answers_come_back() {
     assert_eq!(saved.len(), 2);
     let mut later = utube();
     for (name, item) in &saved {
-        let (_, items) = Item::read(&item.write(3)).unwrap();
-        assert!(later.restore_answer(name, &items[0]) && !later.restore_answer("x", &items[0]));
-        assert_eq!((later.restore_record(&items[0]), later.restore_fit(&items[0])), (None, None));
+        let (_, item) = Item::read(&item.write(3)).unwrap();
+        assert!(later.restore_answer(name, &item) && !later.restore_answer("x", &item));
+        assert_eq!((later.restore_record(&item), later.restore_fit(&item)), (None, None));
     }
     assert_eq!(later.saved_answers(), saved);
     assert_eq!(
         [0, 1].map(|question| later.play().answers().answer(later.play().basis(), question)),
         [0, 1].map(|question| desk.play().answers().answer(desk.play().basis(), question))
     );
-    // The format of earlier versions.
-    let (since, items) = Item::read("77\n9.81 m/s²\nscale\nrevealed").unwrap();
-    assert_eq!(since, 77);
-    assert!(later.restore_answer(&saved[0].0, &items[0]));
+    let text = r#"{"meniscus":3,"since":7,"item":{"answer":{"typed":"9.81 m/s²","grade":"scale","revealed":true}}}"#;
+    let (since, item) = Item::read(text).unwrap();
+    assert_eq!(since, 7);
+    assert!(later.restore_answer(&saved[0].0, &item));
     let answer = later.play().answers().answer(later.play().basis(), 0);
     assert_eq!((answer.typed.as_str(), answer.revealed), ("9.81 m/s²", true));
     assert_eq!(answer.verdict.map(|verdict| verdict.grade), Some(Grade::WrongScale));
-    assert_eq!(
-        later.saved_answers()[0].1.write(7),
-        r#"{"meniscus":3,"since":7,"item":{"answer":{"typed":"9.81 m/s²","grade":"scale","revealed":true}}}"#
-    );
+    assert_eq!(later.saved_answers()[0].1.write(7), text);
 }
 
 /// A record with every possible setting.
@@ -258,12 +212,12 @@ proptest! {
             format!(r#"{{"answer":{{"typed":{text},"grade":{grade}}}}}"#),
         ] {
             let stored = format!(r#"{{"item":{item},"later":[{{}}],"since":{since},"meniscus":3}}"#);
-            let (read_since, items) = Item::read(&stored).expect("an item");
-            prop_assert_eq!((read_since, items.len()), (since, 1));
+            let (read_since, item) = Item::read(&stored).expect("an item");
+            prop_assert_eq!(read_since, since);
             // Compares bits instead of values, because NaN differs from itself.
-            let written = items[0].write(since);
+            let written = item.write(since);
             let (_, again) = Item::read(&written).expect("an item");
-            prop_assert_eq!(again[0].write(since), written.clone());
+            prop_assert_eq!(again.write(since), written.clone());
             for value in values.iter().filter(|value| value.is_finite()).take(1) {
                 let json: serde_json::Value = serde_json::from_str(&written).unwrap();
                 let fit = &json["item"]["fit"]["task"]["parameters"];
@@ -300,9 +254,9 @@ proptest! {
     }
 
     #[test]
-    fn no_text_does_harm(text in ".{0,60}", number in "[0-9]{1,3}\nmeniscus (records|fits) [12]\n[a-z0-9 \n=;,#-]{0,60}") {
+    fn no_text_does_harm(text in ".{0,60}") {
         let mut desk = utube();
-        bring_back_texts(&mut desk, &[&text, &number, &format!("{{{text}}}")]);
+        bring_back_texts(&mut desk, &[&text, &format!("{{{text}}}")]);
     }
 }
 

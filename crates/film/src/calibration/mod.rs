@@ -1,4 +1,4 @@
-//! From pixels to metres.
+//! Conversion of pixels to metres.
 
 mod notes;
 mod rectangle;
@@ -11,34 +11,35 @@ pub use refusal::Refusal;
 pub use ruler::by_marks;
 pub use scale::{CLICK, Mark, Scale};
 
-/// How lengths are found.
+/// Definition of lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Lengths {
-    /// They are not: coordinates stay in pixels.
+    /// No scale: coordinates in px.
     #[default]
     Pixels,
-    /// By the size of a pixel.
+    /// Size of a pixel.
     Scale(Scale),
-    /// By a rectangle in the plane of the motion.
+    /// Rectangle in the plane of the motion.
     Rectangle(Rectangle),
 }
 
-/// By how many quarter turns to the right a film must be turned to be seen upright.
+/// Clockwise rotation from the stored to the upright picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rotation {
-    /// It is upright.
+    /// No rotation.
     #[default]
     None,
-    /// By 90 degrees.
+    /// 90 degrees.
     Quarter,
-    /// By 180 degrees.
+    /// 180 degrees.
     Half,
-    /// By 270 degrees.
+    /// 270 degrees.
     ThreeQuarters,
 }
 
 impl Rotation {
-    /// Where a point of the stored picture, `size` pixels large, is in the upright one.
+    /// Maps a point of the stored picture to the upright one. Coordinates and size (width, height) of the stored
+    /// picture in px.
     pub fn apply(self, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> [f64; 2] {
         match self {
             Self::None => [x, y],
@@ -48,7 +49,7 @@ impl Rotation {
         }
     }
 
-    /// Where a point of the upright picture is in the stored one, which is `size` pixels large.
+    /// Maps a point of the upright picture to the stored one. Inverse of [`Rotation::apply`], with the same size.
     pub fn undo(self, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> [f64; 2] {
         match self {
             Self::None => [x, y],
@@ -58,50 +59,50 @@ impl Rotation {
         }
     }
 
-    /// A direction of the stored picture, in the upright one.
+    /// Maps a direction of the stored picture to the upright one.
     fn turn(self, direction: [f64; 2]) -> [f64; 2] {
         self.apply(direction, [0.0, 0.0])
     }
 
-    /// A direction of the upright picture, in the stored one.
+    /// Maps a direction of the upright picture to the stored one.
     fn turn_back(self, direction: [f64; 2]) -> [f64; 2] {
         self.undo(direction, [0.0, 0.0])
     }
 }
 
-/// A ruler that is not where the motion is.
+/// Correction for a ruler that is nearer or further away than the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parallax {
-    /// By how many metres the ruler is behind what moves; negative in front of it.
+    /// Distance of the ruler behind the motion, m; negative in front of it.
     pub behind: f64,
-    /// The distance in metres from the camera to what moves.
+    /// Distance from the camera to the motion, m.
     pub distance: f64,
 }
 
 impl Parallax {
-    /// The true length for each metre that the ruler shows.
+    /// Ratio of a true length to the length by the ruler.
     pub fn factor(self) -> f64 {
         self.distance / (self.distance + self.behind)
     }
 }
 
-/// The map from pixels of the stored picture to metres, `x` to the right and `y` upwards as the film is seen upright.
+/// Map from px of the stored picture to m. In the upright picture `x` points to the right and `y` up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Calibration {
-    /// How lengths are found.
+    /// Definition of lengths.
     pub lengths: Lengths,
-    /// The point that becomes zero, in pixels of the stored picture.
+    /// Origin of the coordinates, px of the stored picture.
     pub origin: [f64; 2],
-    /// By which angle in radians the axes are turned to the left.
+    /// Counter-clockwise rotation of the axes, rad.
     pub angle: f64,
-    /// How the film must be turned to be upright. A rectangle says itself what is up: its corners are named so.
+    /// Rotation to the upright picture. Ignored for a rectangle, whose corners define the directions.
     pub rotation: Rotation,
-    /// The place of the ruler, if it is not that of the motion.
+    /// Place of the ruler, if it is not in the plane of the motion.
     pub parallax: Option<Parallax>,
 }
 
 impl Calibration {
-    /// The coordinates of a point, in metres, or in pixels without a scale.
+    /// Coordinates of a point of the stored picture (px), in m, or in px without a scale.
     pub fn apply(&self, point: [f64; 2]) -> [f64; 2] {
         let factor = self.parallax.map_or(1.0, Parallax::factor);
         let [x, y] = match &self.lengths {
@@ -121,7 +122,8 @@ impl Calibration {
         [pixel * x, -pixel * y]
     }
 
-    /// The point in pixels of the stored picture that has these coordinates; it is not finite where no point has them.
+    /// Point of the stored picture (px) with these coordinates. Inverse of [`Calibration::apply`]. Not finite if there
+    /// is no such point.
     pub fn undo(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let (sine, cosine) = libm::sincos(self.angle);
         let factor = self.parallax.map_or(1.0, Parallax::factor);
@@ -131,7 +133,7 @@ impl Calibration {
             [self.origin[0] + u, self.origin[1] + v]
         };
         match &self.lengths {
-            // Without a scale nothing is corrected for the place of the ruler.
+            // Without a scale the place of the ruler has no effect.
             Lengths::Pixels => downwards(1.0 / factor),
             Lengths::Scale(scale) => downwards(scale.pixel),
             Lengths::Rectangle(rectangle) => {
@@ -141,9 +143,10 @@ impl Calibration {
         }
     }
 
-    /// The standard errors of the coordinates of a point with such errors in pixels, without that of the scale.
+    /// Standard errors of the coordinates, in m or px, from those of `point` in px. The error of the scale is not
+    /// included.
     pub fn sigma(&self, point: [f64; 2], sigma: [f64; 2]) -> [f64; 2] {
-        // The map is as good as linear over an error: a small difference shows its slope.
+        // The map is practically linear over a standard error, so that a central difference gives the slope.
         let slope = |step: [f64; 2]| {
             let (a, b) = (
                 self.apply([point[0] - step[0], point[1] - step[1]]),
@@ -155,8 +158,8 @@ impl Calibration {
         [0, 1].map(|k| libm::hypot(across[k], down[k]))
     }
 
-    /// The direction in which the level in a tube grows, of length 1 in these coordinates, for a tube with this direction in pixels:
-    /// from its lower end to the upper one, or to the right. And how long a pixel along it is.
+    /// Unit vector, in these coordinates, in which the level rises in a tube of this direction (px): up, or to the
+    /// right in a horizontal tube. Also the length of a pixel along it, m or px.
     pub fn upwards_along(&self, direction: [f64; 2]) -> ([f64; 2], f64) {
         let zero = self.apply(self.origin);
         let end = self.apply([0, 1].map(|k| self.origin[k] + direction[k]));
@@ -166,7 +169,7 @@ impl Calibration {
         (axis.map(|part| sense * part / pixel), pixel)
     }
 
-    /// The relative standard error that all lengths share; `None` without a scale.
+    /// Relative standard error of the scale, shared by all lengths; `None` without a scale.
     pub fn relative_sigma(&self) -> Option<f64> {
         match &self.lengths {
             Lengths::Pixels => None,

@@ -1,11 +1,11 @@
-//! What a person should know of lengths, in words.
+//! Notes on the calibration, as text.
 
 use crate::calibration::{Calibration, Lengths};
 use units::number::plain;
 use units::{Words, words};
 
 impl Calibration {
-    /// The size of a pixel, the error that all lengths share, and what lengths are corrected for.
+    /// Notes for the user: size of a pixel, error of the scale and correction for the place of the ruler.
     pub fn notes(&self) -> Vec<Words> {
         let sigma = self.relative_sigma().map(|sigma| significant(100.0 * sigma, 2));
         let scale = match (&self.lengths, sigma) {

@@ -1,29 +1,30 @@
-//! A plane that is seen at an angle.
+//! Calibration by a plane that is seen at an angle.
 
 use crate::calibration::refusal::Refusal;
 
-/// The projective map from pixels to a plane in metres, by the corners of a rectangle in that plane.
+/// Projective map from px to m in a plane, by the corners of a rectangle in that plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rectangle {
-    /// The corners in pixels: bottom left, bottom right, top right, top left.
+    /// Corners in px: bottom left, bottom right, top right, top left.
     pub corners: [[f64; 2]; 4],
-    /// Width and height in metres.
+    /// Width and height, m.
     pub size: [f64; 2],
-    /// The relative standard error of lengths, from the errors of the clicks.
+    /// Relative standard error of lengths, from the errors of the clicks.
     pub relative_sigma: f64,
-    /// From (x, y, 1) in pixels to homogeneous coordinates of the unit square.
+    /// Maps (x, y, 1) in px to homogeneous coordinates of the unit square.
     map: [[f64; 3]; 3],
 }
 
 impl Rectangle {
-    /// From the corners in pixels (bottom left, bottom right, top right, top left) and width and height in metres; `click` is the standard
-    /// error of each coordinate of a click, in pixels.
+    /// Map by `corners` in px (bottom left, bottom right, top right, top left) and `size` (width, height) in m.
+    /// `click`: standard error of each coordinate of a click, px.
     ///
-    /// P. S. Heckbert, *Fundamentals of Texture Mapping and Image Warping* (Berkeley 1989), section 2.2.3.
+    /// Heckbert, *Fundamentals of Texture Mapping and Image Warping* (Berkeley 1989), section 2.2.3.
     ///
     /// # Errors
     ///
-    /// Where the corners form no convex quadrangle in this order, or a length is not positive.
+    /// [`Refusal::Length`] for a size that is not positive, [`Refusal::Corners`] if the corners are not a convex
+    /// quadrangle in this order.
     pub fn new(corners: [[f64; 2]; 4], size: [f64; 2], click: f64) -> Result<Rectangle, Refusal> {
         if !size.iter().all(|length| *length > 0.0 && length.is_finite()) {
             return Err(Refusal::Length);
@@ -32,7 +33,7 @@ impl Rectangle {
             let [a, b, c] = [corners[k], corners[(k + 1) % 4], corners[(k + 2) % 4]];
             (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
         };
-        // y grows downwards: this order turns to the left, which is negative there.
+        // With `y` downwards, a turn to the left is negative.
         if !(0..4).all(|k| turn(k) < -25.0 && turn(k).is_finite()) {
             return Err(Refusal::Corners);
         }
@@ -51,18 +52,18 @@ impl Rectangle {
             let (a, b) = (corners[k], corners[(k + 1) % 4]);
             libm::hypot(b[0] - a[0], b[1] - a[1])
         };
-        // Two sides of each direction, each with two clicks.
+        // Two sides per direction, each with two clicks.
         let mean = (0..4).map(side).sum::<f64>() / 4.0;
         Ok(Rectangle { corners, size, relative_sigma: click / mean, map: adjugate(square) })
     }
 
-    /// The point of the plane in metres, to the right and upwards from the bottom left corner, and of infinite coordinates on the horizon.
+    /// Point of the plane in m from the bottom left corner, to the right and up. Infinite on the horizon.
     pub fn apply(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [u, v, w] = self.map.map(|row| row[0] * x + row[1] * y + row[2]);
         [self.size[0] * u / w, self.size[1] * v / w]
     }
 
-    /// The point in pixels that is at this place of the plane, in metres.
+    /// Point in px of a point of the plane in m. Inverse of [`Rectangle::apply`].
     pub fn undo(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [x, y] = [x / self.size[0], y / self.size[1]];
         let [u, v, w] = adjugate(self.map).map(|row| row[0] * x + row[1] * y + row[2]);
@@ -70,7 +71,7 @@ impl Rectangle {
     }
 }
 
-/// The inverse of a matrix, up to a factor.
+/// Inverse of a matrix up to a factor.
 fn adjugate(m: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     let minor = |row: usize, column: usize| {
         let (r, s) = ((row + 1) % 3, (row + 2) % 3);

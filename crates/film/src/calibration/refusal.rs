@@ -1,22 +1,22 @@
-//! Why a calibration is not possible.
+//! Errors of calibration.
 
 use units::{Words, words};
 
-/// Why a calibration is not possible.
+/// Reason why a calibration is not possible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// The marks lie too close together, or a coordinate is not finite.
+    /// The marks are too close together, or a coordinate is not finite.
     Close,
     /// A length is not positive.
     Length,
-    /// The corners are not those of a rectangle that is seen from one side.
+    /// The corners are not those of a rectangle seen from one side.
     Corners,
-    /// The ruler shows no marks at this spacing.
+    /// The ruler has no visible marks at this spacing.
     Marks,
 }
 
 impl Refusal {
-    /// The message for people: what happened, and what to do.
+    /// Message: what happened, and what to do.
     pub fn words(self) -> Words {
         match self {
             Self::Close => words(

@@ -1,40 +1,40 @@
-//! The size of a pixel from all marks of a ruler.
+//! Size of a pixel from all marks of a ruler.
 
 use crate::calibration::refusal::Refusal;
 use crate::calibration::scale::{Scale, distance};
 use crate::plane::Plane;
 
-/// Samples a pixel along the ruler.
+/// Samples per px along the ruler.
 const DENSITY: f64 = 2.0;
-/// Pixels to both sides of the line that are averaged.
+/// Pixels on each side of the line that are averaged.
 const ASIDE: i32 = 2;
-/// The amplitude of the marks over the scatter of the profile that remains, at least.
+/// Minimum amplitude of the marks relative to the residual scatter of the profile.
 const CLEAR: f64 = 0.5;
-/// Samples along the line at most.
+/// Maximum number of samples along the line.
 const SAMPLES: f64 = 20_000.0;
 
-/// The size of a pixel from the spacing of a ruler's marks along the line between two of them, with `intervals` of `length`
-/// metres between the two.
+/// Size of a pixel from the spacing of the marks between two clicks. `ends`: the clicks, px; `intervals`: number of
+/// intervals between them; `length`: length of one interval, m.
 ///
-/// The frequency of a sinusoid that fits the profile best, near the one that the two clicks give; its error is the bound of
-/// D. C. Rife and R. R. Boorstyn, *IEEE Trans. Inf. Theory* 20 (1974) 591, with everything that the sinusoid leaves taken for noise.
+/// Fits the frequency of a sinusoid to the profile, near that of the two clicks. Its error is the bound of Rife and
+/// Boorstyn, *IEEE Trans. Inf. Theory* 20 (1974) 591, with the residual taken as noise.
 ///
 /// # Errors
 ///
-/// Where the marks lie too close together, or the ruler shows no regular marks.
+/// [`Refusal::Close`] or [`Refusal::Length`] for invalid input, [`Refusal::Marks`] if no regular marks are visible.
 pub fn by_marks(plane: &Plane, ends: [[f64; 2]; 2], intervals: u32, length: f64) -> Result<Scale, Refusal> {
     let distance = distance(ends)?;
     if !(length > 0.0 && length.is_finite()) {
         return Err(Refusal::Length);
     }
     let count = (distance * DENSITY).min(SAMPLES).floor();
-    // A mark needs some pixels, and a frequency some marks.
+    // A mark needs at least three pixels, a frequency three intervals.
     if intervals < 3 || f64::from(intervals) * 3.0 > distance {
         return Err(Refusal::Marks);
     }
     let profile = profile(plane, ends, count);
     let coarse = f64::from(intervals);
-    // Between half an interval more and less: golden section, since the power has one peak there.
+    // Within half an interval of the clicks the power has one maximum: golden-section search.
     let (mut low, mut high) = (coarse - 0.5, coarse + 0.5);
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
     for _ in 0..40 {
@@ -43,19 +43,19 @@ pub fn by_marks(plane: &Plane, ends: [[f64; 2]; 2], intervals: u32, length: f64)
     }
     let cycles = (low + high) / 2.0;
     let (power, total) = power(&profile, cycles);
-    // A sinusoid of amplitude A has the power A²/4 times the square of the weights.
+    // A sinusoid of amplitude A has the power A²/4 with normalized weights.
     let amplitude = 2.0 * power.sqrt();
     let noise = (total - amplitude * amplitude / 2.0).max(0.0).sqrt();
     if (cycles - coarse).abs() > 0.45 || amplitude.is_nan() || amplitude < CLEAR * noise {
         return Err(Refusal::Marks);
     }
-    // The window leaves half of the samples; neighbouring samples of one pixel are no independent ones.
+    // The window halves the effective number of samples, and samples within a pixel are not independent.
     let independent = count / DENSITY / 2.0;
     let sigma = (24.0 / independent).sqrt() * noise / amplitude / std::f64::consts::TAU;
     Ok(Scale { pixel: length * cycles / distance, relative_sigma: sigma / cycles })
 }
 
-/// The grey values along a line with the weights of a window (J. von Hann), about their weighted mean.
+/// Grey values along a line of px coordinates, minus their weighted mean, with normalized weights of a Hann window.
 fn profile(plane: &Plane, [from, to]: [[f64; 2]; 2], count: f64) -> Vec<(f64, f64)> {
     let along = [to[0] - from[0], to[1] - from[1]];
     let length = libm::hypot(along[0], along[1]);
@@ -80,7 +80,7 @@ fn profile(plane: &Plane, [from, to]: [[f64; 2]; 2], count: f64) -> Vec<(f64, f6
     profile
 }
 
-/// The power at so many cycles over the profile, and the variance of the profile.
+/// Power at `cycles` periods over the profile, and the variance of the profile.
 fn power(profile: &[(f64, f64)], cycles: f64) -> (f64, f64) {
     let (mut cosine, mut sine, mut total) = (0.0, 0.0, 0.0);
     for (k, (value, weight)) in profile.iter().enumerate() {

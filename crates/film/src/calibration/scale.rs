@@ -1,27 +1,28 @@
-//! The size of a pixel.
+//! Size of a pixel.
 
 use crate::calibration::refusal::Refusal;
 
-/// The standard error of a click with a loupe, in pixels.
+/// Standard error of a coordinate of a click with the loupe, px.
 pub const CLICK: f64 = 0.5;
-/// Marks closer than this, in pixels, give no scale.
+/// Minimum distance between marks, px.
 const CLOSEST: f64 = 5.0;
 
-/// How large a pixel is.
+/// Size of a pixel with its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// Metres.
+    /// Size of a pixel, m.
     pub pixel: f64,
-    /// Its relative standard error, which all lengths share.
+    /// Relative standard error, shared by all lengths.
     pub relative_sigma: f64,
 }
 
 impl Scale {
-    /// From two marks at a known distance in metres. `click` is the standard error of each coordinate of a click, in pixels.
+    /// Scale from two marks in px at the distance `length` in m. `click`: standard error of each coordinate of a click,
+    /// px.
     ///
     /// # Errors
     ///
-    /// Where the marks lie too close together or the length is not positive.
+    /// [`Refusal::Close`] if the marks are too close together, [`Refusal::Length`] if the length is not positive.
     pub fn between(marks: [[f64; 2]; 2], length: f64, click: f64) -> Result<Scale, Refusal> {
         let distance = distance(marks)?;
         if !(length > 0.0 && length.is_finite()) {
@@ -30,12 +31,12 @@ impl Scale {
         Ok(Scale { pixel: length / distance, relative_sigma: std::f64::consts::SQRT_2 * click / distance })
     }
 
-    /// From several marks of a ruler by least squares along it. The error follows from the scatter of the marks from three on, and
-    /// from `click` for two.
+    /// Scale from several marks of a ruler by linear regression along it. With three marks or more the error follows
+    /// from their scatter, with two from `click` (px).
     ///
     /// # Errors
     ///
-    /// Where all marks lie too close together or have the same number.
+    /// [`Refusal::Close`] if all marks are too close together, [`Refusal::Length`] if all have the same number.
     pub fn along(marks: &[Mark], click: f64) -> Result<Scale, Refusal> {
         let count = marks.len() as f64;
         let mean = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>() / count;
@@ -51,7 +52,7 @@ impl Scale {
         if !(spread > 0.0 && spread.is_finite()) {
             return Err(Refusal::Length);
         }
-        // Pixels a metre, in both coordinates.
+        // Pixels per metre in both coordinates.
         let (u, v) = (u / spread, v / spread);
         let metre = libm::hypot(u, v);
         let first = marks.iter().map(|mark| mark.number).fold(f64::INFINITY, f64::min);
@@ -73,16 +74,20 @@ impl Scale {
     }
 }
 
-/// A clicked mark of a ruler.
+/// Clicked mark of a ruler.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
-    /// Where it is, in pixels.
+    /// Position, px.
     pub position: [f64; 2],
-    /// The number that stands at it, in metres.
+    /// Number on the ruler, m.
     pub number: f64,
 }
 
-/// The distance of two marks in pixels.
+/// Distance between two marks, px.
+///
+/// # Errors
+///
+/// [`Refusal::Close`] if they are too close together.
 pub(crate) fn distance([[x, y], [u, v]]: [[f64; 2]; 2]) -> Result<f64, Refusal> {
     let distance = libm::hypot(u - x, v - y);
     if distance.is_finite() && distance >= CLOSEST { Ok(distance) } else { Err(Refusal::Close) }

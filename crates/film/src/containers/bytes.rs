@@ -1,11 +1,11 @@
-//! Numbers from the front of a slice, whichever end of them comes first.
+//! Reading of big-endian and little-endian numbers from the front of a byte slice.
 
-/// What is left of a slice. Every method takes from its front and returns `None` if too little is left.
+/// Rest of a byte slice. Each method removes bytes from its front and returns `None` if too few are left.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bytes<'a>(pub(super) &'a [u8]);
 
 impl<'a> Bytes<'a> {
-    /// So many bytes.
+    /// Next `count` bytes.
     pub(super) fn take(&mut self, count: usize) -> Option<&'a [u8]> {
         let (taken, rest) = self.0.split_at_checked(count)?;
         self.0 = rest;
@@ -16,27 +16,26 @@ impl<'a> Bytes<'a> {
         self.take(N)?.try_into().ok()
     }
 
-    /// A byte.
     pub(super) fn u8(&mut self) -> Option<u8> {
         self.array().map(u8::from_be_bytes)
     }
 
-    /// Two bytes, big end first.
+    /// Big-endian number of two bytes.
     pub(super) fn u16(&mut self) -> Option<u16> {
         self.array().map(u16::from_be_bytes)
     }
 
-    /// Four bytes, big end first.
+    /// Big-endian number of four bytes.
     pub(super) fn u32(&mut self) -> Option<u32> {
         self.array().map(u32::from_be_bytes)
     }
 
-    /// Four bytes with a sign, big end first.
+    /// Signed big-endian number of four bytes.
     pub(super) fn i32(&mut self) -> Option<i32> {
         self.array().map(i32::from_be_bytes)
     }
 
-    /// Eight bytes, big end first.
+    /// Big-endian number of eight bytes.
     pub(super) fn u64(&mut self) -> Option<u64> {
         self.array().map(u64::from_be_bytes)
     }
@@ -46,17 +45,17 @@ impl<'a> Bytes<'a> {
         self.array()
     }
 
-    /// Two bytes, little end first.
+    /// Little-endian number of two bytes.
     pub(super) fn u16_le(&mut self) -> Option<u16> {
         self.array().map(u16::from_le_bytes)
     }
 
-    /// Four bytes, little end first.
+    /// Little-endian number of four bytes.
     pub(super) fn u32_le(&mut self) -> Option<u32> {
         self.array().map(u32::from_le_bytes)
     }
 
-    /// Eight bytes, little end first.
+    /// Little-endian number of eight bytes.
     pub(super) fn u64_le(&mut self) -> Option<u64> {
         self.array().map(u64::from_le_bytes)
     }

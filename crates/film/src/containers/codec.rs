@@ -1,9 +1,9 @@
-//! How frames are coded, in the words that a decoder of the browser wants (W3C, WebCodecs Codec Registry).
+//! Video codings and the codec strings that WebCodecs expects (W3C, WebCodecs Codec Registry).
 
 use super::bytes::Bytes;
 use std::fmt::Write;
 
-/// A way of coding frames.
+/// Video coding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coding {
     /// H.264 (AVC).
@@ -16,25 +16,25 @@ pub enum Coding {
     Vp9,
     /// AV1.
     Av1,
-    /// A JPEG picture for each frame (Motion JPEG).
+    /// Motion JPEG: one JPEG picture per frame.
     Jpeg,
-    /// MPEG-4 Part 2, as XVID and DivX have it. No browser decodes it.
+    /// MPEG-4 Part 2 (XVID, DivX). No browser decodes it.
     Mpeg4,
     /// Apple ProRes. No browser decodes it.
     ProRes,
-    /// Grey values as they are.
+    /// Uncompressed grey values, one byte per pixel.
     Raw,
-    /// Another one, which no browser decodes.
+    /// Another coding, which no browser decodes.
     Other,
 }
 
 impl Coding {
-    /// True if some browsers decode it.
+    /// True if some browsers decode this coding.
     pub fn is_in_browsers(self) -> bool {
         !matches!(self, Self::Mpeg4 | Self::ProRes | Self::Other)
     }
 
-    /// Its name for people; `None` for one that is known by the name in its file alone.
+    /// Display name; `None` for [`Coding::Other`].
     fn name(self) -> Option<&'static str> {
         Some(match self {
             Self::H264 => "H.264",
@@ -51,15 +51,15 @@ impl Coding {
     }
 }
 
-/// What a decoder is configured with.
+/// Configuration of a decoder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Codec {
-    /// The way of coding.
+    /// Video coding.
     pub coding: Coding,
-    /// The codec string, such as `avc1.64001f`; for Motion JPEG, which has an image decoder, the type `image/jpeg`; for codings that
-    /// no browser decodes the name in the file.
+    /// Codec string, such as `avc1.64001f`. Motion JPEG, which an image decoder reads, has the media type `image/jpeg`.
+    /// A coding that no browser decodes has its name in the file.
     pub name: String,
-    /// The `description` of WebCodecs: the record `avcC` or `hvcC`; empty for codings without one.
+    /// `description` of the WebCodecs configuration: the record `avcC` or `hvcC`; empty for other codings.
     pub description: Vec<u8>,
 }
 
@@ -68,12 +68,13 @@ impl Codec {
         Self { coding, name: name.into(), description: Vec::new() }
     }
 
-    /// The name of the coding for people.
+    /// Display name of the coding.
     pub fn label(&self) -> &str {
         self.coding.name().unwrap_or(&self.name)
     }
 
-    /// By the four characters of AVI, QuickTime and the headers of Windows in Matroska (fourcc.org; the table of RIFF tags of ffmpeg).
+    /// Codec by a four-character code, as in AVI, QuickTime and Windows headers in Matroska (fourcc.org; RIFF tags of
+    /// ffmpeg).
     pub(super) fn of_four(four: [u8; 4]) -> Self {
         match &four.map(|byte| byte.to_ascii_uppercase()) {
             b"MJPG" | b"JPEG" | b"DMB1" => Self::jpeg(),
@@ -86,35 +87,35 @@ impl Codec {
         }
     }
 
-    /// A coding that is known by its name in the file alone.
+    /// Unknown coding with its name in the file.
     pub(super) fn other(name: &[u8]) -> Self {
         Self::of(Coding::Other, printable(name))
     }
 
-    /// Motion JPEG.
     pub(super) fn jpeg() -> Self {
         Self::of(Coding::Jpeg, "image/jpeg")
     }
 
-    /// VP8.
     pub(super) fn vp8() -> Self {
         Self::of(Coding::Vp8, "vp8")
     }
 
-    /// H.264 as `entry`, `avc1` or `avc3`, with the record `avcC` (ISO/IEC 14496-15, 5.3.3.1).
+    /// H.264 from the record `avcC` (ISO/IEC 14496-15, 5.3.3.1). `entry`: `avc1` or `avc3`. `None` for an invalid
+    /// record.
     pub(super) fn h264(entry: &str, record: &[u8]) -> Option<Self> {
         let [1, profile, compatibility, level, ..] = record else { return None };
         let name = format!("{entry}.{profile:02x}{compatibility:02x}{level:02x}");
         Some(Self { coding: Coding::H264, name, description: record.to_vec() })
     }
 
-    /// H.264 of unknown profile, until a frame tells it.
+    /// H.264 of unknown profile, until the first frame is read.
     pub(super) fn h264_without_record() -> Self {
         Self::of(Coding::H264, "avc1")
     }
 
-    /// H.264 by the start of a frame, where there is no record: browsers record Matroska so. The parameters then stand before
-    /// each key frame, behind a start code (Rec. ITU-T H.264, 7.3.2.1.1 and B.1).
+    /// H.264 from the start of a frame, for files without a record, such as Matroska recordings of browsers. The
+    /// parameter set stands before each key frame, after a start code (Rec. ITU-T H.264, 7.3.2.1.1 and B.1). `None` if
+    /// it is not found.
     pub(super) fn h264_of_frame(start: &[u8]) -> Option<Self> {
         start.windows(7).find_map(|window| match window {
             [0, 0, 1, unit, profile, compatibility, level] if unit & 0x1f == 7 => {
@@ -124,7 +125,8 @@ impl Codec {
         })
     }
 
-    /// HEVC as `entry`, `hvc1` or `hev1`, with the record `hvcC` (ISO/IEC 14496-15, 8.3.3.1; the string: E.3).
+    /// HEVC from the record `hvcC` (ISO/IEC 14496-15, 8.3.3.1; codec string: E.3). `entry`: `hvc1` or `hev1`. `None`
+    /// for an invalid record.
     pub(super) fn hevc(entry: &str, record: &[u8]) -> Option<Self> {
         let mut bytes = Bytes(record);
         bytes.u8()?;
@@ -142,19 +144,19 @@ impl Codec {
         Some(Self { coding: Coding::Hevc, name, description: record.to_vec() })
     }
 
-    /// VP9 of this profile, level (ten times its number; 0 if not known) and bit depth.
+    /// VP9 with profile, level (10 times the level number, 0 if unknown) and bit depth.
     pub(super) fn vp9(profile: u8, level: u8, depth: u8) -> Self {
         let level = if level == 0 { 10 } else { level };
         Self::of(Coding::Vp9, format!("vp09.{profile:02}.{level:02}.{depth:02}"))
     }
 
-    /// VP9 with the box `vpcC` (VP Codec ISO Media File Format Binding, version 1).
+    /// VP9 from the box `vpcC` (VP Codec ISO Media File Format Binding, version 1). `None` if the box is too short.
     pub(super) fn vp9_of_box(content: &[u8]) -> Option<Self> {
         let [_, _, _, _, profile, level, depth, ..] = content else { return None };
         Some(Self::vp9(*profile, *level, depth >> 4))
     }
 
-    /// VP9 with the private data of WebM: features as number, length, value (WebM Container Guidelines).
+    /// VP9 from the private data of WebM: features as identifier, length, value (WebM Container Guidelines).
     pub(super) fn vp9_of_features(content: &[u8]) -> Self {
         let (mut profile, mut level, mut depth) = (0, 0, 8);
         let mut bytes = Bytes(content);
@@ -170,15 +172,15 @@ impl Codec {
         Self::vp9(profile, level, depth)
     }
 
-    /// VP9 by the first byte of a frame: its profile stands there (VP9 Bitstream Specification, 6.2). Profiles from 2 on have ten
-    /// bits or twelve.
+    /// VP9 from the first byte of a frame, which holds the profile (VP9 Bitstream Specification, 6.2). Profiles 2 and 3
+    /// have 10 or 12 bits; 10 is assumed. `None` for an empty frame.
     pub(super) fn vp9_of_frame(start: &[u8]) -> Option<Self> {
         let first = *start.first()?;
         let profile = (first >> 5 & 1) | (first >> 3 & 2);
         Some(Self::vp9(profile, 0, if profile < 2 { 8 } else { 10 }))
     }
 
-    /// AV1 with the record `av1C` (AV1 Codec ISO Media File Format Binding, 2.3.3).
+    /// AV1 from the record `av1C` (AV1 Codec ISO Media File Format Binding, 2.3.3). `None` if the record is too short.
     pub(super) fn av1(record: &[u8]) -> Option<Self> {
         let [_, sequence, depth, ..] = record else { return None };
         let tier = if depth & 0x80 == 0 { 'M' } else { 'H' };
@@ -191,7 +193,7 @@ impl Codec {
     }
 }
 
-/// A name in a file, of which 40 characters are enough.
+/// First 40 characters of a name in a file, with `?` for unprintable ones.
 fn printable(name: &[u8]) -> String {
     let printable = |&byte: &u8| if byte.is_ascii_graphic() { char::from(byte) } else { '?' };
     name.iter().take(40).map(printable).collect()

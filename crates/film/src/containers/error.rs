@@ -1,54 +1,55 @@
-//! Why a file is not opened as a film, and what to do.
+//! Errors of opening a film file.
 
 use super::codec::{Codec, Coding};
 use super::limits::MOST_SAMPLES;
 use units::number::fixed;
 use units::{Language, Words, words};
 
-/// Why there is no film.
+/// Reason why a file cannot be opened as a film.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FilmError {
-    /// The file has no bytes.
+    /// The file is empty.
     Empty,
-    /// Its first bytes are those of no film.
+    /// The first bytes match no film format.
     NotAFilm,
-    /// An animated GIF: its times are rounded to hundredths of a second and often changed when it was made.
+    /// Animated GIF: its times are rounded to 0.01 s and often changed by the program that made it.
     Gif,
-    /// A still picture.
+    /// Still picture.
     Picture,
-    /// A film in a format that is not read, by its name.
+    /// Film format that is not supported, with its name.
     OtherFormat(&'static str),
-    /// It holds no video: sound alone, or nothing.
+    /// The file holds no video track.
     NoVideo,
-    /// It holds a video without frames.
+    /// The video track has no frames.
     NoFrames,
     /// The frames are encrypted.
     Encrypted,
-    /// This browser has no decoder for the coding. The readers never return it; whoever decodes does.
+    /// The browser has no decoder for this codec. Never returned by the readers, only by the decoding side.
     NoDecoder(Codec),
-    /// The file ends before the list of its frames.
+    /// The file ends before the list of frames.
     Truncated {
-        /// The size of the file in bytes.
+        /// Size of the file in bytes.
         bytes: u64,
     },
-    /// A part of the file contradicts itself.
+    /// Part of the file with invalid or contradictory content.
     Damaged {
-        /// The name that the format gives the part.
+        /// Name of the part in the format.
         part: &'static str,
     },
-    /// The frames are compressed once more, or several stand in one block; no camera does so.
+    /// The frames are compressed once more, or one block holds several. No camera does this.
     Packed,
-    /// The film has more frames, or a longer list of them, than are read.
+    /// The film has more than [`MOST_SAMPLES`] frames, or a table or number of parts beyond the
+    /// limits.
     TooLarge,
 }
 
-/// How to make a film that opens.
+/// Advice to convert the film to a supported format.
 const CONVERT: Words = words(
     "convert it to MP4 with H.264 without changing its times, for instance with `ffmpeg -i FILM -fps_mode passthrough -c:v libx264 -pix_fmt yuv420p FILM.mp4`",
     "conviértelo a MP4 con H.264 sin cambiar sus tiempos, por ejemplo con `ffmpeg -i VIDEO -fps_mode passthrough -c:v libx264 -pix_fmt yuv420p VIDEO.mp4`",
 );
 
-/// Bytes for people: `1.5 MB`.
+/// File size as text, such as `15 MB`.
 pub(super) fn size(bytes: u64) -> String {
     match bytes {
         0..1_000 => format!("{bytes} B"),
@@ -58,7 +59,7 @@ pub(super) fn size(bytes: u64) -> String {
 }
 
 impl FilmError {
-    /// What is wrong and what to do.
+    /// Message: the fault and its remedy.
     pub fn words(&self) -> Words {
         match self {
             Self::Empty => words("the file is empty; copy it again", "el archivo está vacío; cópialo de nuevo"),

@@ -1,8 +1,9 @@
-//! What is read at most of a file, whatever it says.
+//! Upper bounds on the amount of data read from a file.
 
-/// A film that has more frames is refused: nine hours at 60 a second.
+/// Maximum number of frames: nine hours at 60 frames per second.
 pub const MOST_SAMPLES: usize = 2_000_000;
-/// Bytes of a table of frames: enough for `MOST_SAMPLES` with all that MP4 can say of each.
+/// Maximum size of a table in bytes: enough for `MOST_SAMPLES` frames with all fields of MP4.
 pub(super) const MOST_TABLE: u64 = 96 << 20;
-/// Parts of a file at its outermost level: boxes of MP4, elements of Matroska, chunks of AVI. A frame of Matroska has a few.
+/// Maximum number of parts at the outermost level: MP4 boxes, Matroska elements, AVI chunks. A Matroska frame has
+/// several.
 pub(super) const MOST_PARTS: usize = 16_000_000;

@@ -1,9 +1,8 @@
-//! What a film's file says of it: where each frame is, how it is coded, when it is shown. MP4, QuickTime, WebM, Matroska and AVI.
+//! Film containers: offset, coding and presentation time of each frame. MP4, QuickTime, WebM, Matroska and AVI.
 //!
-//! Own code, since none of the crates there are fits: `re_mp4`, `mp4` and `matroska-demuxer` want a file that can be read at any
-//! place at once, which a browser does not give, read a header of any size into memory, and are larger together (a tenth of a
-//! megabyte, gzipped) than this. Nothing here reads pictures: [`Opening`] asks for headers only, so that a film of two
-//! gigabytes opens as quickly as a small one.
+//! No existing crate fits. `re_mp4`, `mp4` and `matroska-demuxer` need random access to the file, which a browser does
+//! not give, read headers of any size into memory, and together are larger than this code (0.1 MB gzipped). No pictures
+//! are read: [`Opening`] asks only for headers, so that a film of two gigabytes opens as quickly as a small one.
 
 mod avi;
 mod bytes;

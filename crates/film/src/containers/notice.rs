@@ -1,35 +1,35 @@
-//! What a reader should know of a film that opened.
+//! Defects of a film file that do not prevent its use.
 
 use super::error::size;
 use units::{Words, words};
 
-/// Something about the file that does not prevent work with it.
+/// Defect of a film file that does not prevent its use.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Notice {
-    /// The file ends before the film does; what is there was read.
+    /// The file ends before the film does. The frames in the file were read.
     Truncated {
-        /// Frames that are there.
+        /// Number of frames in the file.
         present: usize,
-        /// Frames that the file lists and does not hold; 0 if it has no list.
+        /// Number of listed frames beyond the end of the file; 0 if the file has no list.
         lost: usize,
-        /// The size of the file in bytes.
+        /// Size of the file in bytes.
         bytes: u64,
     },
-    /// The structure of the file is broken at this byte; what is before it was read.
+    /// The structure of the file is broken. The frames before that were read.
     Broken {
-        /// The offset from the start of the file.
+        /// Offset in bytes from the start of the file.
         at: u64,
     },
-    /// The file holds so many further videos, which are not read.
+    /// Number of further video tracks, which are not read.
     FurtherVideos(usize),
-    /// An edit list plays a part of the film at another rate. Times are those of the camera.
+    /// An edit list plays a part of the film at another rate. The times are those of the recording.
     Speed,
-    /// The picture is to be turned by another angle than quarter turns, or skewed; it is left as it is.
+    /// The picture is to be turned by an angle that is not a multiple of 90 degrees, or skewed. It is left as it is.
     Skewed,
 }
 
 impl Notice {
-    /// It in a sentence.
+    /// Message of one sentence.
     pub fn words(&self) -> Words {
         match self {
             Self::Truncated { present, lost: 0, bytes } => words!(

@@ -1,4 +1,5 @@
-//! Opening a film step by step: the caller reads what is asked for, from a file or from a browser's `File.slice`.
+//! Step-by-step opening of a film: the caller supplies the requested byte ranges, from a file or from a browser's
+//! `File.slice`.
 
 use super::FilmError;
 use super::avi::Avi;
@@ -9,12 +10,12 @@ use super::piece::{Piece, Reader, Stop};
 use super::signature::{Format, format};
 use std::ops::Range;
 
-/// So many bytes tell the format.
+/// Bytes that suffice to determine the format.
 const SIGNATURE: u64 = 512;
-/// What is read at once at the start; small films are in it as a whole.
+/// Size of the first request in bytes. Small films are read completely by it.
 const FIRST: u64 = 64 << 10;
 
-/// A film that is being opened.
+/// State of opening a film.
 ///
 /// ```
 /// use film::containers::Opening;
@@ -33,13 +34,13 @@ const FIRST: u64 = 64 << 10;
 /// ```
 #[derive(Debug)]
 pub enum Opening {
-    /// Bytes of the file are needed.
+    /// More bytes of the file are needed.
     Needs(Request),
-    /// The film, or why there is none.
+    /// The film, or the reason why it cannot be opened.
     Done(Result<Box<Film>, FilmError>),
 }
 
-/// Asks for a range of the file.
+/// Request for a byte range of the file.
 #[derive(Debug)]
 pub struct Request {
     range: Range<u64>,
@@ -56,7 +57,7 @@ enum Stage {
 }
 
 impl Opening {
-    /// Begins with a file of `size` bytes.
+    /// Starts with a file of `size` bytes.
     pub fn new(size: u64) -> Self {
         Request { range: 0..FIRST.min(size), size, stage: Stage::Signature }.or_empty()
     }
@@ -67,12 +68,13 @@ impl Request {
         if self.size == 0 { Opening::Done(Err(FilmError::Empty)) } else { Opening::Needs(self) }
     }
 
-    /// The bytes to read: never none, and never beyond the end of the file.
+    /// Requested bytes. The range is never empty and never extends beyond the end of the file.
     pub fn range(&self) -> Range<u64> {
         self.range.clone()
     }
 
-    /// Goes on with the bytes of the range. Fewer mean that the file ends there; it may have been cut since it was chosen.
+    /// Continues with the bytes of the range. Fewer bytes mean that the file ends there: it may have been cut off since
+    /// it was chosen.
     pub fn supply(self, bytes: Vec<u8>) -> Opening {
         let Self { range, mut size, mut stage } = self;
         if (bytes.len() as u64) < range.end - range.start {

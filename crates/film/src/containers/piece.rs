@@ -1,26 +1,25 @@
-//! The part of a file that is at hand, and what a reader says when it needs another one.
+//! Available part of a file, and requests for further parts.
 
 use super::FilmError;
 use super::film::Film;
 use std::ops::Range;
 
-/// Bytes of a file and where they stand in it.
+/// Contiguous bytes of a file.
 #[derive(Debug, Default)]
 pub(super) struct Piece {
-    /// The offset of the first byte.
+    /// Offset of the first byte in the file.
     pub(super) start: u64,
-    /// The bytes.
     pub(super) bytes: Vec<u8>,
-    /// The size of the whole file.
+    /// Size of the whole file in bytes.
     pub(super) size: u64,
 }
 
-/// Why a reader stopped before the film is complete.
+/// Reason why a reader stopped before the end of the film.
 #[derive(Debug)]
 pub(super) enum Stop {
-    /// It needs these bytes.
+    /// This byte range is needed.
     Need(Range<u64>),
-    /// There is no film.
+    /// The film cannot be opened.
     Failed(FilmError),
 }
 
@@ -30,16 +29,23 @@ impl From<FilmError> for Stop {
     }
 }
 
-/// A reader of one format. It changes its state only when all bytes of a step were there, so that it can be called again
-/// with other ones.
+/// Reader of one container format. A step changes the state only if all of its bytes are available, so that it can be
+/// repeated with other bytes.
 pub(super) trait Reader {
-    /// Reads on with the bytes at hand.
+    /// Reads as far as the available bytes allow.
+    ///
+    /// # Errors
+    ///
+    /// [`Stop::Need`] with the missing range, [`Stop::Failed`] if the film cannot be opened.
     fn advance(&mut self, piece: &Piece) -> Result<Film, Stop>;
 }
 
 impl Piece {
-    /// The `length` bytes at `at`, fewer only at the end of the file. If they are not at hand, this many or, if more, `ahead` are
-    /// asked for.
+    /// Returns `length` bytes from offset `at`, fewer only at the end of the file.
+    ///
+    /// # Errors
+    ///
+    /// [`Stop::Need`] if they are not available; it requests at least `ahead` bytes.
     pub(super) fn get(&self, at: u64, length: u64, ahead: u64) -> Result<&[u8], Stop> {
         let end = at.saturating_add(length).min(self.size);
         if at >= end {

@@ -1,8 +1,8 @@
-//! The format of a file by its first bytes.
+//! Detection of the container format by the first bytes.
 
 use super::FilmError;
 
-/// A format that is read here.
+/// Supported container format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Format {
     Mp4,
@@ -10,7 +10,7 @@ pub(super) enum Format {
     Avi,
 }
 
-/// First bytes of films that have to be converted first.
+/// First bytes of film formats that are not supported.
 const OTHERS: [(&[u8], &str); 7] = [
     (&[0x30, 0x26, 0xb2, 0x75, 0x8e, 0x66], "WMV"),
     (b"FLV", "FLV"),
@@ -21,15 +21,16 @@ const OTHERS: [(&[u8], &str); 7] = [
     (b"YUV4MPEG2", "Y4M"),
 ];
 
-/// Types of the boxes with which files of the MP4 family begin.
+/// First box types of files of the MP4 family.
 const BOXES: [&[u8; 4]; 9] = [b"ftyp", b"moov", b"mdat", b"wide", b"free", b"skip", b"pnot", b"styp", b"uuid"];
-/// Brands of still pictures in the same boxes.
+/// Brands of still pictures in such files.
 const PICTURES: [&[u8; 4]; 5] = [b"heic", b"heix", b"mif1", b"avif", b"msf1"];
 
-/// The format, by at most the first 512 bytes.
+/// Container format by the first bytes, at most 512.
 ///
 /// # Errors
-/// The file is not a film, or one of another format.
+///
+/// The file is not a film, or has a format that is not supported.
 pub(super) fn format(start: &[u8]) -> Result<Format, FilmError> {
     let begins = |with: &[u8]| start.starts_with(with);
     let four = |at: usize| start.get(at..at + 4).unwrap_or_default();
@@ -54,7 +55,7 @@ pub(super) fn format(start: &[u8]) -> Result<Format, FilmError> {
     if let Some((_, name)) = OTHERS.iter().find(|(bytes, _)| begins(bytes)) {
         return Err(FilmError::OtherFormat(name));
     }
-    // Packets of a transport stream, of 188 bytes or of 192 in AVCHD cameras, begin with 0x47.
+    // Packets of a transport stream begin with 0x47. They have 188 bytes, in AVCHD cameras 192.
     let packets = |first: usize, length: usize| [0, 1].iter().all(|n| start.get(first + n * length) == Some(&0x47));
     if packets(0, 188) || packets(4, 192) {
         return Err(FilmError::OtherFormat("MPEG-TS"));

@@ -1,37 +1,37 @@
-//! Films of one rate that were written at a higher one: every so many pictures one is shown again, in a fixed pattern.
+//! Patterns of repeated pictures in films that were converted to a higher frame rate.
 
-/// Frames of a film that are examined together: a long film may have several patterns, one after the other.
+/// Number of frames that are examined together. The pattern may change during a long film.
 const BLOCK: usize = 180;
-/// A shorter film, or fewer repeats, show no pattern.
+/// Minimum number of frames and of repeats for a pattern.
 const LEAST_FRAMES: usize = 18;
 const LEAST_REPEATS: usize = 5;
-/// So many differences on each side, repeats left out, tell how much pictures differ there.
+/// Number of other differences on each side of a repeat that define the usual difference there.
 const AROUND: usize = 2;
-/// In the half of the repeats with the most motion around, nine in ten differ by less than this part of the others. Pictures of films
-/// that were not converted differ by more than 0.85 of each other there, with every kind of compression that was tried.
+/// Upper bound of the 0.9 quantile of relative differences, over the half of the repeats with the most motion.
+/// Differences in unconverted films reach more than 0.85 there, with every compression tried.
 const MOST: f64 = 0.7;
-/// Half of all repeats differ by less than this part of the others.
+/// Upper bound of the median of relative differences over all repeats.
 const USUAL: f64 = 0.6;
-/// In each third of a block half of the repeats do.
+/// Upper bound of their median in each third of a block.
 const IN_A_THIRD: f64 = 0.8;
-/// The differences beside repeats are at least this part of the others.
+/// Lower bound of the differences beside repeats, relative to those further away.
 const SLOWING: f64 = 0.85;
-/// The least difference of pictures that are not repeated, in grey values.
+/// Smallest usual difference, grey values. Below it the picture is at rest.
 const LEAST_MOTION: f64 = 0.02;
-/// Of so many frames of the written film, at most, a pattern repeats itself: 5 of 12 for 25 frames a second written at 60.
+/// Maximum length of a pattern in frames: 5 of 12 for 25 frames per second written at 60.
 const LONGEST_PATTERN: usize = 12;
 
-/// The blocks of a film of `frames` frames, nearly equal ones.
+/// Ranges of blocks of nearly equal length in a list of `differences` entries.
 pub(super) fn blocks(differences: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
     let count = (differences / BLOCK).max(1);
     (0..count).map(move |block| differences * block / count..differences * (block + 1) / count)
 }
 
-/// The differences in a block that belong to repeated pictures, by their places in it; `None` if no pattern explains them. Of several
-/// patterns the one does whose repeats lack most of the difference that is usual around them.
+/// Indices of the differences that belong to repeated pictures. `None` if no pattern explains them. Of several
+/// patterns, the one whose repeats have the smallest differences relative to their neighbours is chosen.
 ///
-/// A film of rate `a` that is written at rate `b` shows the picture `floor((n a + phase)/b)` in its frame `n`: so frame-rate filters and
-/// pulldown by 3:2 place their repeats.
+/// A film of rate `a` written at rate `b` shows the picture `floor((n a + phase)/b)` in frame `n`. Frame-rate filters
+/// and 3:2 pulldown place their repeats so.
 pub(super) fn pattern(differences: &[f64]) -> Option<Vec<usize>> {
     if differences.len() < LEAST_FRAMES {
         return None;
@@ -52,7 +52,8 @@ pub(super) fn pattern(differences: &[f64]) -> Option<Vec<usize>> {
     best.map(|(_, places)| places)
 }
 
-/// How much the differences at these places lack together, in parts of those around each, if they are those of repeated pictures.
+/// Score of a pattern: sum of the reductions of the differences at `places`, relative to those around. `None` if the
+/// tests above fail.
 fn explained(differences: &[f64], places: &[usize]) -> Option<f64> {
     let is_other = |place: &usize| places.binary_search(place).is_err();
     let usual = |at: usize| {
@@ -64,20 +65,21 @@ fn explained(differences: &[f64], places: &[usize]) -> Option<f64> {
     let (own, others): (Vec<usize>, Vec<usize>) = (0..differences.len()).partition(|at| !is_other(at));
     let values = |places: Vec<usize>| places.into_iter().map(|at| differences[at]).collect::<Vec<f64>>();
     let (own, others) = (values(own), values(others));
-    // Most patterns are far from it. What stops and goes has as small differences between the repeats of a pattern as in them.
+    // Excludes most patterns quickly. In a motion that stops and goes, differences between the repeats are as small as
+    // at them.
     let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
     if own.len() < LEAST_REPEATS || mean(&own) > MOST * mean(&others) || quantile(own, 0.5)? >= quantile(others, 0.25)?
     {
         return None;
     }
-    // A motion that turns every so many frames slows down towards each turning point and behind it.
+    // A motion that reverses periodically slows down before and after each turning point.
     let is_beside = |at: &usize| !is_other(&(at + 1)) || at.checked_sub(1).is_some_and(|before| !is_other(&before));
     let (beside, apart): (Vec<usize>, Vec<usize>) = (0..differences.len()).filter(is_other).partition(is_beside);
-    // In denser patterns most lie beside repeats.
+    // In denser patterns most frames lie beside repeats.
     if 10 * apart.len() >= 9 * places.len() && mean(&values(beside)) < SLOWING * mean(&values(apart)) {
         return None;
     }
-    // How much pictures differ around a repeat, and what part of this the repeat differs by.
+    // Usual difference around each repeat, and its own difference relative to that.
     let parts: Vec<(f64, f64)> =
         places.iter().filter_map(|&at| usual(at).map(|usual| (usual, differences[at] / usual))).collect();
     if parts.len() < LEAST_REPEATS.max(places.len() / 2) {
@@ -96,7 +98,7 @@ fn explained(differences: &[f64], places: &[usize]) -> Option<f64> {
     is_explained.then(|| parts.iter().map(|part| (USUAL - part.1).max(-1.0)).sum())
 }
 
-/// The value below which this share of the values lies; `None` of nothing.
+/// Quantile of the values at `share` (0 to 1); `None` for an empty list.
 fn quantile(mut values: Vec<f64>, share: f64) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     values.get((values.len() as f64 * share) as usize).copied()

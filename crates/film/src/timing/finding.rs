@@ -1,77 +1,77 @@
-//! What was noticed about the times of a film, in words.
+//! Findings about the times of a film, as text.
 
 use units::number::{fixed, plain};
 use units::{Words, words};
 
-/// Something a person should know about the times of their film. Rates in frames a second, times in seconds.
+/// Finding about the times of a film. Rates in frames per second, times in s.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Finding {
-    /// The frames come at a regular rate.
+    /// The frame rate is constant.
     Rate {
-        /// The rate.
+        /// Frame rate.
         rate: f64,
-        /// Standard deviation of the intervals.
+        /// Standard deviation of the intervals, s.
         spread: f64,
     },
-    /// The rate changes during the film.
+    /// The frame rate changes during the film.
     Variable {
-        /// The mean rate.
+        /// Mean frame rate.
         rate: f64,
-        /// One over the longest interval.
+        /// Reciprocal of the longest interval.
         slowest: f64,
-        /// One over the shortest interval.
+        /// Reciprocal of the shortest interval.
         fastest: f64,
     },
-    /// The container stores whole milliseconds.
+    /// The container stores times in whole milliseconds.
     Rounded,
     /// Frames are missing.
     Gap {
-        /// How many.
+        /// Number of missing frames.
         missing: usize,
-        /// The time of the frame before.
+        /// Time of the frame before the gap.
         time: f64,
     },
-    /// Further gaps, which are not listed.
+    /// Further gaps that are not listed one by one.
     MoreGaps {
-        /// How many gaps.
+        /// Number of gaps.
         gaps: usize,
-        /// How many frames are missing in them.
+        /// Total number of missing frames.
         missing: usize,
     },
-    /// Frames with the time of the frame before.
+    /// Frames with the same time as the frame before.
     Doubled {
-        /// How many.
+        /// Number of such frames.
         count: usize,
-        /// The first such time.
+        /// Time of the first one.
         time: f64,
     },
-    /// The container states another rate than its times have.
+    /// The stated frame rate differs from that of the times.
     Stated {
-        /// The one that it states.
+        /// Rate stated by the container.
         stated: f64,
-        /// The one of the times.
+        /// Rate from the times.
         measured: f64,
     },
-    /// The camera took frames at another rate than they are shown.
+    /// Slow motion or time lapse: recording and playback rates differ.
     SlowMotion {
-        /// The rate at which they were taken.
+        /// Recording rate.
         captured: f64,
-        /// The rate at which they are shown.
+        /// Playback rate.
         shown: f64,
-        /// By which times are divided.
+        /// Divisor of the playback times.
         factor: f64,
     },
     /// Frames that repeat the picture before.
     Repeated {
-        /// How many.
+        /// Number of repeated frames.
         count: usize,
-        /// Of how many frames.
+        /// Number of frames of the film.
         of: usize,
     },
 }
 
 impl Finding {
-    /// It in a sentence.
+    /// Message of one sentence.
     pub fn words(&self) -> Words {
         let number = |value: f64| Words::each(|language| fixed(value, 2, language.style()));
         match *self {

@@ -1,59 +1,60 @@
-//! The intervals between the times of frames.
+//! Statistics of the intervals between frames.
 
 use super::finding::Finding;
 
-/// An interval is a gap if it is longer by this factor than usual before it and behind it.
+/// Minimum length of a gap, relative to the larger median of the intervals before and after.
 const GAP: f64 = 1.5;
-/// So many intervals on each side tell what is usual.
+/// Number of intervals on each side for that median.
 const AROUND: usize = 5;
-/// If more than this part of the intervals look like gaps, the film is irregular and has none.
+/// Above this share of gaps, the film counts as irregular and has none.
 const MOST_GAPS: f64 = 0.2;
-/// Times nearer than this part of the median interval are the same.
+/// Times closer than this, relative to the median interval, are equal.
 const SAME: f64 = 0.02;
-/// A rate varies if intervals spread by more than this part of their mean, and by more than rounding to milliseconds explains.
+/// Minimum spread of a variable rate, relative to the mean interval; and in s, beyond the effect of rounding to
+/// milliseconds.
 const VARIABLE: f64 = 0.05;
 const ROUNDING: f64 = 0.6e-3;
-/// So many gaps are listed one by one.
+/// Number of gaps that are listed one by one.
 const LISTED_GAPS: usize = 5;
 
-/// Frames that are missing.
+/// Gap: missing frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// The frame before, by its place in the order of showing.
+    /// Index of the frame before the gap, in order of presentation.
     pub after: usize,
-    /// Its time in seconds.
+    /// Time of that frame, s.
     pub time: f64,
-    /// How many frames are missing, by the intervals around.
+    /// Number of missing frames, by the intervals around.
     pub missing: usize,
 }
 
-/// What the times of the frames of a film are like.
+/// Statistics of the frame times of a film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Intervals {
-    /// Frames a second: one over the mean interval, gaps and doubled times left out.
+    /// Frames per second: reciprocal of the mean interval, without gaps and doubled times.
     pub rate: f64,
-    /// Standard deviation of these intervals, in seconds.
+    /// Standard deviation of these intervals, s.
     pub spread: f64,
-    /// The shortest and the longest of them, in seconds.
+    /// Shortest and longest of these intervals, s.
     pub range: [f64; 2],
-    /// Where frames are missing.
+    /// Gaps, in order.
     pub gaps: Vec<Gap>,
-    /// Frames with the time of the frame before, by their places.
+    /// Indices of frames with the same time as the frame before.
     pub doubled: Vec<usize>,
-    /// The time of the first of these, in seconds.
+    /// Time of the first doubled frame, s; 0 without one.
     doubled_at: f64,
-    /// Whether every time is a whole number of milliseconds, and the intervals differ for this alone.
+    /// True if all times are whole milliseconds and the intervals differ only because of that.
     pub rounded: bool,
 }
 
 impl Intervals {
-    /// Examines times in seconds, in order. `None` if there are not two different ones.
+    /// Examines ascending times in s. `None` if fewer than two of them differ.
     pub fn of(times: &[f64]) -> Option<Self> {
         let all: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let positive: Vec<f64> = all.iter().copied().filter(|&interval| interval > 0.0).collect();
         let usual = median(&positive)?;
         let doubled: Vec<usize> = (1..times.len()).filter(|&at| all[at - 1] <= SAME * usual).collect();
-        // What a frame lasts, without those that share their time with the one before.
+        // Index of the frame and duration, without doubled times.
         let lasting: Vec<(usize, f64)> =
             all.iter().copied().enumerate().filter(|&(_, interval)| interval > SAME * usual).collect();
         let gaps = gaps(&lasting, times);
@@ -80,12 +81,12 @@ impl Intervals {
         })
     }
 
-    /// Whether the frame rate changes during the film.
+    /// True if the frame rate changes during the film.
     pub fn is_variable(&self) -> bool {
         self.spread > VARIABLE / self.rate && self.spread > ROUNDING
     }
 
-    /// What a person should know, with the rate that the container states, if it does.
+    /// Findings for the user. `stated_rate`: frames per second stated by the container, if any.
     pub fn findings(&self, stated_rate: Option<f64>) -> Vec<Finding> {
         let mut findings = vec![if self.is_variable() {
             Finding::Variable { rate: self.rate, slowest: 1.0 / self.range[1], fastest: 1.0 / self.range[0] }
@@ -104,7 +105,7 @@ impl Intervals {
         if !self.doubled.is_empty() {
             findings.push(Finding::Doubled { count: self.doubled.len(), time: self.doubled_at });
         }
-        // The rate of a converted film is often stated in another way than its times have it.
+        // Converted films often state another rate than their times have.
         if let Some(stated) = stated_rate.filter(|stated| (stated / self.rate - 1.0).abs() > 0.01) {
             findings.push(Finding::Stated { stated, measured: self.rate });
         }
@@ -112,7 +113,7 @@ impl Intervals {
     }
 }
 
-/// The gaps among intervals, each with the place of the frame before it.
+/// Gaps among intervals, which are pairs of the index of the frame before and the duration in s.
 fn gaps(intervals: &[(usize, f64)], times: &[f64]) -> Vec<Gap> {
     let middle = |part: &[(usize, f64)]| median(&part.iter().map(|&(_, interval)| interval).collect::<Vec<f64>>());
     let found: Vec<Gap> = (0..intervals.len())
@@ -128,7 +129,7 @@ fn gaps(intervals: &[(usize, f64)], times: &[f64]) -> Vec<Gap> {
     if found.len() as f64 > MOST_GAPS * intervals.len() as f64 { Vec::new() } else { found }
 }
 
-/// The median; `None` of nothing.
+/// Median; `None` for an empty list.
 fn median(values: &[f64]) -> Option<f64> {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

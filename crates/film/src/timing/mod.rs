@@ -1,4 +1,4 @@
-//! When the frames of a film were taken: how regular their times are, and what slow motion and converted films do to them.
+//! Frame times: regularity, slow motion, and repeated pictures of converted films.
 
 mod cadence;
 mod finding;

@@ -1,27 +1,28 @@
-//! Frames that show the same picture again: a film of 24 frames a second that was converted to 30 repeats every fourth.
+//! Repeated pictures: a film of 24 frames per second that was converted to 30 repeats every fourth.
 
 use super::cadence::{blocks, pattern};
 
-/// So many differences on each side tell how much pictures differ there.
+/// Number of differences on each side that define the usual difference.
 const AROUND: usize = 5;
-/// A repeated picture differs from the one before by less than this part of them.
+/// Upper bound of the difference of a repeat, relative to the usual one.
 const PART: f64 = 0.25;
-/// The least difference of pictures that are not repeated, in grey values.
+/// Smallest usual difference, grey values. Below it the picture is at rest.
 const LEAST_MOTION: f64 = 0.02;
-/// More pictures in a row that are the same show something at rest.
+/// Maximum number of successive small differences. Longer runs show something at rest.
 const LONGEST: usize = 4;
-/// A converted film repeats at least this part of its frames; a few small differences are turning points of the motion.
+/// Minimum share of repeats in a converted film. Fewer small differences are turning points of the motion.
 const LEAST_SHARE: f64 = 0.14;
 
-/// Which frames repeat the one before, by their places, in order; none in a film that was not converted.
+/// Indices of the frames that repeat the picture before, ascending; empty for a film that was not converted.
 ///
-/// `differences` has the mean absolute difference, in grey values from 0 to 255, of each two successive pictures; small ones of the
-/// whole frame are enough. The frame `n + 1` belongs to `differences[n]`.
+/// `differences[n]`: mean absolute difference between the pictures `n` and `n + 1`, in grey values from 0 to 255. Small
+/// versions of the pictures are enough.
 ///
-/// Where repeats follow a pattern, as where a film of 25 frames a second is written at 50, all of them are found, also where the
-/// motion is slow and where compression makes a picture and its repeat differ. Repeats without a pattern are found where they are
-/// nearly copies and the motion around is not slow. Single ones are not found: strong compression and turning points of the motion
-/// look the same. So do the turning points of a swing with eight frames in a period or fewer.
+/// If the repeats follow a pattern, as in a film of 25 frames per second written at 50, all are found, even if the
+/// motion is slow or compression makes a picture and its repeat differ. Repeats without a pattern are found if they are
+/// nearly copies and the motion around is not slow. Single repeats are not found, because strong compression and
+/// turning points of the motion look alike. Repeats are not told from the turning points of a swing with a period of
+/// eight frames or fewer.
 pub fn repeats(differences: &[f64]) -> Vec<usize> {
     let mut repeats = Vec::new();
     for block in blocks(differences.len()) {
@@ -32,8 +33,8 @@ pub fn repeats(differences: &[f64]) -> Vec<usize> {
     repeats
 }
 
-/// Differences that are small among those around, by their places: below a quarter of the third largest of the ten (near an end, of the
-/// second largest of fewer). At least one in seven and at most two in three are.
+/// Indices of differences that are small among their neighbours: below a quarter of the third largest of the ten around
+/// (near an end, of the second largest of fewer). Empty if fewer than one in seven is small.
 fn copies(differences: &[f64]) -> Vec<usize> {
     let small_below = |at: usize| {
         let before = &differences[at.saturating_sub(AROUND)..at];
@@ -43,7 +44,7 @@ fn copies(differences: &[f64]) -> Vec<usize> {
         let usual = around.iter().rev().nth(around.len() / 4).copied().unwrap_or(0.0);
         if usual < LEAST_MOTION { 0.0 } else { PART * usual }
     };
-    // More small differences in a row than a converted film has are those of something at rest.
+    // More successive small differences than in a converted film belong to something at rest.
     let is_short = |at: usize, below: f64| {
         let is_small = |place: &usize| differences[*place] < below;
         let before = (0..at).rev().take_while(is_small).take(LONGEST).count();
@@ -55,8 +56,8 @@ fn copies(differences: &[f64]) -> Vec<usize> {
     if (copies.len() as f64) < LEAST_SHARE * differences.len() as f64 { Vec::new() } else { copies }
 }
 
-/// True if the small difference does not continue the others around it. At a turning point of the motion differences fall towards it
-/// from both sides and rise again.
+/// True if a small difference is far below the extrapolation of its neighbours. At a turning point of the motion the
+/// differences decrease gradually and rise again.
 fn is_sudden(differences: &[f64], small: &[usize], at: usize) -> bool {
     let is_large = |place: &usize| small.binary_search(place).is_err();
     let continued = |near: Option<usize>, far: Option<usize>| match (near, far) {

@@ -1,47 +1,49 @@
-//! From the times at which frames are shown to those at which they were taken.
+//! Conversion of presentation times to recording times.
 
 use super::finding::Finding;
 use super::intervals::Intervals;
 
-/// No camera slows down by more, and no time lapse speeds up by more.
+/// Upper bound of the factor of slow motion, and of its reciprocal for a time lapse.
 pub const LARGEST_FACTOR: f64 = 1e6;
-/// Below this rate a stated capture rate is that of a normal film, which in dim light has fewer frames than it states.
+/// Lower bound of a recording rate for slow motion, frames per second. A normal film in dim light has fewer frames than
+/// its stated recording rate.
 const LEAST_CAPTURE_RATE: f64 = 45.0;
-/// A factor nearer to 1 is no slow motion.
+/// Smallest factor of slow motion.
 const LEAST_FACTOR: f64 = 1.5;
-/// A factor this near to a whole number is that number: cameras write 240 frames a second as 30, or as 29.97.
+/// Maximum relative distance from a whole factor that is rounded to it: cameras write 240 frames per second as 30, or
+/// as 29.97.
 const WHOLE: f64 = 0.03;
 
-/// The times at which frames were taken.
+/// Recording times of the frames.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeBase {
-    /// How many times slower the film plays than things happened; below 1 for a time lapse.
+    /// Duration of playback relative to that of the recording; below 1 for a time lapse.
     factor: f64,
     times: Vec<f64>,
 }
 
 impl TimeBase {
-    /// Of frames that are shown at `times` (seconds) and were taken `factor` times faster; `None` unless the factor is positive and
-    /// at most [`LARGEST_FACTOR`], and at least one over that.
+    /// Converts presentation times (s) by dividing them by `factor`. `None` unless `factor` lies between
+    /// 1/[`LARGEST_FACTOR`] and [`LARGEST_FACTOR`].
     pub fn new(times: &[f64], factor: f64) -> Option<Self> {
         (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR)
             .contains(&factor)
             .then(|| Self { factor, times: times.iter().map(|time| time / factor).collect() })
     }
 
-    /// How many times slower the film plays than things happened.
+    /// Duration of playback relative to that of the recording; below 1 for a time lapse.
     pub fn factor(&self) -> f64 {
         self.factor
     }
 
-    /// When the frames were taken, in seconds, in the order in which they are shown.
+    /// Recording times in s, in order of presentation.
     pub fn times(&self) -> &[f64] {
         &self.times
     }
 }
 
-/// The factor of slow motion or a time lapse, by the rate at which the camera says that it took the frames: this over the rate
-/// at which they are shown. `None` for a film of normal speed.
+/// Detects slow motion or a time lapse: factor between the stated `capture_rate` (frames per second) and the playback
+/// rate. `None` for a film of normal speed.
 pub fn slow_motion(intervals: &Intervals, capture_rate: f64) -> Option<Finding> {
     let exact = capture_rate / intervals.rate;
     let whole = exact.round();

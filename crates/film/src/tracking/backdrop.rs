@@ -1,69 +1,71 @@
-//! The motion of the camera by what stands still: small blocks of the picture, all of which a camera moves alike.
+//! Camera motion from small blocks of the stationary background.
 //!
-//! Leaves that move behind a tube are no camera's motion: the tube has to go along with them.
+//! A camera moves all blocks alike. Motion of some blocks only, such as leaves behind a tube, is no camera motion and
+//! is left to the tracking of the tube.
 
 use crate::plane::Plane;
 use crate::tracking::median::median;
 
-/// Blocks at most: beside the tubes, and in their strips.
+/// Maximum number of blocks beside the tubes and within their strips.
 const BESIDE: usize = 28;
 const WITHIN: usize = 24;
-/// Samples of a block along each side.
+/// Samples along each side of a block.
 const SIDE: usize = 8;
-/// The least standard deviation of a block, in grey values, that can be recognised.
+/// Minimum standard deviation of a block, grey values.
 const LEAST: f64 = 4.0;
-/// Shifts of less than so many pixels are those of noise.
+/// Longest shift that may be noise, px.
 const STILL: f64 = 1.0;
-/// The greatest change from a frame to the next one, as a part of the picture's height.
+/// Largest change of the shift between frames, relative to the height of the picture.
 const REACH: f64 = 1.0 / 24.0;
-/// A block speaks for a shift if the mean square there is so many times less than without it.
+/// Ratio of squared differences from which a block supports one of two shifts.
 const TELLS: f64 = 1.5;
-/// Blocks that speak for a shift, at least, and the part of them that may speak against it.
+/// Minimum number of blocks that support a shift, and the maximum number against it, relative to that.
 const VOTES: usize = 8;
 const AGAINST: f64 = 0.2;
-/// A camera that moved is seen elsewhere in so many frames in a row.
+/// Minimum number of successive frames with a shift for a moving camera.
 const FRAMES: usize = 3;
-/// A frame differs from the first one more than usual if its mean square is so many times greater.
+/// Ratio of the squared difference to the median of earlier frames from which a wider search is made.
 const UNUSUAL: f64 = 2.0;
 
 struct Block {
-    /// The first sample.
+    /// Position of the first sample, px.
     place: [f64; 2],
-    /// Samples less their mean, divided by their norm; slopes to the right and downwards, divided by the same.
+    /// Per sample: deviation from the mean and its derivatives to the right and downwards, all divided by the norm of
+    /// the deviations.
     values: Vec<[f64; 3]>,
-    /// The structure in both directions.
+    /// Norm of the deviations, grey values.
     structure: f64,
 }
 
-/// The shift of a frame against the first one.
+/// Shift of a frame relative to the first one, px.
 #[derive(Clone, Copy, Debug)]
 struct Shift {
     by: [f64; 2],
-    /// Most blocks beside the tubes and in their strips have moved by it.
+    /// True if most blocks beside the tubes and within their strips support it.
     is_common: bool,
 }
 
-/// The measurement of the camera's motion.
+/// Measurement of the camera motion.
 pub(crate) struct Backdrop {
-    /// Points and directions of the axes of the tubes.
+    /// Point and direction of the axis of each tube.
     axes: Vec<([f64; 2], [f64; 2])>,
-    /// Pixels between samples.
+    /// Distance between samples, px.
     step: f64,
-    /// Blocks beside the tubes, then blocks in their strips.
+    /// Blocks beside the tubes, followed by blocks within their strips.
     blocks: Vec<Block>,
     beside: usize,
     shifts: Vec<Shift>,
-    /// The median mean square of each frame.
+    /// Median of the normalized squared differences of the blocks, for each frame after the first.
     left: Vec<f64>,
 }
 
 impl Backdrop {
-    /// Before the first frame; `axes` has a point and the direction of each tube.
+    /// State before the first frame. `axes`: a point (px) and the direction of each tube.
     pub(crate) fn new(axes: Vec<([f64; 2], [f64; 2])>) -> Backdrop {
         Backdrop { axes, step: 1.0, blocks: Vec::new(), beside: 0, shifts: Vec::new(), left: Vec::new() }
     }
 
-    /// Measures the next frame.
+    /// Measures the shift of the next frame.
     pub(crate) fn take(&mut self, plane: &Plane) {
         let Some(last) = self.shifts.last().copied() else {
             self.choose(plane);
@@ -88,8 +90,8 @@ impl Backdrop {
         self.shifts.push(Shift { by, is_common });
     }
 
-    /// How far the picture has moved in each frame since the first one, in pixels to the right and downwards; `None` if the camera stood still.
-    /// Frames that do not tell have the shift of the frame before.
+    /// Shift of each frame relative to the first one, px to the right and downwards; `None` if the camera stands still.
+    /// A frame without a clear shift has that of the frame before.
     pub(crate) fn moved(&self) -> Option<Vec<[f64; 2]>> {
         let is_far = |shift: &&Shift| libm::hypot(shift.by[0], shift.by[1]) > STILL;
         let far = self.shifts.iter().filter(is_far).count();
@@ -110,7 +112,7 @@ impl Backdrop {
         Some(self.shifts.iter().map(known).collect())
     }
 
-    /// The blocks with the most structure.
+    /// Selects the blocks with the most structure.
     fn choose(&mut self, plane: &Plane) {
         let (wide, high) = (plane.width() as f64, plane.height() as f64);
         self.step = (high / 240.0).round().max(1.0);
@@ -139,12 +141,14 @@ impl Backdrop {
         self.blocks.extend(within);
     }
 
-    /// The mean square of each block at a shift, and the sums for a better shift.
+    /// Normalized squared difference of each block at a shift (px), with the sums of the normal equations for its
+    /// improvement.
     fn squares(&self, plane: &Plane, by: [f64; 2]) -> Vec<(f64, [f64; 5])> {
         self.blocks.iter().map(|block| block.compare(plane, by, self.step)).collect()
     }
 
-    /// Steps of Gauss and Newton, in which blocks that differ much count little.
+    /// Improves a shift by Gauss-Newton steps with small weights for blocks that differ much. Returns the shift and the
+    /// median squared difference before the last step.
     fn refine(&self, plane: &Plane, start: [f64; 2], steps: usize) -> ([f64; 2], f64) {
         let mut by = start;
         let mut left = f64::INFINITY;
@@ -158,7 +162,7 @@ impl Backdrop {
             }
             left = usual;
             let [xx, xy, yy, x, y] = sums;
-            // A direction without structure keeps its shift.
+            // Keeps the shift in a direction without structure.
             let (xx, yy) = (1.02 * xx + 1e-9, 1.02 * yy + 1e-9);
             let determinant = xx * yy - xy * xy;
             let step = [(x * yy - y * xy) / determinant, (y * xx - x * xy) / determinant];
@@ -173,7 +177,7 @@ impl Backdrop {
         (by, left)
     }
 
-    /// The best whole shift around another one.
+    /// Best shift on a grid around another one, px.
     fn search(&self, plane: &Plane, around: [f64; 2]) -> [f64; 2] {
         let reach = (REACH * plane.height() as f64 / self.step).clamp(6.0, 12.0) as i32;
         let mut best = (f64::INFINITY, around);
@@ -182,7 +186,7 @@ impl Backdrop {
                 let by = [around[0] + self.step * f64::from(right), around[1] + self.step * f64::from(down)];
                 let squares = self.blocks.iter().map(|block| block.roughly(plane, by, self.step).min(1.0));
                 let sum: f64 = squares.sum();
-                // Of equals, such as the lines of a scale, the nearest.
+                // Prefers the nearest of similar minima, such as the lines of a scale.
                 let sum = sum * (1.0 + 0.01 * f64::from(right.abs().max(down.abs())));
                 if sum < best.0 {
                     best = (sum, by);
@@ -210,7 +214,7 @@ impl Backdrop {
 }
 
 impl Block {
-    /// `None` without structure.
+    /// `None` if the block has too little structure.
     fn new(plane: &Plane, place: [f64; 2], step: f64) -> Option<Block> {
         let at = |right: f64, down: f64| plane.linear(place[0] + right, place[1] + down);
         let mut values: Vec<[f64; 3]> = (0..SIDE * SIDE)
@@ -233,7 +237,8 @@ impl Block {
         Some(Block { place, values, structure: norm })
     }
 
-    /// The squares of the differences at a shift, with mean and contrast evened; and the sums of products of slopes and differences.
+    /// Squared difference at a shift after normalization of mean and contrast, and the sums of products of derivatives
+    /// and differences.
     fn compare(&self, plane: &Plane, by: [f64; 2], step: f64) -> (f64, [f64; 5]) {
         let seen: Vec<f64> = (0..self.values.len())
             .map(|k| {
@@ -253,7 +258,7 @@ impl Block {
         (square, sums)
     }
 
-    /// The squares by a quarter of the pixels, at whole pixels.
+    /// Squared difference from a quarter of the samples, without interpolation.
     fn roughly(&self, plane: &Plane, by: [f64; 2], step: f64) -> f64 {
         let column = |k: usize| (self.place[0] + (k % SIDE) as f64 * step + by[0]) as i64;
         let row = |k: usize| (self.place[1] + (k / SIDE) as f64 * step + by[1]) as i64;

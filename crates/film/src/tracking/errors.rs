@@ -1,16 +1,18 @@
-//! Standard errors from the track itself.
+//! Standard errors from the scatter of the track.
 //!
-//! Formal errors of a comparison of pixels take the noise of neighbouring pixels for independent, which compression makes
-//! untrue. A smooth motion vanishes in sixth differences, and noise does not: they tell how large the errors really are.
+//! Formal errors assume independent noise of neighbouring pixels, which compression violates. A smooth motion vanishes
+//! in sixth differences and noise does not, so that they give the actual errors.
 
-/// Frames that a sixth difference joins.
+/// Number of values in a sixth difference.
 const JOINED: usize = 7;
-/// The part of the range of nine values by which a swing of eight values a period, or more, leaves the cubic through the neighbours.
+/// Deviation of a sinusoid with a period of eight values or more from the cubic through its neighbours, relative to the
+/// range of nine values.
 const RANGE: f64 = 0.06;
-/// No position is better than this, in pixels: errors of interpolation follow the motion smoothly and vanish in differences, too.
+/// Minimum standard error, px. Interpolation errors vary smoothly with the motion and vanish in differences, too.
 const LEAST: f64 = 0.005;
 
-/// The weights of the sixth divided difference at these times, so that independent errors of variance 1 give it variance 1.
+/// Weights of the sixth divided difference with norm 1: independent errors of variance 1 give it variance 1. `None` if
+/// times coincide.
 fn weights(times: &[f64]) -> Option<[f64; JOINED]> {
     let mut weights = [0.0; JOINED];
     for (k, weight) in weights.iter_mut().enumerate() {
@@ -22,30 +24,30 @@ fn weights(times: &[f64]) -> Option<[f64; JOINED]> {
     norm.is_finite().then_some(weights)
 }
 
-/// The sixth differences of a coordinate, each in units of one value's error; by the first of their seven frames.
+/// Sixth differences of a coordinate, in units of the error of one value, by the first of their seven values.
 fn differences(times: &[f64], values: &[f64]) -> Vec<Option<f64>> {
     let windows = times.windows(JOINED).zip(values.windows(JOINED));
     windows.map(|(times, values)| Some(weights(times)?.iter().zip(values).map(|(a, b)| a * b).sum())).collect()
 }
 
-/// The standard error of a coordinate's values by the mean square of their sixth differences, without those beyond three times the error
-/// that their median gives; `None` for fewer than seven values.
+/// Standard error of a coordinate: root mean square of the sixth differences, without those beyond three standard
+/// errors by their median. `None` for fewer than seven values.
 fn own(times: &[f64], values: &[f64]) -> Option<f64> {
     let mut squares: Vec<f64> = differences(times, values).into_iter().flatten().map(|value| value * value).collect();
     squares.sort_by(f64::total_cmp);
-    // The median of chi squared with one degree of freedom.
+    // 0.4549: median of chi squared with one degree of freedom.
     let limit = 9.0 * squares.get(squares.len() / 2)? / 0.4549;
     let usual = &squares[..squares.partition_point(|square| *square <= limit)];
-    // What a normal distribution has within three standard deviations.
+    // 0.9733: variance of a normal distribution truncated at three standard deviations.
     Some((usual.iter().sum::<f64>() / usual.len().max(1) as f64 / 0.9733).sqrt())
 }
 
-/// The standard errors of a coordinate: the formal ones, times a factor that makes them as large as the scatter of the track. The noise
-/// of the pixels remains where the track happens to be smoother than its formal errors allow.
+/// Standard errors of a coordinate: formal errors, multiplied by the ratio of the scatter of the track to their median
+/// if it exceeds 1. `times` in s, `values` and `formal` in px.
 pub(crate) fn scaled(times: &[f64], values: &[f64], formal: &[f64]) -> Vec<f64> {
     let mut sorted: Vec<f64> = formal.iter().copied().filter(|error| error.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
-    // The median: a frame without a surface would decide the mean.
+    // The median, since a frame without a surface would dominate the mean.
     let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
     let factor = match own(times, values) {
         Some(own) if usual > 0.0 => (own / usual).max(1.0),
@@ -54,7 +56,7 @@ pub(crate) fn scaled(times: &[f64], values: &[f64], formal: &[f64]) -> Vec<f64> 
     formal.iter().map(|error| (error * factor).max(LEAST)).collect()
 }
 
-/// Which values lie further than `limit` of their errors from what their neighbours predict.
+/// True for each value further than `limit` standard errors from the prediction of its neighbours.
 pub(crate) fn outliers(times: &[f64], values: &[f64], sigmas: &[f64], limit: f64) -> Vec<bool> {
     let windows = times.windows(JOINED).zip(values.windows(JOINED)).zip(sigmas.windows(JOINED));
     let large: Vec<bool> = windows
@@ -65,8 +67,8 @@ pub(crate) fn outliers(times: &[f64], values: &[f64], sigmas: &[f64], limit: f64
             difference.abs() > limit * variance.sqrt()
         })
         .collect();
-    // The middle of seven has the largest weight in their difference. Values near an end are in no middle: they are wrong
-    // where the difference with them is large and the first one without them is not.
+    // The middle of seven values has the largest weight in their difference. A value near an end is never in the
+    // middle. It is an outlier if the difference with it is large and the first one without it is not.
     let (half, last) = (JOINED / 2, large.len().saturating_sub(1));
     let is_large = |window: Option<usize>| window.and_then(|window| large.get(window)).copied().unwrap_or(false);
     (0..values.len())
@@ -82,8 +84,8 @@ pub(crate) fn outliers(times: &[f64], values: &[f64], sigmas: &[f64], limit: f64
         .collect()
 }
 
-/// Values that do not lie on a smooth curve through the two before and the two behind, by more than `least` and a part of the range around;
-/// and those between two such values close to each other.
+/// True for values that deviate by more than `least` and a fraction of the range around them from a smooth curve
+/// through two neighbours on each side, and for values between two such values close together.
 pub(crate) fn jumps(values: &[f64], least: f64) -> Vec<bool> {
     let mut jumps = vec![false; values.len()];
     for (at, part) in values.windows(5).enumerate() {

@@ -1,4 +1,4 @@
-//! All that is followed in a film, frame by frame as a decoder delivers them.
+//! Tracking of all surfaces and bodies of a film, frame by frame as a decoder delivers them.
 
 use crate::plane::Plane;
 use crate::timing::repeats;
@@ -10,24 +10,25 @@ use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{CameraShift, Track};
 
-/// Pixels of two pictures that are compared at most.
+/// Maximum number of pixels compared per pair of pictures.
 const COMPARED: usize = 20_000;
 
-/// What is to be followed, in pixels of the stored picture.
+/// Objects to be tracked. Positions in px of the stored picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// Surfaces in tubes. Their tracks come first.
     pub surfaces: Vec<Surface>,
     /// Bodies.
     pub bodies: Vec<body::Settings>,
-    /// Marks that rest, as they are in the first of the frames: positions are corrected by them.
+    /// Positions of resting marks in the first frame, for the correction of camera motion.
     pub marks: Vec<[f64; 2]>,
-    /// The frames with their times in seconds, both ascending.
+    /// Frame numbers and times in s, both ascending.
     pub frames: Vec<(usize, f64)>,
 }
 
 impl Plan {
-    /// Moves clicks in frames that repeat the picture before, by their places among the frames, to the frame with that picture.
+    /// Moves clicks in repeated frames to the frame with the original picture. `repeated`: indices among the frames,
+    /// ascending.
     fn move_clicks(&mut self, repeated: &[usize]) {
         let kept = |click: &mut Click| {
             let Ok(mut place) = self.frames.binary_search_by_key(&click.frame, |frame| frame.0) else { return };
@@ -43,39 +44,40 @@ impl Plan {
     }
 }
 
-/// A surface with the frames in which a person has said where it is.
+/// Surface with its anchors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
-    /// What is known before the first frame.
+    /// Settings of the tracking.
     pub settings: column::Settings,
-    /// Clicks by which the path is held.
+    /// Clicks that fix the path in further frames.
     pub anchors: Vec<Click>,
 }
 
-/// The tracking of everything in a film: it asks for frames one after the other and then computes in portions.
+/// Tracking of a film: requests frames one after the other and then computes in steps.
 ///
-/// A film may repeat pictures, whose times are wrong, and the camera may have moved, which the picture beside a tube shows where no marks
-/// are given. The frames are then asked for a second time, without the repeated ones and corrected for the camera.
+/// If the film repeats pictures, whose times are wrong, or the picture beside a tube shows a motion of the camera that
+/// no marks correct, the frames are requested a second time. Repeated frames are then left out and the motion of the
+/// camera is corrected.
 pub struct Following {
     plan: Plan,
     pass: Pass,
-    /// Frames that repeat the picture before; none before the first pass is over.
+    /// Frame numbers of repeated pictures; `None` before the end of the first pass.
     repeated: Option<Vec<usize>>,
-    /// Frames and how far the picture has moved in them, in pixels; none where the camera stood still, or marks tell.
+    /// Frame numbers and shifts of the picture, px; empty if the camera stands still or marks are given.
     shifts: Vec<(usize, [f64; 2])>,
 }
 
-/// One reading of the film.
+/// State of one pass through the film.
 struct Pass {
     columns: Vec<Column>,
     bodies: Vec<Body>,
     marks: Marks,
-    /// The motion of the camera where no marks tell, in the first reading.
+    /// Measurement of the camera motion in the first pass, if no marks are given.
     backdrop: Option<Backdrop>,
-    /// The mean absolute difference of each two successive pictures.
+    /// Mean absolute difference of successive pictures, grey values.
     differences: Vec<f64>,
     last: Option<Plane>,
-    /// How many of the frames have been taken.
+    /// Number of frames taken.
     taken: usize,
 }
 
@@ -99,11 +101,11 @@ impl Pass {
 }
 
 impl Following {
-    /// Begins before the first frame.
+    /// State before the first frame.
     ///
     /// # Errors
     ///
-    /// With more marks than can be followed.
+    /// [`Refusal::Many`] for too many marks.
     pub fn new(plan: Plan) -> Result<Self, Refusal> {
         let mut pass = Pass::new(&plan)?;
         if plan.marks.is_empty() && !plan.surfaces.is_empty() {
@@ -112,16 +114,16 @@ impl Following {
         Ok(Self { pass, plan, repeated: None, shifts: Vec::new() })
     }
 
-    /// The frame that is needed next; `None` once all have been taken.
+    /// Number of the next frame to be taken; `None` at the end.
     pub fn wanted(&self) -> Option<usize> {
         self.plan.frames.get(self.pass.taken).map(|frame| frame.0)
     }
 
-    /// Takes the frame that is wanted, as it is stored.
+    /// Takes the requested frame as it is stored.
     ///
     /// # Errors
     ///
-    /// As [`Column::take`], [`Body::take`] and [`Marks::take`]; the film cannot be followed then.
+    /// As [`Column::take`], [`Body::take`] and [`Marks::take`]. The film cannot be tracked then.
     pub fn take(&mut self, plane: Plane) -> Result<(), Refusal> {
         let Some(&(frame, time)) = self.plan.frames.get(self.pass.taken) else { return Ok(()) };
         let pass = &mut self.pass;
@@ -145,11 +147,11 @@ impl Following {
         self.leave_out_repeated()
     }
 
-    /// Goes on without the frame that is wanted: it cannot be decoded.
+    /// Skips the requested frame, which cannot be decoded.
     ///
     /// # Errors
     ///
-    /// None that [`Following::new`] has not had.
+    /// As [`Following::new`].
     pub fn leave_out(&mut self) -> Result<(), Refusal> {
         if self.pass.taken < self.plan.frames.len() {
             self.plan.frames.remove(self.pass.taken);
@@ -157,7 +159,7 @@ impl Following {
         self.leave_out_repeated()
     }
 
-    /// Once all frames have been taken for the first time: begins again without those that repeat a picture, or with the motion of the camera.
+    /// At the end of the first pass, starts a second one if there are repeated pictures or the camera moves.
     fn leave_out_repeated(&mut self) -> Result<(), Refusal> {
         if self.wanted().is_some() || self.repeated.is_some() {
             return Ok(());
@@ -179,14 +181,14 @@ impl Following {
         Ok(())
     }
 
-    /// The greatest shift of the picture since the first frame, in pixels, by which positions are corrected; `None` where the camera stood
-    /// still, or marks tell.
+    /// Largest shift of the picture since the first frame by which positions are corrected, px; `None` if the camera
+    /// stands still or marks are given.
     pub fn camera_shift(&self) -> Option<f64> {
         self.shifts.iter().map(|(_, [c, d])| libm::hypot(*c, *d)).reduce(f64::max)
     }
 
-    /// Continues the search by as many steps, each of which does the work of about one frame (less than a millisecond). True once all
-    /// tracks are complete; never before all frames have been taken.
+    /// Continues the computation by `steps` steps of about the work of one frame, less than 1 ms each. Returns true
+    /// once all tracks are complete, never before all frames have been taken.
     ///
     /// # Errors
     ///
@@ -208,7 +210,7 @@ impl Following {
         Ok(true)
     }
 
-    /// The tracks, surfaces first, with the motion of the camera; empty before they are complete.
+    /// Tracks with the motion of the camera, surfaces first; empty before they are complete.
     pub fn tracks(&self) -> Vec<Track> {
         let shift = self.camera_shift().map(|pixels| CameraShift { pixels });
         let columns = self.pass.columns.iter().map(Column::track);
@@ -216,8 +218,8 @@ impl Following {
         tracks.map(|track| Some(Track { shift, ..track?.clone() })).collect::<Option<_>>().unwrap_or_default()
     }
 
-    /// Fixes a surface in a frame ([`Column::anchor`]). Only the path and what follows from it are computed again, by
-    /// [`Following::advance`].
+    /// Fixes a surface in a frame ([`Column::anchor`]). [`Following::advance`] then repeats the search of that surface
+    /// only.
     pub fn anchor(&mut self, surface: usize, click: Click) {
         self.release(surface, click.frame);
         if let Some(surface) = self.plan.surfaces.get_mut(surface) {
@@ -238,22 +240,22 @@ impl Following {
         }
     }
 
-    /// The space-time picture of a surface: the frames that have been taken in this reading of the film.
+    /// Space-time picture of a surface, from the frames taken in this pass.
     pub fn space_time(&self, surface: usize) -> Option<SpaceTime> {
         self.pass.columns.get(surface)?.space_time()
     }
 
-    /// The frames that are followed, with their times: those of the plan without repeated ones and those left out.
+    /// Numbers and times (s) of the tracked frames, without repeated and skipped ones.
     pub fn frames(&self) -> &[(usize, f64)] {
         &self.plan.frames
     }
 
-    /// The frames that repeat the picture before and are left out.
+    /// Numbers of the frames that repeat the picture before and are left out.
     pub fn repeated(&self) -> &[usize] {
         self.repeated.as_deref().unwrap_or_default()
     }
 
-    /// How many of the frames have been taken in this reading of the film, and of how many.
+    /// Number of frames taken in this pass, and their total number.
     pub fn taken(&self) -> (usize, usize) {
         (self.pass.taken, self.plan.frames.len())
     }
@@ -265,8 +267,8 @@ impl std::fmt::Debug for Following {
     }
 }
 
-/// The mean absolute difference of two pictures, by some of their pixels, once the other is as bright and as contrasty as the one: a change
-/// of the exposure is no motion.
+/// Mean absolute difference of two pictures in grey values, from a part of their pixels. Brightness and contrast are
+/// matched first, so that a change of the exposure does not count.
 fn difference(one: &Plane, other: &Plane) -> f64 {
     let step = (one.grey().len() / COMPARED).max(1);
     let pairs = || one.grey().iter().zip(other.grey()).step_by(step).map(|(a, b)| (f64::from(*a), f64::from(*b)));

@@ -1,9 +1,9 @@
 //! Symmetric linear systems of least squares.
 
-/// A symmetric positive definite matrix whose entries vanish further than `reach` from the diagonal.
+/// Symmetric positive definite band matrix with `reach` diagonals above the main one.
 pub(crate) struct Banded {
     reach: usize,
-    /// The row's entries from the diagonal to the right, `reach + 1` for each row.
+    /// Entries of each row from the diagonal to the right, `reach + 1` per row.
     entries: Vec<f64>,
 }
 
@@ -12,7 +12,7 @@ impl Banded {
         Banded { reach, entries: vec![0.0; size * (reach + 1)] }
     }
 
-    /// Adds to the entry of a row and a column not left of the diagonal; what is outside the band is ignored.
+    /// Adds to an entry on or above the diagonal. Other entries are ignored.
     pub(crate) fn add(&mut self, row: usize, column: usize, value: f64) {
         if column >= row
             && column - row <= self.reach
@@ -22,18 +22,18 @@ impl Banded {
         }
     }
 
-    /// The mean of the diagonal.
+    /// Mean of the diagonal.
     pub(crate) fn scale(&self) -> f64 {
         let size = self.entries.len() / (self.reach + 1);
         self.entries.iter().step_by(self.reach + 1).sum::<f64>() / size.max(1) as f64
     }
 
-    /// Solves for several right-hand sides, which lie side by side in each row of `sides`. `None` where the matrix is not
-    /// positive definite.
+    /// Solves for `count` right-hand sides, stored side by side in each row of `sides`, and overwrites them. `None` if
+    /// the matrix is not positive definite.
     pub(crate) fn solve(mut self, sides: &mut [f64], count: usize) -> Option<()> {
         let wide = self.reach + 1;
         let size = self.entries.len() / wide;
-        // U' D U in place: the rows of U, with D on the diagonal.
+        // Decomposition U' D U in place: rows of U, with D on the diagonal.
         for row in 0..size {
             let pivot = self.entries[row * wide];
             if pivot.is_nan() || pivot <= 0.0 {
@@ -64,9 +64,10 @@ impl Banded {
     }
 }
 
-/// The solution of a small symmetric system, and the inverse of its matrix; `None` where it is singular to rounding.
+/// Solution of a small symmetric positive definite system, and the inverse of its matrix; `None` if it is numerically
+/// singular.
 pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], side: [f64; N]) -> Option<([f64; N], [[f64; N]; N])> {
-    // Scaled to a unit diagonal, so that one threshold serves all units.
+    // Scaled to a unit diagonal, so that one threshold suits all units.
     let mut scale = [0.0; N];
     for k in 0..N {
         if matrix[k][k].is_nan() || matrix[k][k] <= 0.0 {

@@ -1,33 +1,33 @@
-//! How the camera moves, by marks that rest.
+//! Camera motion from resting marks.
 
 use crate::plane::Plane;
 use crate::tracking::body::{Disc, MARGIN, Part, Template};
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
 
-/// Marks that are followed at most.
+/// Maximum number of marks.
 const MOST: usize = 4;
-/// The radius of a mark as a part of the picture's height.
+/// Radius of a mark relative to the height of the picture.
 const RADIUS: f64 = 1.0 / 24.0;
-/// Pixels around the last position that are searched, as a part of the picture's height.
+/// Radius of the search around the last position, relative to the height of the picture.
 const REACH: f64 = 1.0 / 40.0;
-/// Below this correlation a mark is lost.
+/// Minimum correlation of a mark.
 const SCORE: f64 = 0.6;
 
-/// The marks of a film.
+/// Tracker of the marks of a film.
 pub struct Marks {
     clicks: Vec<[f64; 2]>,
     templates: Vec<Template>,
-    /// Where each mark was seen last.
+    /// Last position of each mark, px.
     last: Vec<[f64; 2]>,
 }
 
 impl Marks {
-    /// Marks that were clicked at these points, in pixels: one shows shifts alone, two to four rotation and scale as well.
+    /// Marks clicked at these points, px. One mark gives shifts only, two to four also rotation and scale.
     ///
     /// # Errors
     ///
-    /// With more marks than can be followed.
+    /// [`Refusal::Many`] for too many marks.
     pub fn new(clicks: Vec<[f64; 2]>) -> Result<Marks, Refusal> {
         if clicks.len() > MOST {
             return Err(Refusal::Many { greatest: MOST });
@@ -35,11 +35,11 @@ impl Marks {
         Ok(Marks { last: clicks.clone(), clicks, templates: Vec::new() })
     }
 
-    /// How the camera has moved since the first frame that was taken: from the pixels of that frame to those of this one.
+    /// Motion of the camera since the first frame taken: map from px of that frame to px of this one.
     ///
     /// # Errors
     ///
-    /// Where a mark lies outside the picture, on a uniform place, or is lost.
+    /// A [`Refusal`] if a mark lies outside the picture or on a uniform area, or is lost.
     pub fn take(&mut self, frame: usize, plane: &Plane) -> Result<Similarity, Refusal> {
         let high = plane.height() as f64;
         let radius = (RADIUS * high).clamp(4.0, 60.0);

@@ -1,6 +1,6 @@
-//! The median.
+//! Median.
 
-/// The median; the upper one of an even number, 0 of nothing.
+/// Median, of an even number the upper one; 0 for an empty list.
 pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     let middle = values.len() / 2;
     if middle >= values.len() {

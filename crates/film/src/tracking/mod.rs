@@ -1,4 +1,4 @@
-//! Where something is in each frame.
+//! Positions of surfaces and bodies in each frame.
 
 mod backdrop;
 pub mod body;

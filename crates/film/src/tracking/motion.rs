@@ -1,7 +1,7 @@
 //! Velocity and acceleration from positions in neighbouring frames.
 
-/// The velocity and the acceleration at one of some positions, by the parabola through it and its neighbours; zero where there are
-/// fewer than three.
+/// Velocity and acceleration at position `at`, from the parabola through it and its neighbours; 0 for fewer than three
+/// positions. `times` in s.
 pub(crate) fn motion(times: &[f64], values: &[f64], at: usize) -> (f64, f64) {
     let count = times.len().min(values.len());
     if count < 3 {
@@ -17,18 +17,18 @@ pub(crate) fn motion(times: &[f64], values: &[f64], at: usize) -> (f64, f64) {
     (velocity, 2.0 * curvature)
 }
 
-/// By how many pixels something is away from its place in the middle of an exposure of so many seconds, at instants that divide it
-/// equally; a single zero without an exposure.
+/// Displacements in px from the position at the middle of an exposure of `exposure` s, at evenly spaced instants. A
+/// single 0 without an exposure.
 pub(crate) fn smear((velocity, acceleration): (f64, f64), exposure: f64) -> Vec<f64> {
     let length = velocity.abs() * exposure;
     if exposure <= 0.0 || !(length + acceleration * exposure * exposure).is_finite() {
         return vec![0.0];
     }
-    // Two instants for each pixel: the splines that they shift are four pixels wide.
+    // Two instants per pixel: the shifted splines are four pixels wide.
     let count = (2.0 * length).ceil().clamp(2.0, 64.0);
     let shift = |k: usize| {
         let late = ((k as f64 + 0.5) / count - 0.5) * exposure;
-        // The middles of parts scatter less than the whole does.
+        // Midpoints of subintervals have a smaller variance than the whole interval; the factor corrects that.
         let late = late * (count * count / (count * count - 1.0)).sqrt();
         velocity * late + acceleration * late * late / 2.0
     };

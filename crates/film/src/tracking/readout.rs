@@ -1,30 +1,31 @@
-//! The readout time of a rolling shutter from an oscillation.
+//! Readout time of a rolling shutter from an oscillation.
 //!
-//! A camera that reads its rows one after another shows a row at `part` of the picture's height after the middle one later by
-//! `readout * part`. The position then contains `readout * part * velocity`: for an oscillation a second harmonic in the phase of
-//! position times velocity. A restoring force that is not proportional to the displacement has its second harmonic in the phase of the square
-//! of the position and is fitted beside it. Amplitude and phase may change slowly, as polynomials of time.
+//! A camera that reads its rows one after another shows a row at `part` of the picture's height below the middle later
+//! by `readout * part`. The position then contains `readout * part * velocity`. For an oscillation this is a second
+//! harmonic with the phase of position times velocity. A restoring force that is not proportional to the displacement
+//! has a second harmonic with the phase of the squared position, which is fitted as well. Amplitude and phase may vary
+//! slowly, as polynomials of time.
 
 use crate::tracking::linear::solve;
 use crate::tracking::motion::motion;
 use crate::tracking::track::Readout;
 
-/// The highest degree of the polynomials.
+/// Maximum degree of the polynomials.
 const DEGREE: usize = 5;
-/// A constant, the polynomials times cosine and sine, the square of the position, and the readout time last.
+/// Number of terms: a constant, the polynomials times cosine and sine, the squared position, and the readout time last.
 const TERMS: usize = 2 * (DEGREE + 1) + 3;
-/// Frames that are used: enough for an error below a millisecond.
+/// Maximum number of frames; enough for an error below 1 ms.
 const FRAMES: usize = 600;
-/// Periods that the film must show.
+/// Minimum number of periods in the film.
 const PERIODS: f64 = 3.0;
-/// The estimate counts if it is so many standard errors from zero.
+/// Minimum ratio of the estimate to its standard error.
 const CLEAR: f64 = 4.0;
-/// Steps of Gauss and Newton.
+/// Number of Gauss-Newton steps.
 const STEPS: usize = 6;
 
-/// The readout time by least squares; `None` where the motion is no oscillation of some periods, or shows none.
-///
-/// `parts` says at which part of the picture's height each position was read, from the middle.
+/// Least-squares estimate of the readout time; `None` if the motion is not an oscillation of several periods, or the
+/// estimate is not significant. `times` in s; `parts`: readout position of each value relative to the middle of the
+/// picture, in picture heights.
 pub(crate) fn estimate(times: &[f64], values: &[f64], parts: &[f64]) -> Option<Readout> {
     let count = times.len().min(FRAMES);
     let (times, values, parts) = (times.get(..count)?, values.get(..count)?, parts.get(..count)?);
@@ -43,7 +44,7 @@ pub(crate) fn estimate(times: &[f64], values: &[f64], parts: &[f64]) -> Option<R
         let (step, error, _) = step(&instants, values, parts, times[0], span, cycles)?;
         seconds += step;
         sigma = error;
-        // No camera reads for longer than a frame lasts.
+        // The readout cannot take longer than the frame interval, with a margin.
         if seconds.abs() > 1.5 * span / (count - 1) as f64 {
             return None;
         }
@@ -51,8 +52,8 @@ pub(crate) fn estimate(times: &[f64], values: &[f64], parts: &[f64]) -> Option<R
     (seconds.abs() > CLEAR * sigma).then_some(Readout { seconds, sigma })
 }
 
-/// The root mean square by which an oscillation of slowly changing amplitude and phase misses the positions; `None` where the motion is no
-/// oscillation of some periods.
+/// Root mean square deviation of the positions from an oscillation of slowly varying amplitude and phase, in the unit
+/// of `values`. `None` if the motion is not an oscillation of several periods.
 pub(crate) fn residual(times: &[f64], values: &[f64], parts: &[f64]) -> Option<f64> {
     let count = times.len().min(FRAMES);
     let (times, values, parts) = (times.get(..count)?, values.get(..count)?, parts.get(..count)?);
@@ -63,7 +64,7 @@ pub(crate) fn residual(times: &[f64], values: &[f64], parts: &[f64]) -> Option<f
     Some(step(times, values, parts, times[0], times[count - 1] - times[0], cycles)?.2)
 }
 
-/// How many periods the film shows: those of the sinusoid that agrees best.
+/// Number of periods: that of the sinusoid with the largest power.
 fn cycles(times: &[f64], values: &[f64]) -> Option<f64> {
     let span = times[times.len() - 1] - times[0];
     let mean = values.iter().sum::<f64>() / values.len() as f64;
@@ -76,12 +77,12 @@ fn cycles(times: &[f64], values: &[f64]) -> Option<f64> {
         }
         cosine * cosine + sine * sine
     };
-    // Half steps resolve a peak; six frames a period are the fewest that a velocity needs.
+    // Half steps resolve a peak. The upper bound is six frames per period, the minimum for a velocity.
     let candidates = (2..=times.len() / 3).map(|half| half as f64 / 2.0);
     candidates.map(|cycles| (cycles, power(cycles))).max_by(|a, b| a.1.total_cmp(&b.1)).map(|best| best.0)
 }
 
-/// The step of the readout time, its standard error, and the root mean square of the residuals in pixels.
+/// Step of the readout time (s), its standard error (s), and the root mean square of the residuals (px).
 fn step(
     instants: &[f64],
     values: &[f64],
@@ -100,7 +101,7 @@ fn step(
         let slow = 2.0 * (instant - start) / span - 1.0;
         let (sine, cosine) = libm::sincos(std::f64::consts::PI * cycles * (slow + 1.0));
         let mut terms = [0.0; TERMS];
-        // Legendre polynomials, by their recurrence.
+        // Recurrence of the Legendre polynomials.
         let (mut before, mut now) = (0.0, 1.0);
         for k in 0..=degree {
             terms[2 * k] = now * cosine;
@@ -120,7 +121,7 @@ fn step(
         }
         squares += value * value;
     }
-    // Polynomials of a degree that is not used.
+    // Unused degrees of the polynomials.
     for (k, row) in matrix.iter_mut().enumerate().take(TERMS - 3).skip(2 * (degree + 1)) {
         row[k] = 1.0;
     }

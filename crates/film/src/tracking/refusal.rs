@@ -1,89 +1,89 @@
-//! Why a film cannot be tracked.
+//! Errors of tracking.
 
 use units::{Words, words};
 
-/// Why a film, or one frame of it, cannot be tracked.
+/// Reason why a film, or one of its frames, cannot be tracked.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
     /// A number of the settings is not finite, or a click lies outside the picture.
     Click {
-        /// To the right, in pixels.
+        /// Coordinate to the right, px.
         x: f64,
-        /// Downwards, in pixels.
+        /// Coordinate downwards, px.
         y: f64,
     },
-    /// The two points of a tube are closer than this many pixels.
+    /// The two points of a tube are too close together.
     Tube {
-        /// Their distance.
+        /// Their distance, px.
         length: f64,
-        /// The shortest that works.
+        /// Minimum distance, px.
         least: f64,
     },
-    /// A frame does not have the size of the first one.
+    /// The frame differs in size from the first one.
     Size {
-        /// The frame.
+        /// Frame number.
         frame: usize,
     },
-    /// The time of a frame is not finite or not later than that of the frame before.
+    /// The time of a frame is not finite, or not in order.
     Order {
-        /// The frame.
+        /// Frame number.
         frame: usize,
     },
-    /// The film has more frames than fit into the memory that tracking may take.
+    /// The film has more frames than fit into the memory of tracking.
     Long {
-        /// How many fit.
+        /// Maximum number of frames.
         frames: usize,
     },
-    /// There are fewer frames than tracking needs.
+    /// The film has too few frames.
     Short {
-        /// How many it needs.
+        /// Minimum number of frames.
         frames: usize,
     },
-    /// The clicked place shows nothing that could be followed.
+    /// The clicked place shows nothing that can be tracked.
     Plain,
-    /// The picture shows nothing that could be followed within the radius that was stated.
+    /// The picture shows nothing that can be tracked within the given radius.
     PlainDisc {
-        /// Pixels.
+        /// Given radius, px.
         radius: f64,
     },
-    /// The clicked place does not stand out of the noise.
+    /// The clicked place does not exceed the noise.
     Noise {
-        /// The frame of the click.
+        /// Frame number of the click.
         frame: usize,
     },
-    /// The other frames show what does not resemble the clicked place.
+    /// The other frames show nothing that resembles the clicked place.
     Left {
-        /// The frame of the click.
+        /// Frame number of the click.
         frame: usize,
     },
-    /// A mark lies on a place that shows nothing that could be found again.
+    /// A mark lies on a place that cannot be recognised.
     PlainMark {
-        /// Which one, from 1.
+        /// Number of the mark, from 1.
         number: usize,
     },
     /// A resting mark was lost.
     Mark {
-        /// Which one, from 1.
+        /// Number of the mark, from 1.
         number: usize,
-        /// In which frame.
+        /// Frame number.
         frame: usize,
     },
-    /// The radius of a body is not finite, or none that can be followed.
+    /// The radius of a body is not finite, or outside the bounds.
     Radius {
-        /// The smallest in pixels.
+        /// Minimum radius, px.
         least: f64,
-        /// The greatest in pixels.
+        /// Maximum radius, px.
         greatest: f64,
     },
-    /// More bodies or marks than can be followed.
+    /// Too many bodies or marks.
     Many {
-        /// How many can.
+        /// Maximum number.
         greatest: usize,
     },
 }
 
 impl Refusal {
-    /// The message for people: what happened, and what to do.
+    /// Message: what happened, and what to do.
     pub fn words(&self) -> Words {
         match self {
             Self::Click { x, y } => words!(
@@ -151,7 +151,7 @@ impl Refusal {
     }
 }
 
-/// A frame as people count: from 1.
+/// Frame number for the user, from 1.
 fn counted(frame: usize) -> Words {
     Words::same((frame + 1).to_string())
 }

@@ -1,24 +1,24 @@
-//! Shifts with rotation and scale.
+//! Similarity transformations: shift, rotation and scale.
 
-/// The similarity (x, y) -> (a x - b y + c, b x + a y + d).
+/// Similarity (x, y) -> (a x - b y + c, b x + a y + d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Similarity {
     /// Scale times the cosine of the angle.
     pub a: f64,
     /// Scale times the sine of the angle.
     pub b: f64,
-    /// Shift to the right.
+    /// Shift to the right, px.
     pub c: f64,
-    /// Shift downwards.
+    /// Shift downwards, px.
     pub d: f64,
 }
 
 impl Similarity {
-    /// The one that changes nothing.
+    /// Identity.
     pub const IDENTITY: Similarity = Similarity { a: 1.0, b: 0.0, c: 0.0, d: 0.0 };
 
-    /// The similarity that takes each first point closest to its second one by least squares; a shift alone for one pair.
-    /// `None` without pairs, or where all first points coincide.
+    /// Least-squares similarity from the first points of the pairs to the second ones; a pure shift for one pair.
+    /// `None` without pairs, or if all first points coincide.
     pub fn between(pairs: &[([f64; 2], [f64; 2])]) -> Option<Similarity> {
         let count = pairs.len() as f64;
         let mean = |pick: fn(&([f64; 2], [f64; 2])) -> f64| pairs.iter().map(pick).sum::<f64>() / count;
@@ -41,17 +41,17 @@ impl Similarity {
         Some(Similarity { a, b, c: to[0] - a * from[0] + b * from[1], d: to[1] - b * from[0] - a * from[1] })
     }
 
-    /// Where a point goes.
+    /// Image of a point.
     pub fn apply(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.a * x - self.b * y + self.c, self.b * x + self.a * y + self.d]
     }
 
-    /// Where a direction goes, with the scale.
+    /// Image of a direction, with the scale.
     pub fn turn(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.a * x - self.b * y, self.b * x + self.a * y]
     }
 
-    /// The point that goes to this one.
+    /// Inverse image of a point.
     pub fn undo(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let size = self.a * self.a + self.b * self.b;
         let (u, v) = (x - self.c, y - self.d);

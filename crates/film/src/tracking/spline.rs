@@ -1,15 +1,15 @@
 //! Cubic B-splines on whole numbers.
 
-/// Values of the four cubic B-splines that differ from zero at a fraction `f` of the way between two knots, the leftmost first.
+/// Values of the four nonzero cubic B-splines at the fraction `f` between two knots, the leftmost first.
 ///
-/// M. Unser, *IEEE Signal Process. Mag.* 16 (1999) 22.
+/// Unser, *IEEE Signal Process. Mag.* 16 (1999) 22.
 pub(crate) fn values(f: f64) -> [f64; 4] {
     let g = 1.0 - f;
     let inner = |f: f64, g: f64| (4.0 - 3.0 * f * f * (1.0 + g)) / 6.0;
     [g * g * g / 6.0, inner(f, g), inner(g, f), f * f * f / 6.0]
 }
 
-/// Their derivatives.
+/// Derivatives of [`values`].
 pub(crate) fn slopes(f: f64) -> [f64; 4] {
     let g = 1.0 - f;
     [-g * g / 2.0, f * (3.0 * f - 4.0) / 2.0, -g * (3.0 * g - 4.0) / 2.0, f * f / 2.0]

@@ -1,56 +1,55 @@
-//! What tracking finds.
+//! Result of tracking.
 
 use units::number::fixed;
 use units::{Words, words};
 
-/// Where something is in one frame.
+/// Position in one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// The frame, counted as the caller counts.
+    /// Frame number of the caller.
     pub frame: usize,
-    /// When the row in which it is seen was exposed, in seconds: the frame's own time without a rolling shutter.
+    /// Time in s at which the row of the position was read. Equals the time of the frame without a rolling shutter.
     pub time: f64,
-    /// `x` to the right and `y` downwards, in pixels; with resting marks, in the picture of the first frame.
+    /// Position in px, `x` to the right and `y` downwards; with camera motion, in the picture of the first frame.
     pub position: [f64; 2],
-    /// The standard errors of both coordinates in pixels. A column is measured along its tube: its errors are those of that
-    /// direction.
+    /// Standard errors of both coordinates, px. For a surface, the components of its error along the tube.
     pub sigma: [f64; 2],
-    /// The correlation of the pixels with what was sought, at most 1.
+    /// Correlation of the pixels with the model, at most 1.
     pub score: f64,
-    /// Whether a person should look at this frame.
+    /// True if the user should check this frame.
     pub doubtful: bool,
 }
 
-/// A position in each frame, in the order of time.
+/// Positions in the order of time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Track {
     /// The positions.
     pub points: Vec<Point>,
-    /// How long each frame was exposed.
+    /// Exposure time of the frames.
     pub exposure: Option<Exposure>,
-    /// How long the camera takes to read a frame.
+    /// Readout time of a frame.
     pub readout: Option<Readout>,
-    /// The direction, of length 1, in which a column is measured; none for a body.
+    /// Unit vector along the tube of a surface; `None` for a body.
     pub direction: Option<[f64; 2]>,
-    /// The first frame in which a body was lost; tracking ends before it.
+    /// First frame in which a body was lost. Tracking resumes at the next key frame, if any.
     pub lost: Option<usize>,
-    /// The outline of a body, by its last key frame; none for a column.
+    /// Outline of a body, by its last key frame; `None` for a surface.
     pub outline: Option<Outline>,
-    /// The motion of the camera, where the picture beside a tube shows one and no marks were given.
+    /// Motion of the camera seen beside a tube, if no marks are given.
     pub shift: Option<CameraShift>,
 }
 
-/// The circle by which a body is followed.
+/// Outline of a tracked body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outline {
-    /// Pixels to the right and downwards from the position of the body, which is that of its click, to the centre.
+    /// Vector from the position of the body, which is that of its click, to the centre of the circle, px.
     pub offset: [f64; 2],
-    /// Pixels.
+    /// Radius, px.
     pub radius: f64,
 }
 
 impl Track {
-    /// What a person should know of the camera, as far as the track shows it.
+    /// Notes on the camera for the user: exposure time, readout time and motion.
     pub fn camera(&self) -> Vec<Words> {
         let exposure = self.exposure.map(|exposure| match exposure {
             Exposure::Seconds(seconds) => {
@@ -62,7 +61,7 @@ impl Track {
                 ms = milliseconds(seconds)
             ),
         });
-        // One that was stated has no error, and whoever has stated it knows it.
+        // A given readout time has no error and needs no note.
         let readout = self.readout.filter(|readout| readout.sigma > 0.0).map(|readout| {
             words!(
                 "rolling shutter: {ms} ± {sigma} ms from the first row to the last; times are corrected for it",
@@ -80,10 +79,10 @@ fn milliseconds(seconds: f64) -> Words {
     Words::each(|language| fixed(1e3 * seconds, 1, language.style()))
 }
 
-/// The motion of the camera by what stands still in the picture.
+/// Motion of the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraShift {
-    /// The greatest shift since the first frame by which positions are corrected, in pixels.
+    /// Largest shift since the first frame by which positions are corrected, px.
     pub pixels: f64,
 }
 
@@ -97,30 +96,30 @@ impl CameraShift {
     }
 }
 
-/// The exposure time that was found.
+/// Estimated exposure time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Exposure {
-    /// Seconds.
+    /// Exposure time, s.
     Seconds(f64),
-    /// The film shows no smear: less than so many seconds.
+    /// Upper bound in s: the film shows no smear.
     Under(f64),
 }
 
-/// How long a rolling shutter takes from the first row to the last.
+/// Readout time of a rolling shutter, from the first row to the last.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Readout {
-    /// Seconds; negative where the camera was held upside down.
+    /// Readout time, s; negative if the camera was held upside down.
     pub seconds: f64,
-    /// Its standard error in seconds.
+    /// Standard error, s.
     pub sigma: f64,
 }
 
-/// A quantity of the camera that may be known.
+/// Quantity of the camera that may be known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Known {
-    /// It is estimated from the film.
+    /// Estimated from the film.
     #[default]
     Estimated,
-    /// It is known, in seconds.
+    /// Known value, s.
     Seconds(f64),
 }

@@ -1,15 +1,15 @@
-//! How a track agrees with the truth.
+//! Agreement of a track with the truth.
 
 use film::tracking::Point;
 
-/// How far positions are from the truth, after a constant.
+/// Differences between positions and truth, minus their mean.
 #[derive(Debug)]
 pub struct Agreement {
-    /// Root of the mean square, in pixels.
+    /// Root mean square, px.
     pub error: f64,
-    /// The same in units of the standard errors.
+    /// Root mean square in units of the standard errors.
     pub relative: f64,
-    /// The largest, in pixels.
+    /// Largest difference, px.
     pub worst: f64,
 }
 
@@ -27,7 +27,7 @@ pub fn agreement(points: &[Point], axis: usize, truth: impl Fn(&Point) -> f64) -
     }
 }
 
-/// Asserts that a track is as exact as it should be, and its errors as large as they say.
+/// Asserts that the root mean square error of a track is below `error`, and that its standard errors are realistic.
 #[track_caller]
 pub fn assert_exact(name: &str, found: &Agreement, error: f64) {
     assert!(found.error < error, "{name}: {found:?}");

@@ -14,7 +14,7 @@ fn words(numbers: &[i64]) -> Vec<u8> {
     numbers.iter().flat_map(|&number| (number as u32).to_be_bytes()).collect()
 }
 
-/// What varies between the films here. Four frames of 10 bytes each, at 100 ticks of 1000 a second.
+/// Variable contents of the films. By default four frames of 10 bytes, 100 ticks each, at 1000 ticks per second.
 #[derive(Clone)]
 struct Made {
     sizes: Vec<u8>,

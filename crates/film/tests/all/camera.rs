@@ -53,7 +53,7 @@ fn without_noise_an_exposure_is_the_mean_of_its_drawings() {
     assert!(times.iter().zip(expected).all(|(time, expected)| (time - expected).abs() < 1e-12), "{times:?}");
 }
 
-/// What is drawn, blurred and made noisy is tracked back to where it was drawn.
+/// A drawn, blurred and noisy surface is tracked to its drawn position.
 #[test]
 fn a_drawn_tube_is_tracked_back() {
     let tube = Tube::default();

@@ -97,7 +97,7 @@ fn decoding_begins_with_the_key_frame_before() {
     assert_eq!([0, 5, 6, 11].map(|at| film.key_before(at)), [0, 0, 6, 6]);
 }
 
-/// What lies between headers is not read: the same film with two gigabytes of something else before its frames.
+/// Data between headers are not read: a film with two gigabytes of other data before its frames.
 #[test]
 fn large_films_open_by_their_headers() {
     let film = bytes("h264.mp4");

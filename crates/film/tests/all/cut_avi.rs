@@ -9,16 +9,16 @@ const FIRST: usize = 5;
 /// A frame that was missed: its chunk is empty.
 const MISSED: usize = 3;
 
-/// How the frames of a file are listed.
+/// Index of the frames of a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Index {
-    /// By `idx1`, behind the frames.
+    /// `idx1` after the frames.
     Old,
-    /// Not at all.
+    /// None.
     Without,
-    /// By OpenDML, in two parts.
+    /// OpenDML in two parts.
     OpenDml,
-    /// Not at all, and the sizes of lists and the number of frames are not stated: written to a pipe, or not finished.
+    /// None; sizes of lists and number of frames are missing, as in a file written to a pipe or unfinished.
     Unfinished,
 }
 
@@ -56,7 +56,7 @@ fn made(four: &[u8; 4], index: Index) -> (Vec<u8>, Vec<usize>) {
     let parts: Vec<std::ops::Range<usize>> = vec![0..first, first..FRAMES];
     let mut file = Vec::new();
     let mut ends = Vec::new();
-    // Where the parts of the index will be is not known in the first round.
+    // The offsets of the index parts are unknown in the first round.
     let mut places = [[0_u32; 2]; 2];
     for _ in 0..2 {
         (file, ends) = (Vec::new(), Vec::new());

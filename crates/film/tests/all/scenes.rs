@@ -6,20 +6,20 @@ use film::tracking::Similarity;
 pub const WIDTH: usize = 180;
 pub const HEIGHT: usize = 240;
 
-/// How a film is taken.
+/// Settings of a film. Rate in frames per second.
 #[derive(Clone)]
 pub struct Camera {
     pub rate: f64,
     pub frames: usize,
-    /// Seconds.
+    /// Exposure time, s.
     pub exposure: f64,
-    /// Seconds from the first row to the last.
+    /// Readout time from the first row to the last, s.
     pub readout: f64,
-    /// Standard deviation of the grey values.
+    /// Standard deviation of the noise, grey values.
     pub noise: f64,
-    /// The part of the light that flickers with 100 Hz.
+    /// Fraction of the light that flickers at 100 Hz.
     pub flicker: f64,
-    /// Pixels by which a hand moves.
+    /// Amplitude of the camera shake, px.
     pub shake: f64,
     pub seed: u64,
 }
@@ -30,15 +30,15 @@ impl Default for Camera {
     }
 }
 
-/// What is filmed.
+/// Filmed scene. Coordinates in px, times in s.
 pub trait Scene {
-    /// Where the thing is at a time.
+    /// Position of the object at a time.
     fn place(&self, t: f64) -> [f64; 2];
-    /// The grey value of a point at a time.
+    /// Grey value of a point at a time.
     fn grey(&self, x: f64, y: f64, t: f64) -> f64;
-    /// Whether a point shows something that moves now.
+    /// True if a point shows something that moves now.
     fn moving(&self, x: f64, y: f64, t: f64) -> bool;
-    /// Whether it shows something that has moved at any time.
+    /// True if a point shows something that moves at any time.
     fn changed(&self, x: f64, y: f64) -> bool;
 }
 
@@ -188,7 +188,7 @@ impl Scene for Pendulum {
 pub struct Frame {
     pub time: f64,
     pub plane: Plane,
-    /// Where the thing is in the picture when its row is read, and when that is.
+    /// Position of the object in the picture when its row is read (px), and that time (s, `instant`).
     pub seen: [f64; 2],
     pub instant: f64,
 }
@@ -205,7 +205,7 @@ fn normal(counter: u64) -> f64 {
     parts.sum::<f64>() * 3.0_f64.sqrt()
 }
 
-/// How the camera is held in a frame.
+/// Motion of the camera in a frame.
 pub fn held(camera: &Camera, n: usize) -> Similarity {
     let t = n as f64 / camera.rate;
     let wander =
@@ -216,7 +216,7 @@ pub fn held(camera: &Camera, n: usize) -> Similarity {
 
 /// Films a scene.
 pub fn film(scene: &impl Scene, camera: &Camera) -> Vec<Frame> {
-    // What does not move is the same in all frames on a tripod.
+    // On a tripod the stationary points are equal in all frames.
     let still: Vec<f64> = pixels().map(|[x, y]| scene.grey(x, y, 0.0)).collect();
     (0..camera.frames).map(|n| frame(scene, camera, n, &still)).collect()
 }

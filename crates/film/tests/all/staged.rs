@@ -8,14 +8,14 @@ use film::tracking::{Known, Refusal, Similarity, Track};
 /// Pixels beyond which a position is wrong.
 const WRONG: f64 = 6.0;
 
-/// How a body was followed.
+/// Result of tracking a body, as numbers of frames.
 #[derive(Debug, Default)]
 struct Outcome {
     frames: usize,
     right: usize,
-    /// Wrong without a mark.
+    /// Wrong and not doubtful.
     silent: usize,
-    /// Right with a mark.
+    /// Right but doubtful.
     marked: usize,
 }
 

@@ -3,10 +3,10 @@
 use film::containers::{Film, FilmError, Opening};
 use std::path::Path;
 
-/// How a film was read.
+/// Result and cost of opening a film.
 pub struct Reading {
     pub result: Result<Box<Film>, FilmError>,
-    /// How many times it was read, and how many bytes.
+    /// Number of requests and of bytes read.
     pub requests: usize,
     pub bytes: u64,
 }
@@ -44,7 +44,8 @@ fn folder() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/films")
 }
 
-/// What `ffprobe` says of a film: packets in decode order (time, size, offset, flags), and the times of the frames shown.
+/// Description of a film by `ffprobe`: packets in decoding order (time in s, size and offset in bytes, flags), and the
+/// presentation times in s.
 pub struct Expected {
     pub packets: Vec<(f64, u32, u64, String)>,
     pub times: Vec<f64>,

@@ -88,7 +88,7 @@ fn doubled_times_and_wrong_rates_are_said() {
     assert_eq!((Intervals::of(&[]), Intervals::of(&[1.0]), Intervals::of(&[1.0, 1.0])), (None, None, None));
 }
 
-/// What a camera states, at which rate its film plays, and the factor.
+/// Cases: recording rate, playback rate (frames per second), and factor.
 #[test]
 fn slow_motion_divides_times() {
     for (captured, shown, factor) in [

@@ -3,7 +3,7 @@
 
 use film::Plane;
 
-/// What is filmed, and how. Lengths are in pixels, times in frames, brightness in grey values.
+/// Filmed tube and settings of the film. Lengths in px, times in frames, brightness in grey values.
 #[derive(Clone, Debug)]
 pub struct Filmed {
     pub size: [usize; 2],
@@ -29,7 +29,7 @@ pub struct Filmed {
     pub marks: Option<(f64, f64)>,
     /// Strength of the texture of the wall, which is seen through the bore.
     pub texture: f64,
-    /// How far the texture moves, as leaves do; liquid shows it mirrored and fainter.
+    /// Amplitude of the motion of the texture, as of leaves; the liquid shows it mirrored and fainter.
     pub leaves: Option<f64>,
     /// Brightness, size and swing of a reflection that moves along the bore.
     pub reflection: Option<[f64; 3]>,
@@ -84,9 +84,9 @@ impl Default for Filmed {
 /// A film with its truth.
 pub struct Taken {
     pub planes: Vec<Plane>,
-    /// Where the surface meets the axis in each frame, in pixels; in the picture of the first frame.
+    /// Intersection of surface and axis in each frame, px of the first picture.
     pub truth: Vec<[f64; 2]>,
-    /// The same in the picture of each frame.
+    /// Intersection of surface and axis in each frame, px of its own picture.
     pub seen: Vec<[f64; 2]>,
     pub hidden: Vec<bool>,
     /// Two points of the axis.

@@ -1,26 +1,26 @@
-//! What a click on the film means.
+//! Effects of clicks on the film.
 
 use desk::Subject;
 
-/// A point of the upright picture, in pixels.
+/// Point of the upright picture, px.
 pub type Pixel = [f64; 2];
 
-/// What is followed.
+/// Kind of subject.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Kind {
-    /// The surface of a liquid in a tube.
+    /// Surface of a liquid in a tube.
     #[default]
     Surface,
-    /// Those in both arms of a tube.
+    /// Surfaces in both arms of a tube.
     Arms,
     /// Bodies.
     Body,
-    /// A point that is clicked in each frame.
+    /// Point clicked by hand in each frame.
     Hand,
 }
 
 impl Kind {
-    /// That of what is followed already.
+    /// Kind of an existing subject.
     pub fn of(subject: &Subject) -> Option<Self> {
         match subject {
             Subject::Nothing => None,
@@ -32,58 +32,58 @@ impl Kind {
     }
 }
 
-/// What the next click sets.
+/// Effect of the next click.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tool {
-    /// Nothing.
+    /// None.
     #[default]
     Rest,
-    /// What is followed.
+    /// Clicks the subject.
     Subject,
-    /// Two points of the tube's axis.
+    /// Sets two points of the tube axis.
     Tube,
-    /// Marks that rest, against shake.
+    /// Adds resting marks against camera shake.
     Still,
-    /// Two marks of the ruler.
+    /// Sets two marks of the ruler.
     Ruler,
-    /// The point that becomes zero.
+    /// Sets the origin.
     Origin,
-    /// A point on the x axis.
+    /// Sets a point on the x axis.
     Axis,
-    /// The corners of a rectangle.
+    /// Sets the corners of a rectangle.
     Corners,
 }
 
-/// A point that can be moved.
+/// Movable point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Handle {
-    /// Where a surface was clicked.
+    /// Click on the surface with this index.
     Surface(usize),
-    /// An end of a tube's axis.
+    /// End of a tube axis: index of the surface and of the end.
     Tube(usize, usize),
-    /// A key frame of a body.
+    /// Key frame of a body: index of the body and of the key frame.
     Body(usize, usize),
-    /// A point by hand.
+    /// Point clicked by hand.
     Hand(usize),
-    /// A resting mark.
+    /// Resting mark.
     Still(usize),
-    /// A mark of the ruler.
+    /// Mark of the ruler.
     Ruler(usize),
     /// The origin.
     Origin,
     /// The point on the x axis.
     Axis,
-    /// A corner of the rectangle.
+    /// Corner of the rectangle.
     Corner(usize),
 }
 
-/// A point that is being placed or moved.
+/// Point being placed or moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aim {
-    /// What is moved; a new point without it.
+    /// Moved point; `None` for a new one.
     pub handle: Option<Handle>,
-    /// Where it is.
+    /// Present position, px.
     pub at: Pixel,
-    /// Whether it is moved by keys.
+    /// True if it is moved by keys.
     pub by_keys: bool,
 }

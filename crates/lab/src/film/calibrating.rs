@@ -1,10 +1,10 @@
-//! Lengths: what a person has clicked and typed becomes the scale of the record.
+//! Calibration from clicks and typed lengths.
 
 use super::now::now;
 use crate::app::App;
 use desk::{CalibrationForm, LengthsForm};
 
-/// Takes the ruler, once two marks and a length are there.
+/// Sets the ruler, if two marks and a length are given.
 pub fn ruler(app: App) {
     let films = app.films;
     let length = films.length.get_clone_untracked();
@@ -17,7 +17,7 @@ pub fn ruler(app: App) {
     change(app, move |form| form.lengths = LengthsForm::Ruler { marks: [from, to], length, intervals });
 }
 
-/// Takes the rectangle, once four corners and both lengths are there.
+/// Sets the rectangle, if four corners and both lengths are given.
 pub fn rectangle(app: App) {
     let films = app.films;
     let sides = films.sides.get_clone_untracked();
@@ -29,14 +29,15 @@ pub fn rectangle(app: App) {
     change(app, move |form| form.lengths = LengthsForm::Rectangle { corners: [a, b, c, d], size: sides });
 }
 
-/// Goes back to pixels.
+/// Removes the scale.
 pub fn none(app: App) {
     app.films.ruler.set(Vec::new());
     app.films.corners.set(Vec::new());
     change(app, |form| form.lengths = LengthsForm::Pixels);
 }
 
-/// Changes what is said of lengths, and says beside the fields why not. The picture of the frame that is looked at is read where marks are to be found in it.
+/// Changes the calibration form and shows a refusal beside the fields. If marks of a ruler are needed, the picture of
+/// the shown frame is read.
 pub fn change(app: App, change: impl FnOnce(&mut CalibrationForm) + 'static) {
     let Some(now) = now(app) else { return };
     let mut form = now.form.clone();

@@ -1,4 +1,4 @@
-//! A film by the camera of the device, where the browser allows it.
+//! Recording of a film by the camera of the device, if the browser allows it.
 
 use super::access::object;
 use super::{opening, words};
@@ -51,7 +51,7 @@ extern "C" {
     fn data(this: &DataEvent) -> web_sys::Blob;
 }
 
-/// The camera while it films.
+/// Recording in progress.
 struct Filming {
     stream: MediaStream,
     recorder: MediaRecorder,
@@ -70,7 +70,7 @@ fn devices() -> Option<MediaDevices> {
     (recorder && devices.is_truthy()).then(|| devices.unchecked_into())
 }
 
-/// The button that begins and ends a film; nothing where the browser offers no camera.
+/// Button that starts and stops a recording; empty if the browser offers no camera.
 pub fn button(app: App) -> View {
     if devices().is_none() {
         return View::new();
@@ -83,7 +83,7 @@ pub fn button(app: App) -> View {
     let turn = move |_| {
         let now = filming.borrow_mut().take();
         if let Some(now) = now {
-            // The film is handed over before the camera is let go.
+            // The film is delivered before the camera is released.
             let _ = now.recorder.finish();
             *filming.borrow_mut() = Some(now);
             return;
@@ -129,7 +129,7 @@ async fn begin(app: App, filming: Rc<RefCell<Option<Filming>>>, screen: &HtmlEle
         on.set(false);
         let place = place.clone();
         wasm_bindgen_futures::spawn_local(async move {
-            // Not from within its own callback.
+            // A callback must not drop itself.
             browser::breathe().await;
             drop(place.borrow_mut().take());
         });

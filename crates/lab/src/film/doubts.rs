@@ -1,4 +1,4 @@
-//! Frames that a person should look at.
+//! Frames that the user should check.
 
 use super::frames::go;
 use super::now::now;
@@ -8,14 +8,14 @@ use desk::{Doubt, DoubtfulFrame};
 use view::icons;
 use view::views::*;
 
-/// So many are named.
+/// Maximum number of listed frames.
 const NAMED: usize = 3;
 
 fn count(app: App) -> usize {
     app.films.now.with(|now| now.as_ref().map_or(0, |now| now.doubts.len()))
 }
 
-/// The button that goes to the next one.
+/// Button that goes to the next doubtful frame.
 pub fn button(app: App) -> View {
     let words = words::of(app);
     let count = memo(move || count(app));
@@ -35,7 +35,7 @@ pub fn button(app: App) -> View {
     })
 }
 
-/// Goes to the next one, from the last to the first.
+/// Goes to the next doubtful frame, from the last to the first.
 pub fn next(app: App) {
     let Some(now) = now(app) else { return };
     let frame = app.films.frame.get_untracked();
@@ -47,7 +47,7 @@ pub fn next(app: App) {
     app.say(format!("{} {}: {why}", words.frame, doubt.frame + 1));
 }
 
-/// What was lost, how many doubts there are, and the first of them.
+/// Lost tracks, the number of doubts, and the first of them.
 pub fn list(app: App) -> View {
     let words = words::of(app);
     changing(move || {
@@ -56,7 +56,7 @@ pub fn list(app: App) -> View {
             return View::new();
         }
         let language = app.language.get_untracked();
-        // What was lost decides over all that follows: it is never behind what is left out.
+        // A lost track affects all that follows, and is always listed.
         let (lost, others): (Vec<DoubtfulFrame>, Vec<_>) = doubts.iter().partition(|doubt| doubt.doubt == Doubt::Lost);
         let named = lost.iter().chain(others.iter().take(NAMED)).map(|doubt| {
             let frame = doubt.frame;

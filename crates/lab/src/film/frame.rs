@@ -1,4 +1,4 @@
-//! The frame that is shown: points are placed and moved on it by mouse, finger and keys.
+//! The shown frame, on which points are placed and moved by mouse, finger and keys.
 
 use super::aim::{Aim, Handle, Kind, Pixel, Tool};
 use super::loupe::Loupe;
@@ -11,10 +11,10 @@ use view::views::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent, PointerEvent};
 
-/// A drag by fewer CSS pixels moves nothing: a finger is never quite still.
+/// Maximum length of a drag that moves nothing, in CSS px, since a finger is never still.
 const STILL: f64 = 3.0;
 
-/// The frame with what lies over it.
+/// Frame with its overlays.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let Some(player) = app.with(|lab| lab.player.clone()).flatten() else { return View::new() };
@@ -50,7 +50,7 @@ pub fn view(app: App) -> View {
     ))
 }
 
-/// What the next click sets.
+/// Prompt for the next click.
 fn prompt(app: App) -> View {
     let words = words::of(app);
     let asked = memo(move || {
@@ -72,7 +72,7 @@ fn prompt(app: App) -> View {
     })
 }
 
-/// The point that is selected, with the button that removes it.
+/// Selected point with the button that removes it.
 fn selection(app: App) -> View {
     let words = words::of(app);
     let frame = app.films.frame.get();
@@ -94,7 +94,7 @@ fn selection(app: App) -> View {
     div().class("film-prompt").child(p().child(name)).child(button).into()
 }
 
-/// What a tool asks for, with so many points clicked.
+/// Prompt of a tool after `points` clicks.
 fn asked(app: App, words: &'static Words, tool: Tool, kind: Kind, points: usize) -> &'static str {
     match (tool, kind) {
         (Tool::Rest, _) => "",
@@ -114,16 +114,16 @@ fn asked(app: App, words: &'static Words, tool: Tool, kind: Kind, points: usize)
     }
 }
 
-/// Whether the surface in one of two arms has been clicked.
+/// True if the surface of one of two arms has been clicked.
 fn one_arm(app: App) -> bool {
     let now = app.films.now.get_clone();
     now.is_some_and(|now| matches!(&now.subject, Subject::Surfaces(surfaces) if surfaces.len() == 1))
 }
 
-/// The points that can be moved, of this frame and of all.
+/// Movable points of this frame and of all frames.
 fn handles(app: App, size: Pixel) -> View {
     let words = words::of(app);
-    // Those of one frame come and go with it; the focus stays on those of all frames.
+    // Points of one frame are recreated with it; points of all frames keep the focus.
     let of = move |one_frame: bool| {
         let seen = memo(move || {
             let frame = if one_frame { app.films.frame.get() } else { 0 };
@@ -196,7 +196,7 @@ fn capture(event: &PointerEvent) {
     }
 }
 
-/// Where a pointer is on the frame; a point outside becomes one on its edge.
+/// Position of a pointer on the frame, px, limited to the frame.
 fn place_of(event: &PointerEvent, size: Pixel) -> Option<Pixel> {
     let frame = view::browser::by_id::<Element>("film-frame")?.get_bounding_client_rect();
     let part = |at: i32, from: f64, length: f64| ((f64::from(at) - from) / length.max(1.0)).clamp(0.0, 1.0);
@@ -206,7 +206,7 @@ fn place_of(event: &PointerEvent, size: Pixel) -> Option<Pixel> {
     ])
 }
 
-/// Whether two points are a few CSS pixels apart at most.
+/// True if two points are at most several CSS px apart.
 fn is_near(one: Pixel, other: Pixel, size: Pixel) -> bool {
     let shown =
         view::browser::by_id::<Element>("film-frame").map_or(size[0], |frame| frame.get_bounding_client_rect().width());
@@ -232,7 +232,7 @@ fn moved(app: App, event: &PointerEvent, size: Pixel) {
 fn up(app: App, event: &PointerEvent, size: Pixel) {
     let Some(aim) = app.films.aim.get_untracked().filter(|aim| !aim.by_keys) else { return };
     let at = place_of(event, size).unwrap_or(aim.at);
-    // A point that is only pointed at stays where it is.
+    // A click without a drag does not move a point.
     let held = aim.handle.and_then(|handle| tools::held(app).into_iter().find(|held| held.handle == handle));
     if held.is_some_and(|held| is_near(held.at, at, size)) {
         return app.films.aim.set(None);
@@ -240,7 +240,7 @@ fn up(app: App, event: &PointerEvent, size: Pixel) {
     finish(app, Aim { at, ..aim });
 }
 
-/// Sets what was aimed at.
+/// Places or moves the point.
 fn finish(app: App, aim: Aim) {
     app.films.aim.set(None);
     match aim.handle {
@@ -254,14 +254,14 @@ fn finish(app: App, aim: Aim) {
     }
 }
 
-/// A point that is being placed by keys is given up where the focus goes elsewhere.
+/// Cancels the placement by keys when the focus leaves.
 fn left(app: App) {
     if app.films.aim.get_untracked().is_some_and(|aim| aim.by_keys) {
         app.films.aim.set(None);
     }
 }
 
-/// Keys of the frame: they go through the film, or place a point.
+/// Keys of the frame: step through the film, or place a point.
 fn key(app: App, event: &KeyboardEvent, size: Pixel) {
     if event.default_prevented() {
         return;
@@ -278,7 +278,7 @@ fn key(app: App, event: &KeyboardEvent, size: Pixel) {
     keys::key(app, event);
 }
 
-/// Keys of a handle: arrows begin to move it.
+/// Keys of a handle: arrows start to move it.
 fn handle_key(app: App, event: &KeyboardEvent, handle: Handle, at: Pixel, size: Pixel) {
     let aiming = app.films.aim.get_untracked().is_some_and(|aim| aim.by_keys);
     if !aiming && event.key().starts_with("Arrow") {
@@ -294,7 +294,7 @@ fn handle_key(app: App, event: &KeyboardEvent, handle: Handle, at: Pixel, size: 
     }
 }
 
-/// Moves, sets or leaves a point that is being placed by keys. Whether there is one, and the key was for it.
+/// Moves, sets or cancels a point that is placed by keys. Returns false without such a point, or for another key.
 fn aim_key(app: App, event: &KeyboardEvent, [width, height]: Pixel) -> bool {
     let Some(aim) = app.films.aim.get_untracked().filter(|aim| aim.by_keys) else { return false };
     let far = if event.shift_key() { 10.0 } else { 1.0 };

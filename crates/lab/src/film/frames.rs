@@ -1,10 +1,10 @@
-//! Going through the frames.
+//! Navigation between frames.
 
 use super::refusals::said;
 use crate::app::App;
 use view::browser;
 
-/// Goes to a frame, or to the last one.
+/// Goes to a frame, at most to the last one.
 pub fn go(app: App, frame: usize) {
     let Some(player) = app.with(|lab| lab.player.clone()).flatten() else { return };
     let frame = frame.min(player.source.count().saturating_sub(1));
@@ -19,7 +19,7 @@ pub fn go(app: App, frame: usize) {
     });
 }
 
-/// Shows the frame of a time of the run that is pointed at.
+/// Shows the frame of a time of the run (SI) under the pointer.
 pub fn look_at(app: App, time: &mut dyn FnMut() -> Option<f64>) {
     let films = app.films;
     if !(films.open.get_untracked() && films.shown.get_untracked()) || films.playing.get_untracked() {
@@ -31,7 +31,7 @@ pub fn look_at(app: App, time: &mut dyn FnMut() -> Option<f64>) {
     }
 }
 
-/// Plays the film from the frame shown, at the speed of the file, or pauses it.
+/// Plays the film from the shown frame at the speed of the file, or pauses it.
 pub fn play(app: App) {
     let films = app.films;
     let playing = !films.playing.get_untracked();
@@ -55,7 +55,7 @@ pub fn play(app: App) {
     });
 }
 
-/// Goes on by so many frames.
+/// Moves by `by` frames.
 pub fn step(app: App, by: isize) {
     go(app, app.films.frame.get_untracked().saturating_add_signed(by));
 }

@@ -1,11 +1,11 @@
-//! Keys that go through the film.
+//! Keys for navigation in the film.
 
 use super::doubts;
 use super::frames::{go, play, step};
 use crate::app::App;
 use web_sys::KeyboardEvent;
 
-/// Arrows, Home, End, Space and the period.
+/// Handles arrows, Home, End, Space and the period.
 pub fn key(app: App, event: &KeyboardEvent) {
     if event.ctrl_key() || event.alt_key() || event.meta_key() || event.default_prevented() {
         return;

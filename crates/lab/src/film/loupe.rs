@@ -1,4 +1,4 @@
-//! The loupe: the pixels around a point that is being placed, above the finger that hides them.
+//! Magnifier of the pixels around a point that is being placed, above the finger.
 
 use super::access::codecs::Painter;
 use super::aim::Pixel;
@@ -7,23 +7,23 @@ use view::views::*;
 use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
 
-/// Its width in CSS pixels, as in the style sheet.
+/// Width in CSS px, as in the style sheet.
 const SIDE: f64 = 132.0;
-/// So many pixels of the film are seen across it.
+/// Width of the magnified part of the film, px.
 const SEEN: f64 = 33.0;
 
-/// The loupe.
+/// Magnifier.
 pub struct Loupe {
     film: HtmlCanvasElement,
 }
 
 impl Loupe {
-    /// Over a film.
+    /// Magnifier of a film.
     pub fn new(film: &HtmlCanvasElement) -> Self {
         Self { film: film.clone() }
     }
 
-    /// Its view; nothing while no point is placed.
+    /// View of the magnifier, hidden while no point is placed.
     pub fn view(self, app: App, [width, height]: Pixel) -> View {
         let mut canvas = canvas().attr("width", "264").attr("height", "264").attr("aria-hidden", "true");
         let node: HtmlCanvasElement = canvas.node();
@@ -36,7 +36,7 @@ impl Loupe {
         let place = move || {
             let Some(aim) = app.films.aim.get() else { return "display:none".to_owned() };
             let [x, y] = [aim.at[0] / width, aim.at[1] / height];
-            // Above the point, or below where there is no room.
+            // Above the point, or below it near the upper edge.
             let aside = if y > 0.4 { "-100% - 28px" } else { "28px" };
             let across = (100.0 * x).clamp(12.0, 88.0);
             format!("left:{across:.2}%;top:{:.2}%;transform:translate(-50%,calc({aside}))", 100.0 * y)

@@ -1,5 +1,4 @@
-//! Films in the page: decoding, the film on the stage, and what a person says of it in the panel. What is found in a film is the
-//! desk's business.
+//! Films in the page: decoding, display on the stage, and the panel. Tracking belongs to the desk.
 
 mod access;
 pub mod acts;

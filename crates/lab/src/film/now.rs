@@ -1,4 +1,4 @@
-//! What views read of the open film.
+//! State of the open film for views.
 
 use super::aim::Pixel;
 use super::state::Now;
@@ -9,15 +9,15 @@ use film::tracking::column::Click;
 use std::rc::Rc;
 use units::number::fixed;
 
-/// A model that is further away than so many pixels has its zero elsewhere.
+/// Distance of the model in px beyond which its origin is probably wrong.
 const FAR: f64 = 60.0;
 
-/// The open film, without tracking.
+/// State of the open film, without tracking the signal.
 pub fn now(app: App) -> Option<Rc<Now>> {
     app.films.now.get_clone_untracked()
 }
 
-/// Reads again what the desk says.
+/// Updates the state from the desk.
 pub fn refresh(app: App) {
     let films = app.films;
     let read = app.read_desk(|desk| {
@@ -31,20 +31,20 @@ pub fn refresh(app: App) {
     });
     let Some((now, pictures)) = read else { return };
     films.now.set(now);
-    // What a person has asked for follows a correction.
+    // An open comparison with the truth is updated after a correction.
     if films.truth.with_untracked(|truth| !truth.is_empty()) {
         films.truth.set(app.read_desk(|desk| desk.compare_with_truth()));
     }
     if let Some(pictures) = pictures {
         wasm_bindgen_futures::spawn_local(async move {
-            // They are made ready to be painted in a slice of their own.
+            // The pictures are prepared for painting in a separate slice.
             view::browser::breathe().await;
             films.pictures.set(pictures);
         });
     }
 }
 
-/// Where the model has what is followed in this frame, and of which track.
+/// Index of each track with a model, and the position of the model in this frame, px.
 pub fn models(app: App, frame: usize) -> Vec<(usize, Pixel)> {
     let tracks = now(app).map_or(0, |now| now.tracks.len());
     app.read_desk(|desk| {
@@ -53,13 +53,13 @@ pub fn models(app: App, frame: usize) -> Vec<(usize, Pixel)> {
     })
 }
 
-/// The same of a track in these frames.
+/// Frames and positions of the model along a track, px.
 pub fn model_path(app: App, track: usize, frames: &[usize]) -> Vec<(usize, Pixel)> {
     let path = app.read_desk(|desk| desk.film_model(track, frames));
     frames.iter().zip(path).filter_map(|(frame, at)| Some((*frame, at?))).collect()
 }
 
-/// What was found in a frame, and how far the model is from it, in words.
+/// Measured position in a frame and its distance from the model, as text.
 pub fn values(app: App, frame: usize) -> String {
     let Some(now) = now(app) else { return String::new() };
     let words = words::of(app);
@@ -85,7 +85,7 @@ pub fn values(app: App, frame: usize) -> String {
     parts.join("   ")
 }
 
-/// The corrections of a surface.
+/// Corrections of a surface.
 pub fn anchors(now: &Now, surface: usize) -> &[Click] {
     match &now.subject {
         Subject::Surfaces(surfaces) => surfaces.get(surface).map_or(&[], |surface| &surface.anchors),

@@ -1,4 +1,4 @@
-//! Films are opened and closed.
+//! Opening and closing of films.
 
 use super::access::{Player, Source, Trouble};
 use super::aim::{Kind, Tool};
@@ -15,11 +15,11 @@ use view::views::*;
 use view::{browser, messages};
 use web_sys::File;
 
-/// Endings of the names of films, and of what is taken for one.
+/// File name endings of films, and of formats that users take for films.
 const ENDINGS: [&str; 12] =
     [".mp4", ".m4v", ".mov", ".webm", ".mkv", ".avi", ".3gp", ".gif", ".wmv", ".flv", ".ts", ".ogv"];
 
-/// Marks the page while a film stands on the stage, for the style sheet, and follows the size of the window.
+/// Marks the page for the style sheet while a film is on the stage, and tracks the size of the window.
 pub fn mark_page(app: App) {
     effect(move || {
         let shown = app.films.open.get() && app.films.shown.get();
@@ -30,13 +30,13 @@ pub fn mark_page(app: App) {
     browser::listen("resize", move |_: &web_sys::Event| app.films.resized.update(|count| *count += 1));
 }
 
-/// Whether a file is taken for a film.
+/// True if a file is treated as a film.
 pub fn is_film(file: &File) -> bool {
     let name = file.name().to_lowercase();
     file.type_().starts_with("video/") || ENDINGS.iter().any(|ending| name.ends_with(ending))
 }
 
-/// Opens a film in place of the one that is open.
+/// Opens a film in place of the open one.
 pub fn open(app: App, file: File) {
     let name = file.name();
     if !app.read(|_| true) {
@@ -58,13 +58,17 @@ pub fn open(app: App, file: File) {
     });
 }
 
-/// Takes away what was said of another file, which would stand over this film.
+/// Removes messages about other files.
 fn forget_errors(app: App) {
     messages::forget_errors(app.page);
     app.record_refusal.set(None);
 }
 
-/// Opens a film by what the desk does with its identity and what its file says. Why that was not possible, in words.
+/// Reads the description of a film, opens it on the desk by `open`, and shows it.
+///
+/// # Errors
+///
+/// A message why that was not possible.
 pub async fn take(
     app: App,
     file: File,
@@ -81,10 +85,11 @@ pub async fn take(
     Ok(opening)
 }
 
-/// Opens a filmed simulation in place of the film that is open.
+/// Opens a filmed simulation in place of the open film.
 ///
 /// # Errors
-/// Why it could not be opened, in words.
+///
+/// A message why it could not be opened.
 pub fn open_filmed(app: App, recipe: FilmRecipe, planes: Vec<Plane>, truth: FilmTruth) -> Result<FilmOpening, String> {
     forget_errors(app);
     let opened = app.act_on_desk(|desk| {
@@ -97,9 +102,9 @@ pub fn open_filmed(app: App, recipe: FilmRecipe, planes: Vec<Plane>, truth: Film
     Ok(opening)
 }
 
-/// Puts a film on the stage that the desk has opened, and follows what was followed in it before.
+/// Shows a film that the desk has opened, and continues earlier tracking.
 fn show(app: App, player: Rc<Player>, opening: FilmOpening) {
-    // What showed the film before goes first.
+    // Removes the views of the previous film first.
     app.films.open.set(false);
     app.with(|lab| lab.player = Some(player));
     begin(app);
@@ -108,7 +113,7 @@ fn show(app: App, player: Rc<Player>, opening: FilmOpening) {
     }
 }
 
-/// Shows a film that the desk has opened, with what is known of it.
+/// Initializes the views for a film that the desk has opened.
 fn begin(app: App) {
     let films = app.films;
     films.playing.set(false);
@@ -147,13 +152,13 @@ fn begin(app: App) {
     frames::go(app, now.map_or(0, |now| now.ends[0]));
     browser::focus_later("film-frame".to_owned());
     wasm_bindgen_futures::spawn_local(async move {
-        // Once the film stands on the stage.
+        // Waits until the film is on the stage.
         browser::breathe().await;
         browser::bring_to_top("film-acts");
     });
 }
 
-/// Closes the film; the work on it stays.
+/// Closes the film. The work on it is kept.
 pub fn close(app: App) {
     app.films.open.set(false);
     app.films.shown.set(false);

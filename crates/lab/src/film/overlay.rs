@@ -1,4 +1,4 @@
-//! What lies over the frame that is shown: lines between clicks, what was found in this frame, and where the model has it.
+//! Overlays of the shown frame: lines between clicks, the tracks, and the model.
 
 use super::aim::{Handle, Pixel};
 use super::tools::Held;
@@ -8,7 +8,7 @@ use desk::BodyOutline;
 use sycamore_web::SvgGlobalAttributes;
 use view::views::*;
 
-/// Lines: the axis of a tube, the ruler, the x axis, the rectangle, and the outlines of bodies in the frames in which they were clicked.
+/// Lines: axis of a tube, ruler, x axis, rectangle, and outlines of bodies in the frames of their clicks.
 pub fn lines(app: App, [width, height]: Pixel) -> View {
     let lines = memo(move || {
         let aim = app.films.aim.get();
@@ -42,7 +42,7 @@ pub fn lines(app: App, [width, height]: Pixel) -> View {
     let draw = move || {
         each(lines.get_clone(), |(class, d)| View::from((path().class("halo").d(d.clone()), path().class(class).d(d))))
     };
-    // The way of bodies; that of a surface is seen under the film.
+    // Trails of bodies. The path of a surface is shown below the film.
     let trails = memo(move || {
         let now = app.films.now.get_clone();
         let bodies = now.iter().flat_map(|now| &now.tracks).filter(|track| track.direction.is_none());
@@ -63,7 +63,7 @@ pub fn lines(app: App, [width, height]: Pixel) -> View {
         .into()
 }
 
-/// What was found in this frame, and the model.
+/// Tracked positions in this frame, and the model.
 pub fn marks(app: App, [width, height]: Pixel) -> View {
     let mark = move |class: &'static str, [x, y]: Pixel| {
         let place = format!("left:{:.3}%;top:{:.3}%", 100.0 * x / width, 100.0 * y / height);
@@ -85,7 +85,7 @@ pub fn marks(app: App, [width, height]: Pixel) -> View {
     })
 }
 
-/// The values of this frame in words.
+/// Values of this frame as text.
 pub fn readout(app: App) -> View {
     let said = move || {
         app.films.now.track();

@@ -1,4 +1,4 @@
-//! The film in the archive of a project of Tracker that has become a record.
+//! Film in the archive of a Tracker project that has become a record.
 
 use super::access::Trouble;
 use super::opening::take;
@@ -11,11 +11,11 @@ use js_sys::{Array, Uint8Array};
 use view::browser;
 use web_sys::{Blob, File};
 
-/// A compressed film of more bytes is not unpacked: it stays in memory as long as it is open.
+/// Maximum size of an unpacked film in bytes. It stays in memory while it is open.
 const MOST_UNPACKED: u64 = 256 << 20;
 
-/// Opens the film of the project that was read last, if it was in the archive with it. Where that is not possible the record stays as
-/// it is, and the reason is said.
+/// Opens the film in the archive of the last imported project, if any. If that fails, the record is unchanged and the
+/// reason is shown.
 pub async fn open(app: App, archive: &File) {
     let Some(own) = app.read_desk(|desk| desk.take_project_film()) else { return };
     app.films.opening.set(Some(own.name().to_owned()));
@@ -33,8 +33,11 @@ pub async fn open(app: App, archive: &File) {
     }
 }
 
-/// The film as a file: a part of the archive, which is not read, or what is unpacked of it. An error of `None` is one that would be
-/// too large.
+/// Film as a file: an unread part of the archive, or the unpacked content.
+///
+/// # Errors
+///
+/// The [`Trouble`], or `None` if the unpacked film would be too large.
 async fn extracted(archive: &File, own: &ProjectFilm) -> Result<File, Option<Trouble>> {
     let unreadable = || Some(Trouble::Unreadable);
     let range = own.range();

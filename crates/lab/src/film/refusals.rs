@@ -1,14 +1,14 @@
-//! Why something was not done.
+//! Messages about failed actions.
 
 use super::access::Trouble;
 use crate::app::App;
 
-/// What went wrong, in words.
+/// Text of an error.
 pub fn said(app: App, trouble: &Trouble) -> String {
     trouble.words().text(app.language.get_untracked()).to_owned()
 }
 
-/// Says why something was not done, if it was not.
+/// Shows a refusal, if any.
 pub fn refuse(app: App, refusal: Option<String>) {
     if let Some(why) = refusal {
         app.complain(why);

@@ -1,4 +1,4 @@
-//! What the views of the film track.
+//! Signals of the film views.
 
 use super::aim::{Aim, Handle, Kind, Pixel, Tool};
 use super::state::Now;
@@ -7,67 +7,67 @@ use film::tracking::column::Click;
 use std::rc::Rc;
 use view::views::*;
 
-/// What views of the film track; most of it concerns the film that is open.
+/// Signals tracked by the film views. Most concern the open film.
 #[derive(Clone, Copy)]
 pub struct Films {
-    /// Whether a film is open.
+    /// True while a film is open.
     pub open: Signal<bool>,
-    /// Whether it stands on the stage, in the place of the scene.
+    /// True while the film is on the stage instead of the scene.
     pub shown: Signal<bool>,
-    /// The frame that is looked at.
+    /// Selected frame.
     pub frame: Signal<usize>,
-    /// The frame that is painted: the other one, a moment later.
+    /// Painted frame. It follows the selected one with a delay.
     pub painted: Signal<Option<usize>>,
-    /// The file that is being opened.
+    /// Name of the file that is being opened.
     pub opening: Signal<Option<String>>,
-    /// How many frames of the simulation have been filmed, and of how many, while it is filmed.
+    /// Number of filmed frames and their total, while the simulation is filmed.
     pub filming: Signal<Option<[usize; 2]>>,
-    /// Whether the form for filming the simulation is open.
+    /// True while the form of the virtual camera is open.
     pub camera_form: Signal<bool>,
-    /// How far the tracks are from the truth, once a person has asked.
+    /// Comparison with the truth, once the user has requested it.
     pub truth: Signal<Vec<TruthComparison>>,
-    /// Whether it is playing.
+    /// True while the film plays.
     pub playing: Signal<bool>,
-    /// What the desk says of the film.
+    /// State of the film on the desk.
     pub now: Signal<Option<Rc<Now>>>,
-    /// The space-time picture of each surface.
+    /// Space-time picture of each surface.
     pub pictures: Signal<Vec<Rc<SpaceTimePicture>>>,
-    /// How far the tracking is.
+    /// Progress of the tracking.
     pub progress: Signal<Option<TrackingProgress>>,
-    /// What is to be followed.
+    /// Kind of the subject.
     pub kind: Signal<Kind>,
-    /// Which body the next click belongs to.
+    /// Index of the body to which the next click belongs.
     pub body: Signal<usize>,
-    /// What the next click sets.
+    /// Effect of the next click.
     pub tool: Signal<Tool>,
-    /// Points of a tool that needs several.
+    /// Points collected for a tool that needs several, px.
     pub points: Signal<Vec<Pixel>>,
-    /// The point that is being placed or moved.
+    /// Point being placed or moved.
     pub aim: Signal<Option<Aim>>,
-    /// The point that can be removed.
+    /// Selected point, which can be removed.
     pub selected: Signal<Option<Handle>>,
-    /// Where a point was placed last by keys.
+    /// Last point placed by keys, px.
     pub last: Signal<Option<Pixel>>,
-    /// The correction of a surface that is being made.
+    /// Correction of a surface in progress: index of the surface, and position.
     pub anchor: Signal<Option<(usize, Click)>>,
-    /// The clicked marks of the ruler.
+    /// Clicked marks of the ruler, px.
     pub ruler: Signal<Vec<Pixel>>,
-    /// The length between them, as typed.
+    /// Length between the marks, as typed.
     pub length: Signal<String>,
-    /// Into how many parts marks divide it, as typed.
+    /// Number of intervals between the marks, as typed.
     pub intervals: Signal<String>,
-    /// The clicked corners of a rectangle.
+    /// Clicked corners of the rectangle, px.
     pub corners: Signal<Vec<Pixel>>,
-    /// Its sides, as typed.
+    /// Width and height of the rectangle, as typed.
     pub sides: Signal<[String; 2]>,
-    /// Why the last change of lengths was refused.
+    /// Refusal of the last change of the calibration.
     pub lengths_refused: Signal<Option<String>>,
-    /// Raised when the window has another size.
+    /// Counter, increased when the window changes its size.
     pub resized: Signal<u64>,
 }
 
 impl Films {
-    /// Without a film.
+    /// Signals without a film.
     pub fn new() -> Self {
         Self {
             open: create_signal(false),

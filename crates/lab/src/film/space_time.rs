@@ -1,5 +1,5 @@
-//! The space-time picture under the film: a strip along the tube from every frame, side by side, with what was found and the model.
-//! A drag on it corrects the path.
+//! Space-time picture below the film: the strips of all frames side by side, with the track and the model. A drag
+//! corrects the path.
 
 use super::access::object;
 use super::aim::Pixel;
@@ -15,30 +15,30 @@ use view::views::*;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, Element, HtmlCanvasElement, ImageData, KeyboardEvent, PointerEvent};
 
-/// The picture shows the part of the tube in which the surface moves, and so many of its rows more on each side, as a part.
+/// Margin of the shown part of the tube on each side, relative to the range of the surface.
 const AROUND: f64 = 0.25;
-/// At least so many rows.
+/// Minimum number of shown rows.
 const LEAST: f64 = 40.0;
-/// A drag of fewer CSS pixels up or down is a click.
+/// Vertical drag in CSS px below which it is a click.
 const STILL: f64 = 4.0;
 
-/// A surface's picture and how much of it is shown.
+/// Space-time picture of a surface and its shown part.
 struct Strip {
     picture: Rc<SpaceTimePicture>,
-    /// Its number among those that are followed.
+    /// Index of the surface.
     surface: usize,
-    /// The first row that is shown, and how many are.
+    /// First shown row, and the number of shown rows.
     rows: [f64; 2],
-    /// The shown rows, a pixel each.
+    /// Shown rows, one px each.
     painted: HtmlCanvasElement,
 }
 
-/// The pictures; nothing before something was found.
+/// Space-time pictures; empty before tracking.
 pub fn view(app: App) -> View {
     changing(move || {
         let pictures = app.films.pictures.get_clone();
         wasm_bindgen_futures::spawn_local(async move {
-            // Painted once they have a size.
+            // Painted once the canvases have a size.
             view::browser::breathe().await;
             app.films.resized.update(|count| *count += 1);
         });
@@ -55,14 +55,14 @@ fn strip(app: App, surface: usize, picture: Rc<SpaceTimePicture>) -> Option<Stri
     let rows = track.into_iter().flat_map(|track| &track.points).map(|point| picture.row_of(point.position));
     let [low, high] = rows.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row), high.max(row)]);
     let all = picture.rows as f64;
-    // The whole tube, as long as nothing has been found.
+    // The whole tube before there are results.
     let [low, high] = if low > high { [0.0, all] } else { [low, high] };
     let (middle, half) = ((low + high) / 2.0, ((0.5 + AROUND) * (high - low)).max(LEAST / 2.0));
     let first = (middle - half).clamp(0.0, all - 1.0).floor();
     let count = ((middle + half).clamp(first + 1.0, all) - first).ceil();
     let width = picture.frames.len();
     let part = picture.grey.get(first as usize * width..(first + count) as usize * width)?;
-    // What has not been read yet is seen through.
+    // Frames not yet read are transparent.
     let seen = |at: usize| if at % width.max(1) < picture.read { 255 } else { 0 };
     let colours: Vec<u8> = part.iter().enumerate().flat_map(|(at, &grey)| [grey, grey, grey, seen(at)]).collect();
     let data = ImageData::new_with_u8_clamped_array_and_sh(Clamped(&colours), width as u32, count as u32).ok()?;
@@ -78,7 +78,7 @@ fn context(canvas: &HtmlCanvasElement) -> Option<CanvasRenderingContext2d> {
 }
 
 impl Strip {
-    /// Frame and point of the film at a place of the canvas, in parts of its width and height.
+    /// Frame and position (px) of a point of the canvas, given as fractions of its width and height.
     fn click(&self, [across, down]: Pixel) -> Option<Click> {
         let column = (across * self.picture.frames.len() as f64).floor().max(0.0) as usize;
         let frame = *self.picture.frames.get(column.min(self.picture.frames.len().saturating_sub(1)))?;
@@ -86,7 +86,7 @@ impl Strip {
         Some(Click { frame, position: self.picture.position(row) })
     }
 
-    /// Where a point of the film in a frame is, in parts of width and height.
+    /// Point of the canvas for a position (px) in a frame, as fractions of width and height.
     fn place(&self, frame: usize, at: Pixel) -> Pixel {
         let column = self.picture.frames.partition_point(|other| *other < frame);
         let across = (column as f64 + 0.5) / self.picture.frames.len().max(1) as f64;
@@ -106,7 +106,7 @@ impl Strip {
         let Some(track) = now.tracks.get(self.surface) else { return Some(()) };
         let scale = |[across, down]: Pixel| [across * width, down * height];
         let found = track.points.iter().map(|point| scale(self.place(point.frame, point.position)));
-        // Up and down by the standard error, which is a band only where it is large.
+        // Band of one standard error, visible only if it is large.
         let sigma = |error: Pixel| (error[0] * error[0] + error[1] * error[1]).sqrt() / self.rows[1] * height;
         let errors = track.points.iter().map(|point| sigma(point.sigma));
         let found: Vec<Pixel> = found.collect();
@@ -200,7 +200,7 @@ fn canvas_of(app: App, strip: Rc<Strip>) -> View {
         if still && (f64::from(event.client_y()) - start).abs() < STILL {
             return go(app, click.frame);
         }
-        // It is dragged along its own frame.
+        // The drag moves the surface within the selected frame.
         let frame = app.films.frame.get_untracked();
         app.films.anchor.set(Some((number, Click { frame, ..click })));
     };
@@ -234,14 +234,15 @@ fn place_of(event: &PointerEvent, node: &Element) -> Pixel {
     [part(event.client_x(), place.left(), place.width()), part(event.client_y(), place.top(), place.height())]
 }
 
-/// Takes the correction that is being made.
+/// Applies the correction in progress.
 fn set(app: App) {
     let Some((surface, click)) = app.films.anchor.take() else { return };
     refuse(app, app.attempt_on_desk(|desk| desk.anchor_surface(surface, click)));
     tracking::go_on(app);
 }
 
-/// Left and right go through the film; up and down move the surface of this frame, Enter sets it, Delete forgets it.
+/// Keys: left and right step through the film; up and down move the surface in this frame, Enter applies the
+/// correction, Delete removes it.
 fn key(app: App, event: &KeyboardEvent, strip: &Strip, _canvas: &HtmlCanvasElement) {
     if event.ctrl_key() || event.alt_key() || event.meta_key() {
         return;

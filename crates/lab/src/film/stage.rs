@@ -1,4 +1,4 @@
-//! The film on the stage, in the place of the scene, and its frames in the place of the transport.
+//! Film on the stage instead of the scene, and its frames instead of the transport.
 
 use super::frames::{go, play, step};
 use super::keys::key;
@@ -7,7 +7,7 @@ use crate::app::App;
 use view::icons;
 use view::views::*;
 
-/// The picture; nothing while no film is open.
+/// Picture of the film; empty while no film is open.
 pub fn picture(app: App) -> View {
     let state = memo(move || (app.films.open.get(), app.films.shown.get()));
     changing(move || {
@@ -36,7 +36,7 @@ pub fn picture(app: App) -> View {
     })
 }
 
-/// The bar with the frames; nothing while the film is not shown.
+/// Bar with the frames; empty while the film is not shown.
 pub fn transport(app: App) -> View {
     changing(move || if app.films.open.get() && app.films.shown.get() { bar(app).into() } else { View::new() })
 }

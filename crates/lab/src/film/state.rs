@@ -1,4 +1,4 @@
-//! The open film, as the desk has it.
+//! State of the open film on the desk.
 
 use super::aim::Pixel;
 use desk::{BodyOutline, CalibrationForm, Desk, DoubtfulFrame, MOST_BODIES, OpenFilm, Subject};
@@ -6,49 +6,49 @@ use film::calibration::{Calibration, Lengths};
 use film::tracking::Track;
 use units::number::{Style, plain};
 
-/// The open film.
+/// State of the open film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Now {
-    /// The name of its file.
+    /// Name of the file.
     pub name: String,
-    /// Frames, seconds and pixels.
+    /// Number of frames, duration (s), and width and height of the picture (px).
     pub extent: (usize, f64, [f64; 2]),
-    /// The times of its first and last frame, in seconds of the file.
+    /// Times of the first and last frame, s of playback.
     pub whole: [f64; 2],
-    /// How many times slower it plays than things happened, as typed.
+    /// Factor of slow motion set by the user.
     pub factor: Option<f64>,
-    /// The part that is used, in seconds of the file.
+    /// Used part in s of playback; `None` for an end of the film.
     pub part: [Option<f64>; 2],
-    /// Its first and last frame.
+    /// First and last frame of the part.
     pub ends: [usize; 2],
-    /// What is followed.
+    /// Subject of tracking.
     pub subject: Subject,
-    /// The outline of each body, once it was found or its radius was set.
+    /// Outline of each body, once it was found or its radius was set.
     pub outlines: Vec<Option<BodyOutline>>,
-    /// Marks that rest.
+    /// Resting marks, px.
     pub marks: Vec<Pixel>,
-    /// What has been said of lengths.
+    /// Calibration form of the user.
     pub form: CalibrationForm,
-    /// The map that follows from it.
+    /// Map that follows from the form.
     pub calibration: Calibration,
-    /// What has been found.
+    /// Tracks in px of the upright picture.
     pub tracks: Vec<Track>,
-    /// The frames in doubt.
+    /// Doubtful frames.
     pub doubts: Vec<DoubtfulFrame>,
-    /// True if something was lost, or many frames are in doubt.
+    /// True if a track was lost or has many doubtful frames.
     pub plainly_in_doubt: bool,
-    /// The record, if it is there.
+    /// Number of the record, if it exists.
     pub record: Option<u32>,
-    /// Whether it is a filmed simulation.
+    /// True for a filmed simulation.
     pub filmed: bool,
-    /// The length of the ruler in the picture of a filmed simulation.
+    /// Length of the ruler in the picture of a filmed simulation, with unit.
     pub ruler: Option<String>,
-    /// What a person should know.
+    /// Notes for the user.
     pub notes: Vec<String>,
 }
 
 impl Now {
-    /// What the desk says now.
+    /// Present state of the desk; `None` without an open film.
     pub fn of(desk: &Desk) -> Option<Self> {
         let film: OpenFilm = desk.film()?;
         let times = film.clip().times();
@@ -76,7 +76,7 @@ impl Now {
         })
     }
 
-    /// The size of a pixel with its error; nothing without one.
+    /// Size of a pixel with its relative error as text; empty without a scale.
     pub fn scale(&self, style: Style) -> String {
         let percent = |sigma: f64| plain(100.0 * sigma, 2, style);
         match &self.calibration.lengths {

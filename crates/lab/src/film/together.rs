@@ -1,15 +1,15 @@
-//! The run beside the film: it is computed as far as the film goes, and shows the time of the frame that is shown, so that plots and
-//! film are at the same moment and the model can be drawn over the film.
+//! Run beside the film. It is computed to the end of the film and shows the time of the shown frame, so that plots and
+//! film agree and the model can be drawn over the film.
 
 use super::now::now;
 use crate::app::App;
 use view::browser;
 use view::views::*;
 
-/// The page reacts after so many milliseconds of work.
+/// Duration of a slice of work, ms; the page reacts between slices.
 const SLICE: f64 = 10.0;
 
-/// Follows the film for as long as the page lives.
+/// Keeps the run at the time of the film as long as the page exists.
 pub fn follow(app: App) {
     let films = app.films;
     effect(move || {
@@ -22,20 +22,20 @@ pub fn follow(app: App) {
     });
 }
 
-/// Where the film is: the times of the run at the frame shown and at the last frame of the part.
+/// Times of the run (SI) at the shown frame and at the last frame of the used part.
 fn ends(app: App) -> Option<[f64; 2]> {
     let last = now(app)?.ends[1];
     let frame = app.films.frame.get_untracked();
     app.read_desk(|desk| desk.model_time_of(frame).zip(desk.model_time_of(last))).map(|(time, until)| [time, until])
 }
 
-/// Brings the run to the film, in slices between which the page reacts.
+/// Computes the run to the end of the film and shows the time of the frame, in slices between which the page reacts.
 fn bring(app: App) {
     if app.with(|lab| std::mem::replace(&mut lab.bringing, true)) != Some(false) {
         return;
     }
     wasm_bindgen_futures::spawn_local(async move {
-        // Never from within the change that has caused it.
+        // Starts outside of the change that caused it.
         browser::breathe().await;
         while let Some([_, until]) = ends(app) {
             let end = js_sys::Date::now() + SLICE;

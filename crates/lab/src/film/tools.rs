@@ -1,4 +1,4 @@
-//! What becomes of a click on the film.
+//! Effects of clicks on the film.
 
 use super::aim::{Handle, Kind, Pixel, Tool};
 use super::now::now;
@@ -9,7 +9,7 @@ use desk::{FilmedBody, FilmedSurface, LengthsForm, POINT_SIGMA, Subject};
 use film::tracking::column::Click;
 use view::views::*;
 
-/// Sets what the tool is for.
+/// Applies the selected tool at a point, px.
 pub fn place(app: App, at: Pixel) {
     let films = app.films;
     let frame = films.frame.get_untracked();
@@ -67,9 +67,9 @@ pub fn place(app: App, at: Pixel) {
     }
 }
 
-/// Corners in the order bottom left, bottom right, top right, top left, whatever the order in which they were clicked.
+/// Corners in the order bottom left, bottom right, top right, top left, independent of the order of clicks.
 fn around(mut corners: Vec<Pixel>) -> Vec<Pixel> {
-    // The lower ones first; each pair in the sense of the way around.
+    // Lower corners first; each pair in counter-clockwise order.
     corners.sort_by(|one, other| other[1].total_cmp(&one[1]));
     let half = corners.len() / 2;
     let (low, high) = corners.split_at_mut(half);
@@ -78,7 +78,7 @@ fn around(mut corners: Vec<Pixel>) -> Vec<Pixel> {
     corners
 }
 
-/// Collects points until there are enough for what is done with them.
+/// Collects points until there are `count`, and passes them to `done`.
 fn collect(app: App, at: Pixel, count: usize, done: impl Fn(App, Vec<Pixel>)) {
     let mut points = app.films.points.take();
     points.push(at);
@@ -120,20 +120,20 @@ fn place_subject(app: App, click: Click) {
     let awaits = films.kind.get_untracked() == Kind::Arms
         && matches!(&subject, Subject::Surfaces(surfaces) if surfaces.len() < 2);
     match films.kind.get_untracked() {
-        // The next click is that of the next frame.
+        // The next click belongs to the next frame.
         Kind::Hand => {
             follow(app, subject);
             return frames::step(app, 1);
         }
         _ if awaits => return take(app, subject),
-        // Then the ruler, unless there is one.
+        // The next click sets the ruler, unless there is one.
         _ if films.ruler.with_untracked(|marks| marks.len() < 2) => films.tool.set(Tool::Ruler),
         _ => films.tool.set(Tool::Rest),
     }
     follow(app, subject);
 }
 
-/// Changes what is followed, and follows it.
+/// Changes the subject and starts tracking.
 pub fn change_subject(app: App, change: impl FnOnce(&mut Subject)) {
     if let Some(now) = now(app) {
         let mut subject = now.subject.clone();
@@ -142,7 +142,7 @@ pub fn change_subject(app: App, change: impl FnOnce(&mut Subject)) {
     }
 }
 
-/// Takes what is followed, without following it yet.
+/// Sets the subject without tracking.
 fn take(app: App, subject: Subject) {
     refuse(app, app.attempt_on_desk(|desk| desk.follow_in_film(subject)));
 }
@@ -157,7 +157,7 @@ fn follow(app: App, subject: Subject) {
     }
 }
 
-/// Sets the marks that rest; what has been tracked is tracked again.
+/// Sets the resting marks and repeats the tracking.
 pub fn set_marks(app: App, marks: Vec<Pixel>) {
     let refusal = app.attempt_on_desk(|desk| desk.set_resting_marks(marks));
     let refused = refusal.is_some();
@@ -188,7 +188,7 @@ pub fn remove(app: App, handle: Handle) {
     }
 }
 
-/// Removes a point of a length: there is no scale then, until another point is clicked.
+/// Removes a point of ruler or rectangle. The scale is removed until another point is clicked.
 fn remove_length(app: App, points: Signal<Vec<Pixel>>, at: usize) {
     points.update(|points| {
         if at < points.len() {
@@ -218,7 +218,7 @@ fn remove_from(subject: &mut Subject, handle: Handle) {
     }
 }
 
-/// Moves a point to another place.
+/// Moves a point to another position, px.
 pub fn moved(app: App, handle: Handle, at: Pixel) {
     match handle {
         Handle::Surface(_) | Handle::Tube(..) | Handle::Body(..) | Handle::Hand(_) => {
@@ -265,25 +265,25 @@ fn move_in(subject: &mut Subject, handle: Handle, at: Pixel) {
     }
 }
 
-/// A point with its handle and the frame to which it belongs, if it belongs to one.
+/// Movable point.
 #[derive(Clone, PartialEq)]
 pub struct Held {
-    /// What moves it.
+    /// Its handle.
     pub handle: Handle,
-    /// Where it is.
+    /// Position, px.
     pub at: Pixel,
-    /// The frame in which it was clicked.
+    /// Frame of the click; `None` for a point of all frames.
     pub frame: Option<usize>,
 }
 
 impl Held {
-    /// Whether it is shown in a frame.
+    /// True if the point is shown in a frame.
     pub fn is_seen(&self, frame: usize) -> bool {
         self.frame.is_none_or(|own| own == frame)
     }
 }
 
-/// All points that can be moved.
+/// All movable points.
 pub fn held(app: App) -> Vec<Held> {
     let films = app.films;
     let mut held = Vec::new();

@@ -1,4 +1,4 @@
-//! The tracking: decodes the frames that the desk asks for, and lets it compute between them.
+//! Tracking: decodes the frames that the desk requests, and lets it compute between them.
 
 use super::access::{Greys, Reader, Trouble};
 use super::refusals::{refuse, said};
@@ -6,16 +6,16 @@ use crate::app::App;
 use view::browser;
 use view::views::*;
 
-/// The page reacts after so many milliseconds of work.
+/// Duration of a slice of work, ms; the page reacts between slices.
 const SLICE: f64 = 20.0;
-/// The pictures under the film grow after so many milliseconds.
+/// Interval between updates of the space-time pictures, ms.
 const STRIPS: f64 = 300.0;
-/// So many steps are computed between two looks at the clock.
+/// Number of steps between readings of the clock.
 const STEPS: usize = 10;
-/// If so many frames in a row cannot be decoded, the film is damaged.
+/// Number of successive frames without a picture beyond which the film counts as damaged.
 const DAMAGED: usize = 10;
 
-/// Begins to follow what was clicked.
+/// Starts the tracking.
 pub fn begin(app: App) {
     let refusal = app.attempt_on_desk(|desk| desk.begin_tracking());
     let refused = refusal.is_some();
@@ -25,20 +25,20 @@ pub fn begin(app: App) {
     }
 }
 
-/// Takes up what was found in the film at an earlier visit.
+/// Continues from the results of an earlier visit.
 pub fn take_up(app: App) {
     refuse(app, app.attempt_on_desk(|desk| desk.take_up_tracking()));
     go_on(app);
 }
 
-/// Goes on with what the desk has to follow, unless that is being done.
+/// Continues the tracking of the desk, unless this already runs.
 pub fn go_on(app: App) {
     if app.with(|lab| std::mem::replace(&mut lab.tracking, true)) != Some(false) {
         return;
     }
     wasm_bindgen_futures::spawn_local(async move {
         let refusal = follow(app).await;
-        // The views of the record are made in a slice of their own.
+        // The views of the record are built in a separate slice.
         browser::breathe().await;
         app.with(|lab| lab.tracking = false);
         app.films.progress.set(None);
@@ -51,7 +51,7 @@ fn show_progress(app: App) {
     app.films.progress.set(app.read_desk(|desk| desk.tracking_progress()));
 }
 
-/// Why it ended before the film did, in words.
+/// Runs the tracking. Returns the message of an error that ended it.
 async fn follow(app: App) -> Option<String> {
     let player = app.with(|lab| lab.player.clone()).flatten()?;
     let source = player.source.clone();

@@ -1,4 +1,4 @@
-//! The words of films in every language.
+//! Texts of the film views in every language.
 
 use crate::app::App;
 use view::table_of_words;
@@ -34,7 +34,7 @@ table_of_words! {
     play: "Play the film", "Reproducir el vídeo";
     pause: "Pause the film", "Pausar el vídeo";
 
-    // What the next click sets.
+    // Prompts for the next click.
     leave: "Not now", "Ahora no";
     ask_surface: "Click the surface of the liquid", "Haz clic en la superficie del líquido";
     ask_second_surface: "Click the surface in the other arm", "Haz clic en la superficie de la otra rama";
@@ -60,7 +60,7 @@ table_of_words! {
     axis: "Direction of the x axis", "Dirección del eje x";
     corner: "Corner", "Esquina";
 
-    // The acts.
+    // The four steps.
     open: "Open film", "Abrir un vídeo";
     record_film: "Record film", "Grabar un vídeo";
     stop_recording: "Stop recording", "Detener la grabación";
@@ -144,7 +144,7 @@ table_of_words! {
     show_record: "Show the record", "Mostrar el registro";
 }
 
-/// The words of films, without tracking.
+/// Texts in the current language, without tracking the signal.
 pub fn of(app: App) -> &'static Words {
     words_in(app.language.get_untracked())
 }

@@ -3,7 +3,7 @@
 use super::words;
 use crate::app::App;
 use crate::visited::{files, stem};
-use document::project::{PROJECT_ENDING, Project};
+use desk::saved::project::{PROJECT_ENDING, Project};
 use view::browser;
 use view::views::*;
 

@@ -2,6 +2,7 @@
 
 mod files;
 mod frame;
+mod hand_in;
 mod link;
 mod page;
 mod window;
@@ -42,6 +43,7 @@ fn contents(app: App) -> View {
     div()
         .class("publishing")
         .child(section_of(words.link, link::view(app)))
+        .child(section_of(words.hand_in, hand_in::view(app)))
         .child(section_of(words.page, page.view(app)))
         .child(section_of(words.frame, frame::view(app)))
         .child(section_of(words.files, files::view(app)))

@@ -59,6 +59,17 @@ table_of_words! {
     project_intro: "Everything in one file: document, translations, present values, records, fits, work on films and answers. Open it or drop it on this page to go on.", "Todo en un archivo: documento, traducciones, valores actuales, registros, ajustes, trabajo en vídeos y respuestas. Ábrelo o suéltalo en esta página para continuar.";
     project_save: "Save project", "Guardar proyecto";
     source_save: "Save as file", "Guardar como archivo";
+
+    // Hand-in.
+    hand_in: "Hand in", "Entregar";
+    hand_in_intro: "One file for your teacher: this document with your values, records, measured points of films, fits and answers, and the results that follow from them. Send it as your course asks; this page sends nothing.", "Un archivo para tu profesor: este documento con tus valores, registros, puntos medidos en vídeos, ajustes y respuestas, y los resultados que se siguen de ellos. Envíalo como pida tu curso; esta página no envía nada.";
+    hand_in_name: "Name, group or pseudonym", "Nombre, grupo o seudónimo";
+    hand_in_save: "Save hand-in", "Guardar entrega";
+    hand_in_unnamed: "Type a name first.", "Escribe antes un nombre.";
+    hand_in_computing: "The results are being computed again ...", "Se están calculando de nuevo los resultados ...";
+    hand_in_saved: "Saved {file} with # values.", "Se guardó {file} con # valores.";
+    hand_in_left_out: "Not in it, because they are too long or cannot be restored: #.", "No están incluidos, por ser demasiado largos o no poder recuperarse: #.";
+    hand_in_meaning: "The results are computed again from the data when the file is verified. A result that does not follow from the data is listed.", "Al comprobar el archivo, los resultados se calculan de nuevo a partir de los datos. Se señala todo resultado que no se siga de ellos.";
 }
 
 /// Texts in the language of the page. Not tracked: views with texts are rebuilt when the language changes.

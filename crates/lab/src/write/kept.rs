@@ -102,11 +102,9 @@ fn changed_key(name: &str) -> String {
     format!("{CHANGED}{name}")
 }
 
-/// Time of the last change of a document, in milliseconds; for documents stored by an earlier version of the page, the
-/// time at which it was begun.
+/// Time of the last change of a document, in milliseconds; 0 if it is not known.
 fn changed(name: &str) -> u64 {
-    let known = browser::remembered(&changed_key(name)).and_then(|time| time.parse().ok());
-    known.or_else(|| name.strip_prefix(PREFIX)?.parse().ok()).unwrap_or(0)
+    browser::remembered(&changed_key(name)).and_then(|time| time.parse().ok()).unwrap_or(0)
 }
 
 /// Stored documents with titles in a language, the last changed first. Excludes texts that were changed back to those

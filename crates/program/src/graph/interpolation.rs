@@ -50,7 +50,7 @@ impl Interpolation {
         }
     }
 
-    /// The same function, marked as the curve drawn by the reader for this table.
+    /// This function, marked as the curve drawn by the reader for this table.
     pub fn drawn(self, table: u32) -> Self {
         Self { drawing: Some(OfDrawing { table, derivative: 0 }), ..self }
     }

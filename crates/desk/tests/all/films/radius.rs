@@ -4,7 +4,8 @@ use super::scene::{HEIGHT, WIDTH, container, identity, track};
 use super::{laboratory, ruler};
 use desk::film::Plane;
 use desk::film::tracking::column::Click;
-use desk::{Desk, FilmedBody, Item, Subject};
+use desk::saved::Item;
+use desk::{Desk, FilmedBody, Subject};
 
 /// Frames of the film.
 const FRAMES: usize = 24;
@@ -129,7 +130,7 @@ fn the_outline_is_there_at_the_next_visit() {
         let text = desk.saved_films()[0].1.write(7);
         let visit = |text: &str| {
             let mut next = laboratory();
-            next.restore_film(&Item::read(text).unwrap().1[0]).unwrap();
+            next.restore_film(&Item::read(text).unwrap().1).unwrap();
             next.open_film(identity("ball.mp4"), container(FRAMES)).unwrap();
             next
         };

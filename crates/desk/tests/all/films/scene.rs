@@ -13,7 +13,7 @@ pub const PIXEL: f64 = 1e-3;
 /// Axis of the tube and level at rest, in pixels.
 pub const AXIS: f64 = 80.0;
 pub const REST: f64 = 120.0;
-/// Of the swing: pixels, radians a second, one over the time of decay.
+/// Amplitude (px), angular frequency (rad/s) and decay rate (1/s) of the swing.
 pub const AMPLITUDE: f64 = 40.0;
 pub const OMEGA: f64 = 8.0;
 pub const DECAY: f64 = 0.25;

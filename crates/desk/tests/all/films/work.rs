@@ -3,7 +3,8 @@
 use super::{columns, frame, laboratory, ruler, scene, surface, tracked};
 use crate::support::{bring_back_records, play};
 use desk::film::tracking::column::Click;
-use desk::{Desk, FilmOpening, Item};
+use desk::saved::Item;
+use desk::{Desk, FilmOpening};
 use scene::{container, identity, level, track};
 
 #[test]
@@ -43,8 +44,8 @@ fn the_record_is_removed_and_comes_back() {
 
 fn bring_back(desk: &mut Desk, saved: &[(String, Item)]) {
     for (name, item) in saved {
-        let (_, mut items) = Item::read(&item.write(7)).unwrap();
-        assert_eq!(desk.restore_film(&items.remove(0)).as_ref(), Some(name));
+        let (_, item) = Item::read(&item.write(7)).unwrap();
+        assert_eq!(desk.restore_film(&item).as_ref(), Some(name));
     }
 }
 
@@ -123,9 +124,9 @@ fn stored_work_is_not_trusted() {
     ];
     for (from, to) in changes {
         assert!(text.contains(from), "{from} in {}", &text[..600]);
-        let (_, items) = Item::read(&text.replace(from, to)).unwrap();
+        let (_, item) = Item::read(&text.replace(from, to)).unwrap();
         let mut next = laboratory();
-        assert!(next.restore_film(&items[0]).is_some());
+        assert!(next.restore_film(&item).is_some());
         next.open_film(identity("swing.mp4"), container(75)).unwrap();
         let film = next.film().unwrap();
         assert_eq!((film.ends(), film.factor()), ([0, 74], 1.0));

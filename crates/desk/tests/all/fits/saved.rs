@@ -1,7 +1,8 @@
 //! Fits that are restored at the next visit.
 
 use super::{film, fit, place, theory, three, together};
-use desk::{Desk, Item};
+use desk::Desk;
+use desk::saved::Item;
 use std::collections::BTreeSet;
 
 #[test]
@@ -82,7 +83,7 @@ fn fits_that_cannot_come_back_are_left_out() {
     let renamed: Vec<(String, Item)> = (records.iter())
         .map(|(name, record)| {
             let text = record.write(0).replace("tube 3.txt", "tube 4.txt");
-            (name.clone(), Item::read(&text).unwrap().1.remove(0))
+            (name.clone(), Item::read(&text).unwrap().1)
         })
         .collect();
     assert_eq!(restored(&renamed, &text), 0, "another record in its place");

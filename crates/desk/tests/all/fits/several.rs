@@ -1,7 +1,8 @@
 //! Fits of several records: shared numbers, a fitted window, and several theories.
 
-use super::{DAMPING, LENGTHS, fit, place, theory, theory_text, three, together};
-use desk::{Desk, ExportKind, Imprint, Item};
+use super::{DAMPING, LENGTHS, fit, place, theory, three, together};
+use desk::saved::Item;
+use desk::{Desk, ExportKind, Imprint};
 
 /// `0.1802 ± 0.0004` as a number.
 fn number(value: &str) -> f64 {
@@ -219,20 +220,11 @@ fn a_part_begins_with_its_initial_values() {
         later.fit_detail(later.fits()[0].id).unwrap()
     };
     assert_eq!(restored(&fits[0].1), of_part, "searches and other minima among it");
-    // A fit of the first format, which had other initial values, is searched again in full.
-    let texts = ["md", "es.md"].map(|ending| theory_text(&format!("quadratic.{ending}")));
-    let numbers = |numbers: &[f64]| numbers.iter().map(|number| format!("{number:e}")).collect::<Vec<_>>().join(" ");
-    let earlier = format!(
-        "meniscus fits 1\ndocument {} {}\n{}\nfit 0 theories/quadratic.md\nwindow 1.5e0 -\nvalues {}\nvaried 0 5 1 2 3\n\
-         record 0 5e-1  film.txt\nuses 0,0,t,~s;1,1,y,~m\nfound 1 1 1 1 1\nstarts 1\nend\n",
-        texts[0].len(),
-        texts[1].len(),
-        texts.concat(),
-        numbers(Desk::open(theory("quadratic")).play().course().parameters())
-    );
-    let (since, items) = Item::read(&earlier).unwrap();
-    assert_eq!((since, items.len()), (0, 1));
-    let sentences = restored(&items[0]).sentences;
+    // A fit without values is searched again in full.
+    let mut text: serde_json::Value = serde_json::from_str(&fits[0].1.write(0)).unwrap();
+    text["item"]["fit"]["found"] = serde_json::json!({});
+    let (_, unsearched) = Item::read(&text.to_string()).unwrap();
+    let sentences = restored(&unsearched).sentences;
     assert!(sentences.iter().any(|sentence| sentence == said), "{sentences:?}");
 }
 

@@ -1,5 +1,6 @@
 //! The documents that the tests open.
-use desk::{Desk, Item};
+use desk::Desk;
+use desk::saved::Item;
 use play::Play;
 
 /// A liquid column in a U-tube, with everything a document can have.
@@ -55,15 +56,15 @@ pub fn bring_back_fits(desk: &mut Desk, saved: &[(String, Item)]) {
 
 /// An item after a round trip through the storage.
 fn stored(item: &Item) -> Item {
-    let (since, mut items) = Item::read(&item.write(1_763_812_800_000)).expect("it reads back");
-    assert_eq!((since, items.len()), (1_763_812_800_000, 1));
-    items.remove(0)
+    let (since, item) = Item::read(&item.write(1_763_812_800_000)).expect("it reads back");
+    assert_eq!(since, 1_763_812_800_000);
+    item
 }
 
 /// Restores the records and fits of stored texts. Returns the number of restored items.
 pub fn bring_back_texts(desk: &mut Desk, texts: &[&str]) -> usize {
-    let items = texts.iter().filter_map(|text| Item::read(text)).flat_map(|(_, items)| items);
-    items.filter_map(|item| desk.restore_record(&item).or_else(|| desk.restore_fit(&item))).count()
+    let items = texts.iter().filter_map(|text| Item::read(text));
+    items.filter_map(|(_, item)| desk.restore_record(&item).or_else(|| desk.restore_fit(&item))).count()
 }
 
 /// The states shown.

@@ -1,34 +1,34 @@
-//! The headers of AVI: chunks, the stream of video and the parts of its index.
+//! AVI headers: chunks, the video stream and its OpenDML index.
 
 use super::super::FilmError;
 use super::super::bytes::Bytes;
 use super::super::codec::Codec;
 use super::super::limits::MOST_SAMPLES;
 
-/// The stream of video, as its headers have it.
+/// Headers of the video stream.
 #[derive(Debug)]
 pub(super) struct Stream {
-    /// The characters with which its chunks begin.
+    /// Two digits with which the identifiers of its chunks begin.
     pub(super) number: [u8; 2],
     pub(super) codec: Codec,
     /// Width and height in pixels.
     pub(super) size: [u32; 2],
-    /// A frame lasts `scale / rate` seconds.
+    /// Frame interval in seconds: `scale / rate`.
     pub(super) scale: u32,
     pub(super) rate: u32,
-    /// Frames of the whole film, missed ones counted; 0 if the headers do not state a possible number.
+    /// Number of frames of the whole film with missed ones; 0 if the headers state none, or more than [`MOST_SAMPLES`].
     pub(super) length: u32,
-    /// Further videos in the file.
+    /// Number of further video streams in the file.
     pub(super) further: usize,
-    /// The parts of its index: offset and size.
+    /// Offset and size in bytes of each part of the OpenDML index.
     pub(super) index: Vec<(u64, u32)>,
 }
 
-/// The header of a chunk.
+/// Header of a chunk.
 pub(super) struct Chunk {
     pub(super) id: [u8; 4],
     pub(super) size: u64,
-    /// The type of a list.
+    /// Type of a list (`LIST` or `RIFF`).
     pub(super) kind: Option<[u8; 4]>,
 }
 
@@ -39,19 +39,19 @@ impl Chunk {
         Some(Self { id, size, kind: if [*b"LIST", *b"RIFF"].contains(&id) { bytes.four() } else { None } })
     }
 
-    /// Where the next one begins, if this one begins at `at`. Chunks begin at even offsets.
+    /// Offset of the chunk after this one, which begins at `at`. Chunks begin at even offsets.
     pub(super) fn next(&self, at: u64) -> u64 {
         at.saturating_add(8 + self.size + self.size % 2)
     }
 
-    /// Where the file ends at the earliest, if this list begins at `at`. A recording that was not finished, or that was written to a
-    /// pipe, states 0 or the largest number.
+    /// Lower bound of the file size in bytes, if this list begins at `at`. Unfinished recordings and those written to a
+    /// pipe state 0 or the largest number as size.
     pub(super) fn least_end(&self, at: u64) -> u64 {
         if self.size == u64::from(u32::MAX) { 0 } else { at.saturating_add(8 + self.size) }
     }
 }
 
-/// The chunks in a list.
+/// Identifier, list type and content of each chunk in a list.
 fn chunks(mut content: &[u8]) -> impl Iterator<Item = ([u8; 4], Option<[u8; 4]>, &[u8])> {
     std::iter::from_fn(move || {
         let chunk = Chunk::read(content)?;
@@ -62,7 +62,7 @@ fn chunks(mut content: &[u8]) -> impl Iterator<Item = ([u8; 4], Option<[u8; 4]>,
     })
 }
 
-/// The base of the offsets in a part of the index, `ix00`, and its rows.
+/// Base of the offsets and the rows in one part of the OpenDML index (`ix00`).
 pub(super) fn standard_index(content: &[u8]) -> Option<(u64, &[u8])> {
     let mut bytes = Bytes(content);
     bytes.take(8)?;
@@ -74,7 +74,11 @@ pub(super) fn standard_index(content: &[u8]) -> Option<(u64, &[u8])> {
     Some((base, bytes.take(count.checked_mul(8)?)?))
 }
 
-/// The stream of video in the content of `hdrl`. One that browsers may decode goes before others.
+/// Finds the video stream in the content of `hdrl`. Prefers codings that browsers decode.
+///
+/// # Errors
+///
+/// [`FilmError::NoVideo`] without a video stream, [`FilmError::Damaged`] if no video stream can be read.
 pub(super) fn stream(content: &[u8]) -> Result<Stream, FilmError> {
     let lists = chunks(content).filter(|(_, kind, _)| *kind == Some(*b"strl")).map(|(_, _, list)| list);
     let videos: Vec<_> = lists.enumerate().filter_map(|(number, list)| read_stream(number, list)).collect();
@@ -84,7 +88,7 @@ pub(super) fn stream(content: &[u8]) -> Result<Stream, FilmError> {
         videos.into_iter().filter_map(Result::ok).partition(|stream| stream.codec.coding.is_in_browsers());
     let found = first.into_iter().chain(others).next();
     let stream = found.ok_or(failed.unwrap_or(FilmError::NoVideo))?;
-    // `strh` may count the frames of the first of several parts of OpenDML alone.
+    // `strh` may count only the frames of the first OpenDML part.
     let lists = chunks(content).filter(|(_, kind, _)| *kind == Some(*b"odml"));
     let all = lists.flat_map(|(_, _, list)| chunks(list)).find(|(id, _, _)| id == b"dmlh");
     let all = all.and_then(|(_, _, content)| Bytes(content).u32_le()).unwrap_or(0);
@@ -92,7 +96,7 @@ pub(super) fn stream(content: &[u8]) -> Result<Stream, FilmError> {
     Ok(Stream { further, length: length.unwrap_or(0), ..stream })
 }
 
-/// Reads `strl`; `None` if it is no video.
+/// Reads `strl`; `None` if it is not a video stream.
 fn read_stream(number: usize, list: &[u8]) -> Option<Result<Stream, FilmError>> {
     let part = |id: &[u8; 4]| chunks(list).find(|(other, _, _)| other == id).map(|(_, _, content)| content);
     let header = part(b"strh")?;
@@ -115,7 +119,7 @@ fn read_stream(number: usize, list: &[u8]) -> Option<Result<Stream, FilmError>> 
     Some(read().ok_or(FilmError::Damaged { part: "strl" }))
 }
 
-/// The parts of the index of OpenDML, in the content of `indx`.
+/// Reads offset and size of each part of the OpenDML index from the content of `indx`.
 fn super_index(content: &[u8]) -> Option<Vec<(u64, u32)>> {
     let mut bytes = Bytes(content);
     (bytes.u16_le()? == 4 && bytes.u16()? == 0).then_some(())?;

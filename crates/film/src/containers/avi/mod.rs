@@ -1,7 +1,7 @@
 //! AVI (Microsoft, AVI RIFF File Reference; OpenDML AVI File Format Extensions 1.02).
 //!
-//! Frames are found by the index of OpenDML, else by `idx1`, else by walking the chunks. A frame has no time of its own: it is
-//! its number times the interval that the header states. An empty chunk stands for a frame that was missed.
+//! Frames are found by the OpenDML index, else by `idx1`, else by walking the chunks. A frame has no time of its own:
+//! its time is its number times the frame interval in the header. An empty chunk marks a missed frame.
 
 mod headers;
 
@@ -14,35 +14,35 @@ use super::notice::Notice;
 use super::piece::{Piece, Reader, Stop};
 use headers::{Chunk, Stream, standard_index, stream};
 
-/// What is read from the start of a chunk on.
+/// Bytes requested from the start of a chunk.
 const AHEAD: u64 = 4 << 10;
-/// The flag of key frames in `idx1`.
+/// Flag of a key frame in `idx1`.
 const KEY: u32 = 0x10;
 
-/// Reads the chunks of a file.
+/// Reader of AVI files.
 #[derive(Debug, Default)]
 pub(super) struct Avi {
     at: u64,
     chunks: usize,
     stage: Stage,
     stream: Option<Stream>,
-    /// Where the list of frames begins: at its type, `movi`.
+    /// Offset of the type `movi` in the list of frames.
     frames_at: Option<u64>,
-    /// Where the file ends at the earliest, by the sizes of its lists and the offsets of its index.
+    /// Lower bound of the complete file size in bytes, by list sizes and index offsets.
     least_end: u64,
     samples: Samples,
-    /// The number of the next frame, missed ones counted.
+    /// Number of the next frame; missed frames count.
     number: u32,
 }
 
 #[derive(Debug, Default)]
 enum Stage {
-    /// Headers, and `idx1` behind the frames.
+    /// Reading headers, and `idx1` after the frames.
     #[default]
     Headers,
-    /// The parts of the index of OpenDML, of which so many are done.
+    /// Reading the part of the OpenDML index with this number.
     Index(usize),
-    /// From chunk to chunk.
+    /// Walking the chunks.
     Walk,
 }
 
@@ -66,7 +66,7 @@ impl Reader for Avi {
 }
 
 impl Avi {
-    /// Passes one chunk before or behind the frames. `Some` at the end.
+    /// Reads one chunk before or after the frames. `Some` at the end of the film.
     fn headers(&mut self, piece: &Piece) -> Result<Option<Option<Notice>>, Stop> {
         let chunk = Chunk::read(piece.get(self.at, 12, AHEAD)?);
         let Some(chunk) = chunk else { return self.begin_walk(piece) };
@@ -107,7 +107,11 @@ impl Avi {
         Ok(None)
     }
 
-    /// Takes the next frame, or passes over one that was missed.
+    /// Adds the next frame. A frame of size 0 is counted but not listed. `file`: size of the file in bytes.
+    ///
+    /// # Errors
+    ///
+    /// [`FilmError::TooLarge`] after [`MOST_SAMPLES`] frames.
     fn add(&mut self, offset: u64, size: u32, key: bool, file: u64) -> Result<(), FilmError> {
         let (scale, coding) =
             self.stream.as_ref().map_or((0, Coding::Jpeg), |stream| (stream.scale, stream.codec.coding));
@@ -126,7 +130,7 @@ impl Avi {
         self.stream.as_ref().is_some_and(|stream| stream.number == [first, second]) && [*b"dc", *b"db"].contains(&kind)
     }
 
-    /// Reads `idx1`; returns whether it lists frames that are there.
+    /// Reads `idx1`. Returns true if it lists frames inside the file, which has `file` bytes.
     fn old_index(&mut self, content: &[u8], file: u64) -> Result<bool, FilmError> {
         let Some(frames_at) = self.frames_at else { return Ok(false) };
         let mut base = None;
@@ -134,7 +138,7 @@ impl Avi {
             let mut row = Bytes(row);
             let fields = || Some((row.four()?, row.u32_le()?, row.u32_le()?, row.u32_le()?));
             let Some((id, flags, offset, size)) = { fields }() else { break };
-            // Offsets count from the list of frames, or with some writers from the start of the file.
+            // Offsets count from the list of frames; some writers count from the start of the file.
             let base = *base.get_or_insert(if u64::from(offset) < frames_at { frames_at } else { 0 });
             if self.is_frame(id) {
                 self.add(base + u64::from(offset) + 8, size, flags & KEY != 0, file)?;
@@ -143,7 +147,7 @@ impl Avi {
         Ok(!self.samples.list.is_empty())
     }
 
-    /// Reads a part of the index of OpenDML. If it is not what it should be, the chunks are walked.
+    /// Reads one part of the OpenDML index. Falls back to walking the chunks if its header is invalid.
     fn index_part(&mut self, part: usize, piece: &Piece) -> Result<Option<Option<Notice>>, Stop> {
         let Some(stream) = &self.stream else { return Err(FilmError::NoVideo.into()) };
         let Some(&(offset, size)) = stream.index.get(part) else {
@@ -158,14 +162,14 @@ impl Avi {
         for row in rows.chunks_exact(8) {
             let mut row = Bytes(row);
             let (offset, size) = (row.u32_le().unwrap_or(0), row.u32_le().unwrap_or(0));
-            // The highest bit of the size marks a frame that is no key frame.
+            // The highest bit of the size marks a frame that is not a key frame.
             self.add(base.saturating_add(offset.into()), size & 0x7fff_ffff, size >> 31 == 0, piece.size)?;
         }
         self.stage = Stage::Index(part + 1);
         Ok(None)
     }
 
-    /// Passes one chunk among the frames. `Some` at the end.
+    /// Reads the header of one chunk among the frames. `Some` at the end of the film.
     fn walk(&mut self, piece: &Piece) -> Result<Option<Option<Notice>>, Stop> {
         let start = piece.get(self.at, 12, AHEAD)?;
         let Some(chunk) = Chunk::read(start) else {
@@ -192,8 +196,8 @@ impl Avi {
         Ok(None)
     }
 
-    /// The file is cut here; how many frames are missing follows from the number that the headers state. `None` if it is none: only
-    /// the index is cut.
+    /// Notice that the file is cut off, with the number of missing frames by the header. `None` if no frame is missing,
+    /// only the index.
     fn truncated(&self, piece: &Piece) -> Option<Notice> {
         let stated = self.stream.as_ref().map_or(0, |stream| stream.length);
         let lost = stated.saturating_sub(self.number) as usize;

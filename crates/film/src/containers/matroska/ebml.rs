@@ -1,22 +1,22 @@
-//! The elements of which Matroska files are made (RFC 8794).
+//! Elements of Matroska files (RFC 8794).
 
 use super::super::bytes::Bytes;
 
-/// The start of an element.
+/// Header of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Header {
     pub(super) id: u32,
-    /// Bytes of the header itself.
+    /// Size of the header in bytes.
     pub(super) length: u64,
-    /// Bytes of the content; `None` if it was not known when the header was written.
+    /// Size of the content in bytes; `None` if it was unknown when the header was written.
     pub(super) size: Option<u64>,
 }
 
 impl Header {
-    /// At most so many bytes are needed.
+    /// Maximum size of a header in bytes.
     pub(super) const MOST: u64 = 12;
 
-    /// Reads it from the front of an element.
+    /// Reads a header from the start of an element. `None` if bytes are missing or invalid.
     pub(super) fn read(bytes: &[u8]) -> Option<Self> {
         let mut rest = Bytes(bytes);
         let id = u32::try_from(number(&mut rest, true)?.0).ok()?;
@@ -26,7 +26,8 @@ impl Header {
     }
 }
 
-/// A number of variable length, with or without the bit that marks the length; and whether all other bits are set.
+/// Reads an integer of variable length, with or without its length marker. The flag is true if all value bits are set,
+/// which means an unknown size.
 pub(super) fn number(bytes: &mut Bytes<'_>, with_marker: bool) -> Option<(u64, bool)> {
     let first = bytes.u8()?;
     let more = first.leading_zeros();
@@ -44,7 +45,7 @@ pub(super) fn number(bytes: &mut Bytes<'_>, with_marker: bool) -> Option<(u64, b
     Some((value, ones))
 }
 
-/// The elements in the content of another one: their numbers and contents. Ends where no further one fits.
+/// Iterator over identifier and content of the elements in `.0`. Ends at an incomplete element.
 #[derive(Clone, Debug)]
 pub(super) struct Elements<'a>(pub(super) &'a [u8]);
 
@@ -60,17 +61,17 @@ impl<'a> Iterator for Elements<'a> {
     }
 }
 
-/// The content of the first element of this number.
+/// Content of the first element with identifier `id`.
 pub(super) fn find(content: &[u8], id: u32) -> Option<&[u8]> {
     Elements(content).find(|(other, _)| *other == id).map(|(_, content)| content)
 }
 
-/// A whole number of at most eight bytes.
+/// Unsigned integer of at most eight bytes.
 pub(super) fn unsigned(content: &[u8]) -> Option<u64> {
     (content.len() <= 8).then(|| content.iter().fold(0, |value, &byte| value << 8 | u64::from(byte)))
 }
 
-/// A number of four or eight bytes.
+/// Floating-point number of four or eight bytes.
 pub(super) fn float(content: &[u8]) -> Option<f64> {
     let mut bytes = Bytes(content);
     match content.len() {

@@ -1,4 +1,4 @@
-//! WebM and Matroska (RFC 9559). The index in such a file lists key frames only, so that the blocks are walked by their headers.
+//! WebM and Matroska (RFC 9559). The index of such a file lists only key frames. All block headers are read instead.
 
 mod ebml;
 mod track;
@@ -12,7 +12,7 @@ use super::piece::{Piece, Reader, Stop};
 use ebml::{Header, find, float, number, unsigned};
 use track::{Track, tracks};
 
-/// Elements that are read, by their numbers.
+/// Element identifiers.
 const EBML: u32 = 0x1a45_dfa3;
 const SEGMENT: u32 = 0x1853_8067;
 const INFO: u32 = 0x1549_a966;
@@ -24,18 +24,18 @@ const BLOCK_GROUP: u32 = 0xa0;
 const BLOCK: u32 = 0xa1;
 const REFERENCE_BLOCK: u32 = 0xfb;
 
-/// What is read at once where blocks are small, and where they are large and passed over.
+/// Bytes requested at once among small blocks, and after a large block, which is skipped.
 const DENSE: u64 = 1 << 20;
 const SPARSE: u64 = 4 << 10;
-/// A block of more bytes is large.
+/// Blocks with more bytes are large.
 const LARGE: u64 = 32 << 10;
-/// Of a block, the number of its track, its time and its flags are read, and the start of its frame.
+/// Bytes read of a block: track number, time, flags and the start of its frame.
 const BLOCK_START: u64 = 64;
-/// Seconds from the start of 1970 to that of 2001, from which dates count.
+/// Seconds from 1970-01-01 to 2001-01-01, the epoch of Matroska dates.
 const TO_2001: i64 = 978_307_200;
 
-/// Reads the elements of a file one after the other. Segments, clusters and groups are entered rather than passed over: then
-/// it does not matter whether their sizes are known, which in live films they are not.
+/// Reader of the elements of a file. It enters segments, clusters and groups instead of skipping them. Their sizes,
+/// unknown in live recordings, are not needed.
 #[derive(Debug, Default)]
 pub(super) struct Matroska {
     at: u64,
@@ -45,18 +45,18 @@ pub(super) struct Matroska {
     info: Info,
     track: Option<Track>,
     further: usize,
-    /// Where the segment ends, if that is known.
+    /// Offset of the end of the segment, if known.
     end: Option<u64>,
-    /// The time of the cluster, in `info.scale`.
+    /// Time of the cluster, in units of `info.scale` nanoseconds.
     cluster: u64,
     samples: Samples,
-    /// Whether the last block was one of the track.
+    /// True if the last block added a frame of the chosen track.
     ours: bool,
 }
 
 #[derive(Debug)]
 struct Info {
-    /// Nanoseconds in a tick.
+    /// Nanoseconds per tick.
     scale: u64,
     duration: Option<f64>,
     created: Option<i64>,
@@ -107,7 +107,7 @@ impl Matroska {
         if self.elements > MOST_PARTS { Err(FilmError::TooLarge) } else { Ok(()) }
     }
 
-    /// Reads an element whose content has `size` bytes from `at` on.
+    /// Reads an element with `size` bytes of content from offset `at`.
     fn element(&mut self, id: u32, at: u64, size: u64, piece: &Piece) -> Result<(), Stop> {
         let content = || {
             if size > MOST_TABLE { Err(FilmError::TooLarge.into()) } else { piece.get(at, size, self.ahead) }
@@ -139,7 +139,7 @@ impl Matroska {
         Ok(())
     }
 
-    /// Reads the start of a block (RFC 9559, 10.1 and 10.2).
+    /// Reads the start of a block (RFC 9559, 10.1 and 10.2). `file`: size of the file in bytes.
     fn block(&mut self, start: &[u8], at: u64, size: u64, simple: bool, file: u64) -> Result<(), FilmError> {
         self.ours = false;
         let Some(track) = &mut self.track else { return Err(FilmError::NoVideo) };

@@ -1,28 +1,28 @@
-//! A track of video (RFC 9559, 5.1.4).
+//! Video tracks of Matroska (RFC 9559, 5.1.4).
 
 use super::super::FilmError;
 use super::super::codec::Codec;
 use super::super::film::{Orientation, lowest_terms};
 use super::ebml::{Elements, find, float, unsigned};
 
-/// Finds the codec by the start of a frame.
+/// Determines the codec from the start of a frame.
 type ByFrame = fn(&[u8]) -> Option<Codec>;
 
-/// What is known of the track whose frames are read.
+/// Properties of the chosen video track.
 #[derive(Debug)]
 pub(super) struct Track {
     pub(super) number: u64,
     pub(super) codec: Codec,
-    /// Where the file does not state the profile, the first frame is asked.
+    /// Determines the profile from the first frame, if the track header lacks it.
     pub(super) ask_frame: Option<ByFrame>,
     pub(super) size: [u32; 2],
     pub(super) pixel_aspect: [u32; 2],
-    /// `None` for an angle other than quarter turns.
+    /// `None` for an angle that is not a multiple of 90 degrees.
     pub(super) orientation: Option<Orientation>,
     pub(super) stated_rate: Option<f64>,
 }
 
-/// All videos in the content of `Tracks`, each with why it cannot be read if it cannot.
+/// All video tracks in the content of `Tracks`, each with the reason if it cannot be read.
 pub(super) fn tracks(content: &[u8]) -> Vec<Result<Track, FilmError>> {
     let entries = Elements(content).filter(|(id, _)| *id == 0xae).map(|(_, content)| content);
     let videos = entries.filter(|content| find(content, 0x83).and_then(unsigned) == Some(1));
@@ -79,7 +79,7 @@ fn track(content: &[u8]) -> Result<Track, FilmError> {
     })
 }
 
-/// The aspect of a pixel by the size at which the picture is shown, in whatever unit.
+/// Pixel aspect ratio from the display size, which may have any unit. `size` in px.
 fn pixel_aspect([width, height]: [u32; 2], shown_width: Option<u32>, shown_height: Option<u32>) -> [u32; 2] {
     let (Some(shown_width), Some(shown_height)) = (shown_width, shown_height) else { return [1, 1] };
     let across = u64::from(shown_width) * u64::from(height);
@@ -87,8 +87,8 @@ fn pixel_aspect([width, height]: [u32; 2], shown_width: Option<u32>, shown_heigh
     lowest_terms(across, down).unwrap_or([1, 1])
 }
 
-/// How a flat picture is turned: by the roll of its projection, in degrees counter-clockwise, after a yaw of 180 degrees, which
-/// shows its back (RFC 9559, 5.1.4.1.28.44 to 46).
+/// Orientation of a flat picture: roll in degrees, counter-clockwise, after a yaw of 180 degrees, which mirrors it (RFC
+/// 9559, 5.1.4.1.28.44 to 46). `None` for other angles.
 fn orientation(projection: &[u8]) -> Option<Orientation> {
     let angle = |id| find(projection, id).and_then(float).unwrap_or(0.0);
     let (yaw, turns) = (angle(0x7673).abs(), (-angle(0x7675) / 90.0).round());

@@ -1,26 +1,26 @@
-//! The boxes of which MP4 and QuickTime files are made (ISO/IEC 14496-12, 4.2).
+//! Boxes of MP4 and QuickTime files (ISO/IEC 14496-12, 4.2).
 
 use super::super::FilmError;
 use super::super::bytes::Bytes;
 
-/// The type of a box.
+/// Type of a box.
 pub(super) type Kind = [u8; 4];
 
-/// The start of a box.
+/// Header of a box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Header {
     pub(super) kind: Kind,
-    /// Bytes of the header itself.
+    /// Size of the header in bytes.
     pub(super) length: u64,
-    /// Bytes of the box with its header; `None` if it goes on to the end of what it is in.
+    /// Size of the box in bytes, with its header; `None` if it extends to the end of its parent.
     pub(super) size: Option<u64>,
 }
 
 impl Header {
-    /// At most so many bytes are needed.
+    /// Maximum size of a header in bytes.
     pub(super) const MOST: u64 = 16;
 
-    /// Reads it from the front of a box.
+    /// Reads a header from the start of a box. `None` if bytes are missing or the size is invalid.
     pub(super) fn read(bytes: &[u8]) -> Option<Self> {
         let mut bytes = Bytes(bytes);
         let size = bytes.u32()?;
@@ -34,7 +34,7 @@ impl Header {
     }
 }
 
-/// The boxes in the content of another one: their types and contents. Ends where no further box fits.
+/// Iterator over type and content of the boxes in `.0`. Ends at an incomplete box.
 #[derive(Clone, Debug)]
 pub(super) struct Boxes<'a>(pub(super) &'a [u8]);
 
@@ -50,23 +50,27 @@ impl<'a> Iterator for Boxes<'a> {
     }
 }
 
-/// The content of the first box of this type.
+/// Content of the first box of type `kind`.
 pub(super) fn find<'a>(content: &'a [u8], kind: &Kind) -> Option<&'a [u8]> {
     Boxes(content).find(|(other, _)| other == kind).map(|(_, content)| content)
 }
 
-/// The content of the box at the end of a path of types.
+/// Content of the box at the end of a path of nested box types.
 pub(super) fn follow<'a>(content: &'a [u8], path: &[&Kind]) -> Option<&'a [u8]> {
     path.iter().try_fold(content, |content, kind| find(content, kind))
 }
 
-/// The start of a full box: its version and flags.
+/// Version and flags at the start of a full box.
 pub(super) fn version_and_flags(bytes: &mut Bytes<'_>) -> Option<(u8, u32)> {
     let word = bytes.u32()?;
     Some(((word >> 24) as u8, word & 0x00ff_ffff))
 }
 
-/// The rows of a table of `row` bytes each: after version and flags their number, which must fit into the box.
+/// Rows of a table, `row` bytes each, after version, flags and row count.
+///
+/// # Errors
+///
+/// [`FilmError::Damaged`] if the rows do not fit into the box.
 pub(super) fn rows<'a>(content: &'a [u8], row: usize, part: &'static str) -> Result<&'a [u8], FilmError> {
     let table = || {
         let mut bytes = Bytes(content);

@@ -1,28 +1,32 @@
-//! The edit list of a track: which parts of its frames are shown, and when (ISO/IEC 14496-12, 8.6.6).
+//! Edit list of a track: the shown intervals of the media and their presentation times (ISO/IEC 14496-12, 8.6.6).
 
 use super::super::FilmError;
 use super::super::bytes::Bytes;
 use super::super::film::{Sample, order};
 use super::boxes::{rows, version_and_flags};
 
-/// More edits than any camera or editor of phones writes; each costs a pass over the frames.
+/// Maximum number of edits, beyond any camera or phone editor. Each edit costs a pass over the frames.
 const MOST: usize = 100;
 
-/// A row of the list.
+/// Row of the edit list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Edit {
-    /// How long it lasts, in ticks of the movie; 0 for the rest of the film.
+    /// Duration in units of the movie time scale; 0 for the rest of the film.
     duration: u64,
-    /// From which time of the media on, in ticks of the media; -1 for a pause.
+    /// Start in the media, in units of the media time scale; -1 for a pause.
     media: i64,
-    /// The rate at which it plays, times 65536; 0 for a frame that is held.
+    /// Playback rate times 65536; 0 for a frozen frame.
     rate: i32,
 }
 
-/// The normal rate.
+/// Playback rate 1.
 const NORMAL: i32 = 1 << 16;
 
 /// Reads the content of `elst`.
+///
+/// # Errors
+///
+/// [`FilmError::Damaged`] for an incomplete or too long list.
 pub(super) fn edits(content: &[u8]) -> Result<Vec<Edit>, FilmError> {
     let damaged = FilmError::Damaged { part: "elst" };
     let Some((version, _)) = version_and_flags(&mut Bytes(content)) else { return Err(damaged) };
@@ -40,11 +44,11 @@ pub(super) fn edits(content: &[u8]) -> Result<Vec<Edit>, FilmError> {
     if edits.len() > MOST { Err(FilmError::Damaged { part: "elst" }) } else { Ok(edits) }
 }
 
-/// Turns composition times into presentation times. `movie` and `media` are the ticks in a second of the movie, in which edits
-/// last, and of the media. Returns whether a part plays at another rate.
+/// Converts composition times to presentation times. `movie` and `media`: ticks per second of the edit durations and of
+/// the media. Returns true if a part plays at another rate than 1.
 ///
-/// An edit shows the frames whose composition time lies in it, from its start on and before its end. A frame in several edits
-/// is shown in the first of them.
+/// An edit shows the frames whose composition time is at or after its start and before its end. A frame in several
+/// edits is shown in the first of them.
 pub(super) fn apply(edits: &[Edit], movie: u32, media: u32, samples: &mut [Sample]) -> bool {
     let Some(first) = edits.iter().find(|edit| edit.media >= 0) else { return false };
     let to_media = |ticks: u64| {

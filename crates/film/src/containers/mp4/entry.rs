@@ -1,4 +1,4 @@
-//! How the frames of a track are coded: the sample entry of `stsd` (ISO/IEC 14496-12, 8.5.2 and 12.1.3).
+//! Coding of the frames of a track: the sample entry in `stsd` (ISO/IEC 14496-12, 8.5.2 and 12.1.3).
 
 use super::super::FilmError;
 use super::super::bytes::Bytes;
@@ -6,12 +6,12 @@ use super::super::codec::Codec;
 use super::super::film::lowest_terms;
 use super::boxes::{Boxes, find};
 
-/// Bytes of a visual sample entry before its boxes.
+/// Size in bytes of a visual sample entry before its boxes.
 const FIXED: usize = 78;
-/// The object type of Motion JPEG in an `esds` (ISO/IEC 14496-1, table 5).
+/// Object type of Motion JPEG in `esds` (ISO/IEC 14496-1, table 5).
 const OBJECT_JPEG: u8 = 0x6c;
 
-/// What a sample entry says of its frames.
+/// Content of a sample entry. Size in px.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     pub(super) codec: Codec,
@@ -19,7 +19,8 @@ pub(super) struct Entry {
     pub(super) pixel_aspect: [u32; 2],
 }
 
-/// Reads the first entry of the content of `stsd`. Further ones, for other parts of the film, differ in what no camera changes.
+/// Reads the first entry in the content of `stsd`. Cameras do not change the format within a film, so that further
+/// entries are ignored.
 pub(super) fn entry(content: &[u8]) -> Result<Entry, FilmError> {
     let damaged = FilmError::Damaged { part: "stsd" };
     let Some((kind, content)) = content.get(8..).and_then(|entries| Boxes(entries).next()) else { return Err(damaged) };
@@ -50,7 +51,7 @@ pub(super) fn entry(content: &[u8]) -> Result<Entry, FilmError> {
     })
 }
 
-/// The object type in the decoder configuration of an `esds` (ISO/IEC 14496-1, 7.2.6.5 and 7.2.6.6).
+/// Object type in the decoder configuration of `esds` (ISO/IEC 14496-1, 7.2.6.5 and 7.2.6.6).
 fn object_type(content: &[u8]) -> Option<u8> {
     let mut bytes = Bytes(content.get(4..)?);
     descriptor(&mut bytes, 3)?;
@@ -70,7 +71,8 @@ fn object_type(content: &[u8]) -> Option<u8> {
     bytes.u8()
 }
 
-/// Passes over the start of a descriptor: its tag, and its length in at most four bytes of seven bits.
+/// Skips the start of a descriptor: its tag, and its length in at most four bytes of seven bits. `None` for another
+/// tag.
 fn descriptor(bytes: &mut Bytes<'_>, tag: u8) -> Option<()> {
     (bytes.u8()? == tag).then_some(())?;
     for _ in 0..4 {

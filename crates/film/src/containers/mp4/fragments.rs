@@ -1,4 +1,4 @@
-//! Frames of a film that was written in fragments: boxes `moof` (ISO/IEC 14496-12, 8.8).
+//! Frames of a fragmented film, in boxes `moof` (ISO/IEC 14496-12, 8.8).
 
 use super::super::FilmError;
 use super::super::bytes::Bytes;
@@ -6,7 +6,7 @@ use super::super::film::{Sample, Samples};
 use super::super::limits::MOST_SAMPLES;
 use super::boxes::{Boxes, find, version_and_flags};
 
-/// What holds for the frames of a track where a fragment does not say otherwise.
+/// Default values for the frames of a track. Duration in units of the media time scale, size in bytes.
 #[derive(Clone, Copy, Debug, Default)]
 struct Defaults {
     duration: u32,
@@ -14,19 +14,19 @@ struct Defaults {
     flags: u32,
 }
 
-/// The frames in fragments of one track.
+/// State of reading the fragments of one track.
 #[derive(Debug, Default)]
 pub(super) struct Fragments {
     track: u32,
-    /// By the numbers of tracks.
+    /// Track number and defaults of each track.
     defaults: Vec<(u32, Defaults)>,
-    /// The decoding time of the next frame, where a fragment does not state it.
+    /// Decoding time of the next frame if the fragment does not state it, in units of the media time scale.
     decoding: i64,
-    /// How many frames have been listed, empty ones too.
+    /// Number of listed frames, with empty ones.
     listed: usize,
 }
 
-/// The content of `tfhd`.
+/// Content of `tfhd`.
 struct Header {
     track: u32,
     base: Option<u64>,
@@ -34,13 +34,14 @@ struct Header {
     base_is_fragment: bool,
 }
 
-/// More tracks than any film has. Each fragment looks through them.
+/// Maximum number of tracks. Each fragment searches all of them.
 const MOST_TRACKS: usize = 100;
-/// Flags of a frame: decoding cannot begin with it.
+/// Frame flag: not a key frame.
 const NOT_A_KEY: u32 = 0x1_0000;
 
 impl Fragments {
-    /// Begins with the content of `mvex`, for a track of which `moov` lists so many frames, up to a decoding time.
+    /// Reads the content of `mvex`. `listed`: number of frames of the track in `moov`; `decoding`: decoding time after
+    /// the last of them.
     pub(super) fn new(content: &[u8], track: u32, listed: usize, decoding: i64) -> Self {
         let defaults = Boxes(content).filter(|(kind, _)| kind == b"trex").filter_map(|(_, content)| {
             let mut bytes = Bytes(content);
@@ -52,7 +53,11 @@ impl Fragments {
         Self { track, defaults: defaults.take(MOST_TRACKS).collect(), decoding, listed }
     }
 
-    /// Adds the frames of a `moof` that begins at `start` in a file of `file` bytes.
+    /// Adds the frames of a `moof` that begins at offset `start` in a file of `file` bytes.
+    ///
+    /// # Errors
+    ///
+    /// [`FilmError::Damaged`] for an invalid box, [`FilmError::TooLarge`] for too many frames.
     pub(super) fn add(
         &mut self,
         content: &[u8],
@@ -96,7 +101,7 @@ impl Fragments {
         Some(Header { track, base, defaults, base_is_fragment: flags & 0x2_0000 != 0 })
     }
 
-    /// Adds the frames of one `trun`; returns where its data end.
+    /// Adds the frames of one `trun`. Returns the offset of the end of its data.
     fn run(
         &mut self,
         content: &[u8],
@@ -122,7 +127,7 @@ impl Fragments {
             return Ok(data.saturating_add(u64::from(count) * u64::from(header.defaults.size)));
         }
         for number in 0..count {
-            // The rows fit, so that no field is missing.
+            // The rows fit into the box: no field is missing.
             let mut field =
                 |flag: u32, default: u32| if flags & flag == 0 { default } else { bytes.u32().unwrap_or(default) };
             let duration = field(0x100, header.defaults.duration);
@@ -145,7 +150,7 @@ impl Fragments {
     }
 }
 
-/// The content of `tfdt`.
+/// Reads the content of `tfdt`.
 fn decoding_time(content: &[u8]) -> Option<i64> {
     let mut bytes = Bytes(content);
     let (version, _) = version_and_flags(&mut bytes)?;

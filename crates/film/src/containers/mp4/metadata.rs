@@ -1,20 +1,20 @@
-//! What cameras add to a movie: the rate at which frames were taken.
+//! Frame rate at recording, from the metadata of a movie.
 
 use super::super::bytes::Bytes;
 use super::boxes::{Boxes, find, follow};
 
-/// The name under which Android writes it, in movies of slow motion and of normal speed.
+/// Metadata key of Android for the recording rate, in slow-motion and normal films.
 const CAPTURE_RATE: &[u8] = b"com.android.capture.fps";
 
-/// Frames that were taken in a second, in the content of `moov`: in its `meta`, or in that of `udta`.
+/// Frames per second at recording, from `meta` or `udta/meta` in the content of `moov`.
 pub(super) fn capture_rate(movie: &[u8]) -> Option<f64> {
     [&[b"meta"] as &[&[u8; 4]], &[b"udta", b"meta"]].iter().find_map(|path| rate_in(follow(movie, path)?))
 }
 
-/// In a `meta` of named values (QuickTime File Format, Metadata): `keys` has the names, `ilst` boxes whose types are the
-/// numbers of the names from 1.
+/// Searches a `meta` box of named values (QuickTime File Format, Metadata). `keys` lists the names; the type of each
+/// box in `ilst` is the index of its name, from 1.
 fn rate_in(meta: &[u8]) -> Option<f64> {
-    // QuickTime's `meta` begins with its first box, that of MP4 with version and flags.
+    // The `meta` of QuickTime begins with its first box, that of MP4 with version and flags.
     let boxes = if meta.get(4..8) == Some(b"hdlr") { meta } else { meta.get(4..)? };
     let names = Boxes(find(boxes, b"keys")?.get(8..)?);
     let number = 1 + u32::try_from(names.map(|(_, name)| name).position(|name| name == CAPTURE_RATE)?).ok()?;

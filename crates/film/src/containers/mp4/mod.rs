@@ -1,4 +1,5 @@
-//! MP4 and QuickTime (ISO/IEC 14496-12; Apple, QuickTime File Format): a movie whose tables list all frames, or one in fragments.
+//! MP4 and QuickTime (ISO/IEC 14496-12; Apple, QuickTime File Format): movies with complete tables, and fragmented
+//! ones.
 
 mod boxes;
 mod edits;
@@ -17,12 +18,12 @@ use boxes::{Boxes, Header, find};
 use fragments::Fragments;
 use track::{Track, times};
 
-/// What is read from the start of a box on: enough for the fragments of a live film.
+/// Bytes requested from the start of a box: enough for a fragment of a live recording.
 const AHEAD: u64 = 4 << 10;
-/// Seconds from 1904, from which movies count, to 1970.
+/// Seconds from 1904-01-01, the epoch of movie times, to 1970-01-01.
 const FROM_1904: i64 = 2_082_844_800;
 
-/// Reads the boxes of a file, one after the other.
+/// Reader of the boxes of a file.
 #[derive(Debug, Default)]
 pub(super) struct Mp4 {
     at: u64,
@@ -31,12 +32,12 @@ pub(super) struct Mp4 {
     movie: Option<Movie>,
 }
 
-/// The movie, while its fragments are read.
+/// Movie whose fragments are being read.
 #[derive(Debug)]
 struct Movie {
     film: Film,
     samples: Samples,
-    /// Those of the film's track, with the movie's ticks in a second.
+    /// Edit list of the video track; durations in units of the movie time scale.
     edits: Vec<edits::Edit>,
     timescale: u32,
     fragments: Option<Fragments>,
@@ -86,7 +87,7 @@ impl Reader for Mp4 {
 }
 
 impl Mp4 {
-    /// What is in the box at hand.
+    /// Content of the current box.
     fn content<'a>(&self, piece: &'a Piece, header: Header, size: u64) -> Result<&'a [u8], Stop> {
         if self.at.saturating_add(size) > piece.size {
             return Err(FilmError::Truncated { bytes: piece.size }.into());
@@ -131,7 +132,7 @@ impl Mp4 {
 }
 
 impl Movie {
-    /// Reads the content of `moov`.
+    /// Reads the content of `moov`. `file`: size of the file in bytes.
     fn read(content: &[u8], file: u64, quick_time: bool) -> Result<Self, FilmError> {
         if find(content, b"cmov").is_some() {
             return Err(FilmError::Packed);
@@ -140,7 +141,7 @@ impl Movie {
         let tracks = Boxes(content).filter(|(kind, _)| kind == b"trak").filter_map(|(_, content)| Track::read(content));
         let tracks: Vec<Track<'_>> = tracks.collect::<Result<_, _>>()?;
         let further = tracks.len().saturating_sub(1);
-        // The longest that can be read: others are pictures of covers, or previews. The first of equal ones.
+        // The longest readable track. Others are cover pictures or previews. The first of equally long ones.
         let ease = |track: &Track<'_>| track.entry.as_ref().ok().map(|entry| entry.codec.coding.is_in_browsers());
         let track = tracks.into_iter().rev().max_by_key(|track| (ease(track), track.count));
         let Some(track) = track else { return Err(FilmError::NoVideo) };

@@ -1,4 +1,4 @@
-//! The tables of a track that say where its frames are and when they are shown (ISO/IEC 14496-12, 8.6 and 8.7).
+//! Tables of a track: offset, size and time of each frame (ISO/IEC 14496-12, 8.6 and 8.7).
 
 use super::super::FilmError;
 use super::super::bytes::Bytes;
@@ -6,7 +6,7 @@ use super::super::film::{Sample, Samples};
 use super::super::limits::MOST_SAMPLES;
 use super::boxes::{find, rows};
 
-/// Values with how often each repeats, as in `stts` and `ctts`. After the last row its value goes on.
+/// Iterator over run-length encoded values, as in `stts` and `ctts`. Repeats the last value after the last row.
 struct Runs<'a> {
     rows: Bytes<'a>,
     left: u32,
@@ -28,12 +28,12 @@ impl<'a> Runs<'a> {
     }
 }
 
-/// The sizes of frames: `stsz` or the compact `stz2`.
+/// Frame sizes from `stsz` or the compact `stz2`.
 struct Sizes<'a> {
     count: usize,
-    /// The size of all, if it is one.
+    /// Common size of all frames in bytes, or 0.
     all: u32,
-    /// Bits of each in the table.
+    /// Bits per entry of the table.
     bits: usize,
     table: &'a [u8],
 }
@@ -74,12 +74,17 @@ impl<'a> Sizes<'a> {
     }
 }
 
-/// How many frames the tables in the content of `stbl` list.
+/// Number of frames listed in the content of `stbl`.
 pub(super) fn count(tables: &[u8]) -> usize {
     Sizes::read(tables).map_or(0, |sizes| sizes.count)
 }
 
-/// The frames, of a file of `file` bytes, with their composition times; and the decoding time after the last of them.
+/// Frames with composition times, and the decoding time after the last one. `file`: size of the file in bytes.
+///
+/// # Errors
+///
+/// [`FilmError::Damaged`] for a missing or invalid table, [`FilmError::TooLarge`] for more than [`MOST_SAMPLES`]
+/// frames.
 pub(super) fn samples(tables: &[u8], file: u64) -> Result<(Samples, i64), FilmError> {
     let sizes = Sizes::read(tables)?;
     if sizes.count > MOST_SAMPLES {
@@ -99,7 +104,7 @@ pub(super) fn samples(tables: &[u8], file: u64) -> Result<(Samples, i64), FilmEr
     let (mut decoding, mut number) = (0_i64, 0);
     while let Some(mut offset) = if wide { chunks.u64() } else { chunks.u32().map(u64::from) } {
         chunk = chunk.saturating_add(1);
-        // Each row holds from one chunk on, whose number, from 1, is its first field.
+        // Each row holds from the chunk whose number, from 1, is its first field.
         while Bytes(groups.0).u32().is_some_and(|first| first <= chunk) {
             let row = groups.take(12).unwrap_or_default();
             in_each = Bytes(row.get(4..).unwrap_or_default()).u32().unwrap_or(0);
@@ -110,7 +115,7 @@ pub(super) fn samples(tables: &[u8], file: u64) -> Result<(Samples, i64), FilmEr
             }
             let size = sizes.get(number);
             number += 1;
-            // Writers put negative offsets also into tables of version 0, which has none.
+            // Some writers put negative offsets into tables of version 0, which has none.
             let ticks = decoding + i64::from(offsets.next().cast_signed());
             let key = keys.as_mut().is_none_or(|keys| is_listed(keys, number));
             samples.add(Sample { offset, size, ticks, key, shown: true }, file);
@@ -118,12 +123,12 @@ pub(super) fn samples(tables: &[u8], file: u64) -> Result<(Samples, i64), FilmEr
             offset = offset.saturating_add(size.into());
         }
     }
-    // A table of sizes without as many frames in chunks: what no chunk holds is not there.
+    // The table of sizes has more frames than the chunks hold; the rest is missing.
     samples.lost += sizes.count - number;
     Ok((samples, decoding))
 }
 
-/// Whether the next numbers of a sorted table have this one among them, counted from 1.
+/// True if `number` (from 1) is in a sorted table. Removes smaller entries from the front.
 fn is_listed(numbers: &mut Bytes<'_>, number: usize) -> bool {
     let next = |numbers: &Bytes<'_>| Bytes(numbers.0).u32().and_then(|next| usize::try_from(next).ok());
     while next(numbers).is_some_and(|next| next < number) {

@@ -1,4 +1,4 @@
-//! A track of video in a movie: its headers, and its tables of frames (ISO/IEC 14496-12, 8.3 and 8.4).
+//! Video track of a movie: headers and frame tables (ISO/IEC 14496-12, 8.3 and 8.4).
 
 use super::super::FilmError;
 use super::super::bytes::Bytes;
@@ -8,25 +8,25 @@ use super::edits::{Edit, edits};
 use super::entry::{Entry, entry};
 use super::table;
 
-/// What is known of a track before its frames are read.
+/// Properties of a track before its frames are read.
 #[derive(Debug)]
 pub(super) struct Track<'a> {
     pub(super) id: u32,
-    /// Ticks of its times in a second.
+    /// Ticks per second.
     pub(super) timescale: u32,
-    /// `None` for a skewed picture.
+    /// `None` for a skewed picture or an angle that is not a multiple of 90 degrees.
     pub(super) orientation: Option<Orientation>,
     pub(super) edits: Vec<Edit>,
-    /// The content of `stbl`.
+    /// Content of `stbl`.
     pub(super) tables: &'a [u8],
-    /// How many frames the tables list.
+    /// Number of frames in the tables.
     pub(super) count: usize,
-    /// How they are coded, or why they cannot be read.
+    /// Coding of the frames, or the reason why it cannot be read.
     pub(super) entry: Result<Entry, FilmError>,
 }
 
 impl<'a> Track<'a> {
-    /// Reads the content of `trak`; `None` if it is no video.
+    /// Reads the content of `trak`; `None` if it is not a video track.
     pub(super) fn read(content: &'a [u8]) -> Option<Result<Self, FilmError>> {
         let media = find(content, b"mdia")?;
         let handler = find(media, b"hdlr")?.get(8..12)?;
@@ -44,16 +44,16 @@ impl<'a> Track<'a> {
     }
 }
 
-/// The times in a header.
+/// Times in a header.
 pub(super) struct Times {
-    /// Seconds since the start of 1904; 0 if not known.
+    /// Seconds since 1904-01-01; 0 if unknown.
     pub(super) created: u64,
     pub(super) timescale: u32,
-    /// In ticks.
+    /// Duration in ticks; 0 if unknown.
     pub(super) duration: u64,
 }
 
-/// The content of `mvhd` or `mdhd`; `None` also if a second has no ticks.
+/// Reads the content of `mvhd` or `mdhd`. `None` also for a time scale of 0.
 pub(super) fn times(content: &[u8]) -> Option<Times> {
     let mut bytes = Bytes(content);
     let times = if version_and_flags(&mut bytes)?.0 == 1 {
@@ -73,7 +73,7 @@ pub(super) fn times(content: &[u8]) -> Option<Times> {
     (times.timescale > 0).then_some(times)
 }
 
-/// The number of a track and how its picture is turned: the content of `tkhd`.
+/// Track number and orientation from the content of `tkhd`.
 fn header(content: &[u8]) -> Option<(u32, Option<Orientation>)> {
     let mut bytes = Bytes(content);
     let version = version_and_flags(&mut bytes)?.0;
@@ -88,10 +88,11 @@ fn header(content: &[u8]) -> Option<(u32, Option<Orientation>)> {
     Some((id, orientation(matrix)))
 }
 
-/// The orientation by the matrix `a b u, c d v, x y w`, which takes the point (x, y) to (a x + c y, b x + d y).
+/// Orientation of the matrix `a b u, c d v, x y w`, which maps (x, y) to (a x + c y, b x + d y). `None` for other
+/// angles than multiples of 90 degrees.
 fn orientation([a, b, _, c, d, ..]: [i32; 9]) -> Option<Orientation> {
     let largest = [a, b, c, d].iter().map(|element| element.unsigned_abs()).max().unwrap_or(0);
-    // A hundredth is an angle of half a degree.
+    // 1/100 corresponds to an angle of half a degree.
     let sign = |element: i32| if element.unsigned_abs() <= largest / 100 { 0 } else { element.signum() };
     let (quarter_turns, mirrored) = match [a, b, c, d].map(sign) {
         [0, 0, 0, 0] | [1, 0, 0, 1] => (0, false),

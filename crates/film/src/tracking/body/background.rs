@@ -1,17 +1,17 @@
-//! What stands still behind a body.
+//! Stationary background of a body.
 
 use crate::plane::Plane;
 
-/// Rows are brought up to date in turn, one of so many in each frame.
+/// Number of frames for an update of all rows: each frame updates every eighth row.
 const TURN: usize = 8;
-/// By this part of its deviation a row follows what it shows.
+/// Divisor of the deviation by which an updated pixel changes.
 const PACE: i32 = 3;
-/// Pixels by which a frame is compared with the background, to find its brightness and noise.
+/// Approximate number of pixels for the estimates of brightness and noise.
 const COMPARED: usize = 4000;
-/// The least standard deviation of a grey value: less cannot be told from rounding.
+/// Minimum standard deviation of a grey value; smaller ones are due to rounding.
 const LEAST: f32 = 1.5;
 
-/// The picture without a body. What has been behind the body since the beginning is not known.
+/// Picture without the body. Pixels that the body has always covered are unknown.
 pub(crate) struct Background {
     width: usize,
     height: usize,
@@ -20,21 +20,21 @@ pub(crate) struct Background {
     frames: usize,
 }
 
-/// A frame beside what stands still in it.
+/// Frame with the background for comparison.
 pub(crate) struct Compared<'a> {
     pub plane: &'a Plane,
     pub background: &'a Background,
-    /// By how many grey values the frame is brighter.
+    /// Brightness of the frame relative to the background, grey values.
     brighter: f32,
     /// Standard deviation of a grey value.
     pub noise: f32,
 }
 
-/// A disc, by its middle and radius.
+/// Centre and radius of a disc, px.
 pub(crate) type Around = ([f64; 2], f64);
 
 impl Background {
-    /// By the first frame, without a disc.
+    /// Background from the first frame, except the disc `body`.
     pub(crate) fn new(plane: &Plane, body: Around) -> Background {
         let (width, height) = (plane.width(), plane.height());
         let places = (0..height as i64).flat_map(|row| (0..width as i64).map(move |column| (column, row)));
@@ -44,7 +44,7 @@ impl Background {
         background
     }
 
-    /// Does something with each pixel of a disc.
+    /// Calls `act` for each pixel of a disc.
     fn within(&mut self, ([x, y], radius): Around, mut act: impl FnMut(&mut bool, &mut [u8; 3], (i64, i64))) {
         let range = |at: f64, size: usize| {
             let (least, most) = ((at - radius).floor().max(0.0), (at + radius).ceil().clamp(0.0, size as f64));
@@ -63,7 +63,8 @@ impl Background {
         }
     }
 
-    /// Learns from a frame, without the disc in which the body is. `uncovered` is a disc that may have hidden something.
+    /// Updates the background from a frame, except the disc of the body. `uncovered`: disc in which pixels may have
+    /// become visible.
     pub(crate) fn learn(&mut self, plane: &Plane, ([x, y], radius): Around, uncovered: Around) {
         let outside = |column: i64, row: i64| {
             let (u, v) = (column as f64 + 0.5 - x, row as f64 + 0.5 - y);
@@ -99,7 +100,7 @@ impl Background {
         self.known.get(place).filter(|known| **known).and_then(|_| self.shades.get(place)).copied()
     }
 
-    /// A frame in comparison.
+    /// Estimates brightness and noise of a frame relative to the background.
     pub(crate) fn compare<'a>(&'a self, plane: &'a Plane) -> Compared<'a> {
         let step = (self.shades.len() / COMPARED).max(1) | 1;
         let mut steps: Vec<i16> = self
@@ -116,25 +117,26 @@ impl Background {
         };
         let brighter = median(&mut steps);
         steps.iter_mut().for_each(|step| *step = (*step - brighter as i16).abs());
-        // The median of the absolute deviation of a normal distribution.
+        // 0.6745 converts the median absolute deviation of a normal distribution to its standard deviation.
         Compared { plane, background: self, brighter, noise: (median(&mut steps) / 0.6745).max(LEAST) }
     }
 }
 
 impl Compared<'_> {
-    /// A pixel in the light of the background.
+    /// Shade of a pixel at the brightness of the background.
     pub(crate) fn shade(&self, column: i64, row: i64) -> [f32; 3] {
         let [grey, blue, red] = self.plane.shade(column, row).map(f32::from);
         [grey - self.brighter, blue, red]
     }
 
-    /// The squared distance of a shade to what stands still there, if that is known.
+    /// Squared distance of a shade from the background; `None` if the background is unknown there.
     pub(crate) fn still(&self, shade: [f32; 3], column: i64, row: i64) -> Option<f32> {
         Some(distance(shade, self.background.at(column, row)?.map(f32::from)))
     }
 }
 
-/// The squared distance of two shades. Colour differences count more: they are smaller than grey values, and so is their noise.
+/// Squared distance of two shades. Colour differences have twice the weight: they and their noise are smaller than
+/// those of grey values.
 pub(crate) fn distance(one: [f32; 3], other: [f32; 3]) -> f32 {
     let [grey, blue, red] = [one[0] - other[0], one[1] - other[1], one[2] - other[2]];
     grey * grey + 2.0 * (blue * blue + red * red)

@@ -1,43 +1,44 @@
-//! Where a body will be, by its last positions.
+//! Prediction of the position of a body from its last positions.
 
 use crate::tracking::linear::solve;
 
-/// Positions that decide.
+/// Number of positions used.
 const RECENT: usize = 4;
 
-/// A prediction.
+/// Predicted position.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Course {
     pub place: [f64; 2],
-    /// The position may be away from it by so many pixels.
+    /// Radius of the search around it, px.
     pub reach: f64,
-    /// The position before.
+    /// Last known position, px.
     pub last: [f64; 2],
-    /// Pixels between that and the prediction.
+    /// Distance from the last position to the prediction, px.
     pub way: f64,
 }
 
-/// The place at a time, by positions with their times in order: at rest by one, at equal speed by two, else at equal acceleration.
-/// `None` without positions.
+/// Predicts the position at `time` (s) from times (s) and positions (px) in order. One position is continued at rest,
+/// two with constant velocity, more with constant acceleration. `radius`: radius of the body, px. `None` without
+/// positions.
 pub(crate) fn course(seen: &[(f64, [f64; 2])], time: f64, radius: f64) -> Option<Course> {
     let recent = &seen[seen.len().saturating_sub(RECENT)..];
     let (last, at) = recent.last().copied()?;
     let late = time - last;
     let Some((before, from)) = recent.len().checked_sub(2).and_then(|at| recent.get(at)).copied() else {
-        // It may move by two radii already.
+        // After one position the velocity is unknown: up to two radii.
         return Some(Course { place: at, reach: 2.2 * radius + 6.0, last: at, way: 0.0 });
     };
     let step = late / (last - before);
     let mut place = [0, 1].map(|k| at[k] + step * (at[k] - from[k]));
     let straight = place;
     if recent.len() > 2 {
-        // In units of the time that is predicted, from the last position.
+        // Least-squares parabola; time relative to the last position, in units of the last interval.
         let mut matrix = [[0.0; 3]; 3];
         let mut sides = [[0.0; 3]; 2];
         for (moment, position) in recent {
             let t = (moment - last) / (last - before);
             let terms = [1.0, t, t * t];
-            // Later ones count more.
+            // Weights decrease with age.
             let weight = 1.0 / (1.0 + t * t);
             for row in 0..3 {
                 (0..3).for_each(|column| matrix[row][column] += weight * terms[row] * terms[column]);

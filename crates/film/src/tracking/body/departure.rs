@@ -1,51 +1,53 @@
-//! The disc of a body by its motion: two frames tell a body from a wall that looks like it, and from a spot on it.
+//! Disc of a body from its motion between two frames. The motion distinguishes a body from a similar wall, and from a
+//! spot on the body.
 
 use crate::tracking::body::background::{Compared, distance};
 use crate::tracking::body::disc::{BESIDE, Disc, SMALLEST};
 use crate::tracking::body::look::ALIKE;
 
-/// The radius of a disc in cells of a coarse and of a fine comparison.
+/// Radius of a disc in cells of the coarse and of the fine comparison.
 const CELLS: [f64; 2] = [5.0, 16.0];
-/// Successive radii of discs that are tried.
+/// Ratio of successive trial radii.
 const RATIO: f64 = 1.25;
-/// Greatest way between the frames, in radii and additional pixels.
+/// Maximum displacement between the frames, in radii and additional px.
 const WAY: (f64, f64) = (2.2, 6.0);
-/// Cost of a cell that only one of the frames shows, where a cell that contradicts costs 1: small discs explain as much as large ones.
+/// Cost of a cell that is visible in one frame only, relative to a cell that contradicts the motion. It balances small
+/// and large discs.
 const UNSEEN: f64 = 0.35;
-/// Change of a cell by noise.
+/// Change of a cell that may be noise.
 const FLOOR: f64 = 0.15;
-/// Ways that are compared in full for each radius.
+/// Number of displacements that are evaluated completely for each radius.
 const CANDIDATES: usize = 60;
-/// Least change that a motion explains, per cell of the disc.
+/// Minimum change explained by the motion, per cell of the disc.
 const EXPLAINED: f64 = 0.2;
-/// The same in pixels altogether: fewer change by accident.
+/// Minimum change explained by the motion, in pixels altogether.
 const EVIDENT: f64 = 150.0;
-/// A shorter way in pixels does not show an outline.
+/// Minimum displacement for an outline, px.
 const SHORTEST: f64 = 2.0;
 
-/// The disc of a body, and the way from its place in the first frame in pixels.
+/// Disc of a body and its displacement since the first frame, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Departure {
     pub disc: Disc,
     pub way: [f64; 2],
-    /// Pixels whose change the motion explains, in both frames.
+    /// Number of changed pixels that the motion explains, in both frames.
     pub explained: f64,
-    /// How much better the pixels of the disc agree with the motion than with rest, from -1 to 1.
+    /// Agreement of the pixels of the disc with the motion rather than with rest, -1 to 1.
     pub coherence: f64,
 }
 
 /// Mean shades of square cells around a click, in two frames.
 struct Cells {
-    /// Pixels of a cell's side.
+    /// Side of a cell, px.
     size: i64,
-    /// Cells on each side of the one in the middle.
+    /// Number of cells on each side of the middle one.
     reach: i64,
     shades: [Vec<[f32; 3]>; 2],
-    /// Squared distance of shades of which the noise makes up little.
+    /// Squared distance of shades that may be due to noise.
     alike: f32,
 }
 
-/// A disc that moves, in cells from the one with the click.
+/// Disc and displacement, in cells relative to the cell of the click.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Motion {
     middle: [i64; 2],
@@ -71,7 +73,7 @@ impl Cells {
             let rows = (-reach..=reach).flat_map(|row| (-reach..=reach).map(move |column| [column, row]));
             rows.map(|place| mean(frame, place)).collect()
         };
-        // Means of cells scatter less than pixels, but compression and shifts by parts of a cell do not vanish in them.
+        // Means over cells have less noise, but compression and fractional shifts still change them.
         let noise = (now.noise / size as f32).max(1.5);
         Cells { size, reach, shades: [all(first), all(now)], alike: ALIKE * ALIKE * noise * noise }
     }
@@ -82,14 +84,14 @@ impl Cells {
         within.then(|| self.shades.get(frame)?.get(usize::try_from(place).ok()?).copied()).flatten()
     }
 
-    /// The change from a cell of the first frame to one of the second: 0 for none, at most 1.
+    /// Change from a cell of the first frame to a cell of the second, 0 to 1.
     fn change(&self, from: [i64; 2], to: [i64; 2]) -> f64 {
         let Some((one, other)) = self.shade(0, from).zip(self.shade(1, to)) else { return 0.0 };
         let far = distance(one, other);
         f64::from(far / (far + self.alike))
     }
 
-    /// The changes that a motion explains, in cells: each frame is compared with the other one, moved and not moved.
+    /// Change explained by a motion, in cells. Compares each frame with the other one, with and without displacement.
     fn gain(&self, motion: &Motion) -> f64 {
         let [across, down] = motion.way;
         let inside = |u: i64, v: i64| ((u * u + v * v) as f64) <= motion.radius * motion.radius;
@@ -108,7 +110,7 @@ impl Cells {
         gain
     }
 
-    /// How much better the cells of a disc agree with their motion than with rest, from -1 to 1; 0 where neither shows.
+    /// Agreement of the cells of a disc with the motion rather than with rest, -1 to 1; 0 without a visible change.
     fn coherence(&self, motion: &Motion) -> f64 {
         let extent = motion.radius.floor() as i64;
         let (mut difference, mut sum) = (0.0, f64::MIN_POSITIVE);
@@ -128,7 +130,8 @@ impl Cells {
         difference / sum
     }
 
-    /// The same in pixels; a click near the middle is more likely. Zero for a motion that is not allowed.
+    /// Change explained by a motion, in pixels, reduced for a click far from the middle. 0 for an inadmissible motion.
+    /// `known`: true if the disc is given.
     fn value(&self, motion: &Motion, known: bool) -> f64 {
         let off = hypot(motion.middle) / motion.radius;
         if motion.radius * (self.size as f64) < SMALLEST || off > if known { 0.0 } else { BESIDE } {
@@ -137,7 +140,7 @@ impl Cells {
         self.gain(motion) * (1.0 - 0.15 * off * off) * (self.size * self.size) as f64
     }
 
-    /// The best motion of a disc of this radius in cells.
+    /// Best motion of a disc with a radius in cells.
     fn search(&self, radius: f64, known: bool) -> Option<(f64, Motion)> {
         let extent = self.reach - radius.ceil() as i64;
         let inside = |reach: f64| {
@@ -145,7 +148,7 @@ impl Cells {
             let all = (-most..=most).flat_map(move |v| (-most..=most).map(move |u| [u, v]));
             all.filter(move |place| hypot(*place) <= reach)
         };
-        // The changes within the disc around each place.
+        // Sum of the changes within the disc around each cell.
         let side = 2 * extent + 1;
         let disc: Vec<[i64; 2]> = inside(radius).collect();
         let changed: Vec<f64> = (0..side * side)
@@ -216,8 +219,8 @@ fn hypot([x, y]: [i64; 2]) -> f64 {
     libm::hypot(x as f64, y as f64)
 }
 
-/// The motion of a clicked body from the first frame to the second, and its disc of at most a radius, or one that is `known`; `None` where
-/// it has not moved.
+/// Motion of a clicked body from the first frame to `now`. `click`: position in the first frame, px; `greatest`:
+/// maximum radius, px; `known`: given disc, whose size is kept. `None` if no motion is evident.
 pub(crate) fn departure(
     first: &Compared<'_>,
     now: &Compared<'_>,

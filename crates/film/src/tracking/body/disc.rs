@@ -1,50 +1,50 @@
-//! How large a body is.
+//! Size of a body from one picture.
 
 use crate::plane::Plane;
 use crate::tracking::body::background::distance;
 
-/// The smallest radius of a body in pixels.
+/// Minimum radius of a body, px.
 pub(crate) const SMALLEST: f64 = 3.0;
-/// Directions in which an outline is sought.
+/// Number of directions in which the outline is examined.
 const DIRECTIONS: u32 = 32;
-/// A click is off the middle of a body by at most this part of its radius.
+/// Maximum distance of a click from the middle of the body, relative to the radius.
 pub(crate) const BESIDE: f64 = 0.7;
-/// Pixels between the two sides of an outline.
+/// Distance of the samples inside and outside from the outline, px.
 const ACROSS: f64 = 1.5;
-/// How much it counts against an outline that the shades inside it are uneven.
+/// Weight of the unevenness of the shades inside.
 const UNEVEN: f64 = 0.7;
-/// The template reaches beyond the outline by this part of its radius and so many pixels, for the edge itself.
+/// Margin between the outline and the edge of the template: fraction of the radius, and additional px.
 const MARGIN: (f64, f64) = (0.2, 2.0);
 
-/// A disc that contains a body and its outline.
+/// Disc with a body and a margin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Disc {
-    /// From the click to its middle.
+    /// Vector from the click to the middle, px.
     pub shift: [f64; 2],
-    /// Of the disc that is compared.
+    /// Radius of the compared disc, px.
     pub radius: f64,
-    /// Of the outline.
+    /// Radius of the outline, px.
     pub outline: f64,
 }
 
 impl Disc {
-    /// With an outline of this radius, and a margin.
+    /// Disc with an outline of this radius (px), and a margin.
     pub(crate) fn of(shift: [f64; 2], outline: f64) -> Disc {
         Disc { shift, radius: outline * (1.0 + MARGIN.0) + MARGIN.1, outline }
     }
 
-    /// The greatest distance of a pixel from the click, to the right or downwards.
+    /// Maximum distance of a pixel from the click along a coordinate, px.
     pub(crate) fn reach(&self) -> f64 {
         self.radius + self.shift[0].abs().max(self.shift[1].abs())
     }
 
-    /// The middle, if the click is at this point.
+    /// Middle of the disc for a click at this point, px.
     pub(crate) fn middle(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [x + self.shift[0], y + self.shift[1]]
     }
 }
 
-/// The middle value of each part of some shades.
+/// Median of each component of some shades; 0 without shades.
 pub(crate) fn median(shades: &[[f32; 3]]) -> [f32; 3] {
     [0, 1, 2].map(|k| {
         let mut values: Vec<f32> = shades.iter().map(|shade| shade[k]).collect();
@@ -53,7 +53,7 @@ pub(crate) fn median(shades: &[[f32; 3]]) -> [f32; 3] {
     })
 }
 
-/// The circle around a click across which the shades differ most, in most directions.
+/// Circle with the largest contrast in most directions, around a click (px). `greatest`: maximum radius, px.
 pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], greatest: f64) -> Disc {
     let circle: Vec<(f64, f64)> =
         (0..DIRECTIONS).map(|k| libm::sincos(std::f64::consts::TAU * f64::from(k) / f64::from(DIRECTIONS))).collect();
@@ -77,7 +77,7 @@ pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], greatest: f64) -> Disc {
         if radius < SMALLEST || radius > greatest || off > BESIDE {
             return;
         }
-        // A click near the middle is more likely, and a large outline is less so by accident.
+        // Prefers circles about the click, and large outlines, which are less often accidental.
         let own = value(middle, radius) * (1.0 - 0.15 * off * off) * (1.0 - 1.0 / radius);
         if own > best.0 {
             *best = (own, middle, radius);

@@ -1,4 +1,4 @@
-//! From what was seen to a track.
+//! Track with errors and doubts from the sightings of a body.
 
 use crate::tracking::body::refining::Seen;
 use crate::tracking::body::template::Template;
@@ -6,22 +6,22 @@ use crate::tracking::errors::scaled;
 use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{Known, Outline, Point, Readout, Track};
 
-/// A point with less of the best agreement is doubtful.
+/// Minimum agreement of a reliable point, relative to the best possible one.
 const AGREES: f64 = 0.5;
-/// A point that lies so many pixels, or so much of the body's radius, from where its neighbours lead is doubtful.
+/// Maximum deviation of a reliable point from its neighbours, px and relative to the radius.
 const ASIDE: (f64, f64) = (2.5, 0.2);
-/// More of its standard errors from there, its error is as large as that distance.
+/// Deviation in standard errors from which it replaces the standard error.
 const DEVIATION: f64 = 4.0;
-/// So many frames within so many pixels are a rest.
+/// Number of successive frames and extent in px of a rest.
 const REST: (usize, f64) = (6, 0.3);
-/// A body that moved by so many pixels a frame does not come to rest at once.
+/// Displacement per frame before a rest, px, from which the rest is doubtful.
 const STOP: f64 = 2.0;
-/// A track within so many pixels does not move.
+/// Extent of a track without motion, px.
 const STILL: f64 = 1.0;
 
-/// The track with times and errors, in the order of time. Doubts are absolute: they compare with the size of the body and with
-/// smooth motion, not with the rest of the track, most of which may be wrong. `moved` is false for a template whose disc never moved as
-/// a whole: it is none of a body.
+/// Track with times and errors, ordered by time. Doubts are absolute: they depend on the size of the body and on smooth
+/// motion, not on the rest of the track, which may be wrong for the most part. `moved`: false for a template whose disc
+/// never moved as a whole; its points are doubtful. `height`: height of the picture, px.
 pub(super) fn joined(
     readout: Known,
     (templates, moved): (&[Template], &[bool]),
@@ -68,7 +68,7 @@ pub(super) fn joined(
     }
     for (at, (point, size)) in points.iter_mut().zip(sizes).enumerate() {
         let limit = ASIDE.0.max(ASIDE.1 * size);
-        // Of neighbours that one wrong position moves apart, that one is furthest.
+        // A wrong position displaces the interpolation of its neighbours; it deviates most itself.
         let around = &aside[at.saturating_sub(2)..(at + 3).min(aside.len())];
         let furthest = around.iter().all(|other| *other <= aside[at]);
         point.doubtful |= aside[at] > limit && furthest || point.sigma.iter().any(|sigma| *sigma > limit);
@@ -81,7 +81,7 @@ pub(super) fn joined(
     Track { points, readout, lost, outline, ..Track::default() }
 }
 
-/// The distance of each value from the cubic through two neighbours on each side; zero near the ends and beside gaps.
+/// Distance of each value from the cubic through two neighbours on each side; 0 near the ends and beside gaps.
 fn distances(times: &[f64], values: &[f64]) -> Vec<f64> {
     let mut distances = vec![0.0; values.len()];
     for (at, (times, values)) in times.windows(5).zip(values.windows(5)).enumerate() {
@@ -93,7 +93,7 @@ fn distances(times: &[f64], values: &[f64]) -> Vec<f64> {
                 .product::<f64>()
         };
         let led: f64 = [0, 1, 3, 4].into_iter().map(|k| weight(k) * values[k]).sum();
-        // Beside a gap a cubic leads nowhere.
+        // No extrapolation across gaps.
         if times[4] - times[0] < 6.0 * (times[3] - times[2]).min(times[2] - times[1]) {
             distances[at + 2] = (values[2] - led).abs();
         }
@@ -101,7 +101,7 @@ fn distances(times: &[f64], values: &[f64]) -> Vec<f64> {
     distances
 }
 
-/// Points at which the track rests though the body came at speed, or all if it never moves.
+/// Indices of points at which the track stops abruptly; all indices if it never moves.
 fn resting(points: &[Point]) -> Vec<usize> {
     let far = |one: &Point, other: &Point| {
         libm::hypot(one.position[0] - other.position[0], one.position[1] - other.position[1])

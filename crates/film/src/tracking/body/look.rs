@@ -1,28 +1,28 @@
-//! What a body looks like beside what stands still behind it.
+//! Appearance of a body compared with the stationary background.
 
 use crate::tracking::body::background::{Compared, distance};
 use crate::tracking::body::disc::median;
 
-/// By this part the look follows what a frame shows.
+/// Fraction of the deviation by which the appearance is updated in each frame.
 const PACE: f32 = 0.2;
-/// The least squared distance to a background that is not known.
+/// Minimum squared distance to an unknown background.
 const UNKNOWN: f32 = 12.0 * 12.0;
-/// The same in squared distances that say nothing.
+/// Minimum squared distance to an unknown background, in multiples of [`ALIKE`] squared and the noise variance.
 const UNKNOWN_ALIKE: f32 = 1.5;
-/// Shades closer than so many standard deviations of the noise say nothing.
+/// Distance of shades in standard deviations of the noise below which they are not distinguished.
 pub(crate) const ALIKE: f32 = 4.0;
-/// How much it counts that the body ends where its outline is.
+/// Weight of the ring outside the outline that does not show the background.
 const OUTLINE: f32 = 0.4;
-/// How much it counts that the body is where its motion leads: so far away as is sought at all.
+/// Weight of the squared distance from the prediction, relative to the radius of the search.
 const CLOSE: f32 = 0.4;
-/// The squared distance of a spot's shade from that of most of the body.
+/// Squared distance from the usual shade of the body from which a pixel belongs to a spot.
 const OTHER: f32 = 30.0 * 30.0;
-/// The squared distance that a usual shade in another place of the body counts as, in those that say nothing.
+/// Addition to the squared distance from the usual shades, in multiples of [`ALIKE`] squared and the noise variance.
 const TURNED: f32 = 0.25;
-/// Pixels of a coarse and of a fine comparison.
+/// Number of pixels of a coarse and of a fine comparison.
 const FEW: [usize; 2] = [80, 320];
 
-/// A pixel of a body.
+/// Pixel of a body.
 #[derive(Clone, Copy)]
 struct Spot {
     offset: [i64; 2],
@@ -30,27 +30,27 @@ struct Spot {
     now: [f32; 3],
 }
 
-/// The pixels of a body and the ring around it, from its middle.
+/// Pixels of a body and the ring around it, relative to its middle.
 pub(crate) struct Look {
     spots: Vec<Spot>,
     ring: Vec<[i64; 2]>,
-    /// The usual shades of the body: of most of it, and of its spots.
+    /// Median shades of the body and of its spots.
     usual: [[f32; 3]; 2],
 }
 
-/// How a place agrees with a look.
+/// Agreement of a position with the appearance of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Agreement {
-    /// 1 where all pixels are those of the body and none those of the background; below 0 where the background shows.
+    /// 1 if all pixels show the body and none the background, negative if the background is visible.
     pub score: f32,
-    /// The greatest score that a body could have there: less than 1 where body and background are alike.
+    /// Maximum score at this position; below 1 if body and background are similar.
     pub best: f32,
-    /// The part of the ring around the body that does not show the background.
+    /// Fraction of the ring around the body that does not show the background.
     pub outside: f32,
 }
 
 impl Look {
-    /// The body in a disc of a frame.
+    /// Appearance of the body in a disc of a frame, px.
     pub(crate) fn new(frame: &Compared<'_>, [x, y]: [f64; 2], radius: f64) -> Look {
         let reach = (1.35 * radius + 2.0).ceil() as i64;
         let (column, row) = (x.floor() as i64, y.floor() as i64);
@@ -73,7 +73,7 @@ impl Look {
         Look { spots, ring, usual }
     }
 
-    /// How a place agrees, by so many of the pixels at most.
+    /// Agreement at a pixel, from about `most` pixels of the body.
     fn agreement(&self, frame: &Compared<'_>, [column, row]: [i64; 2], most: usize) -> Agreement {
         let alike = ALIKE * frame.noise * ALIKE * frame.noise;
         let (mut score, mut best, mut count) = (0.0, 0.0, 0.0_f32);
@@ -102,7 +102,8 @@ impl Look {
         Agreement { score: score / count.max(1.0) - OUTLINE * outside, best: best / count.max(1.0), outside }
     }
 
-    /// The place that agrees best within so many pixels of a point, to which it should be close.
+    /// Position with the best agreement within about `reach` px of a prediction. Positions near the prediction are
+    /// preferred.
     pub(crate) fn search(&self, frame: &Compared<'_>, around: [f64; 2], reach: f64) -> ([f64; 2], Agreement) {
         let step = ((self.radius() / 4.0) as i64).clamp(1, 5);
         let (place, _) = self.scan(frame, (around, reach), around, reach.ceil() as i64, (step, FEW[0]));
@@ -143,7 +144,7 @@ impl Look {
         found
     }
 
-    /// The usual shade of the body, and that around it.
+    /// Median shade of the body, and mean shade of the ring around it.
     pub(crate) fn shades(&self, frame: &Compared<'_>, [x, y]: [f64; 2]) -> [[f32; 3]; 2] {
         let (column, row) = (x.floor() as i64, y.floor() as i64);
         let count = self.ring.len().max(1) as f32;
@@ -155,12 +156,12 @@ impl Look {
         [self.usual[0], sum]
     }
 
-    /// How a place agrees.
+    /// Agreement at a position, px.
     pub(crate) fn at(&self, frame: &Compared<'_>, place: [f64; 2]) -> Agreement {
         self.agreement(frame, place.map(|at| at.floor() as i64), FEW[1])
     }
 
-    /// Follows what a frame shows.
+    /// Updates the appearance from a frame.
     pub(crate) fn follow(&mut self, frame: &Compared<'_>, place: [f64; 2]) {
         let [column, row] = place.map(|at| at.floor() as i64);
         for spot in &mut self.spots {

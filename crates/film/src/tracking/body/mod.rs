@@ -1,7 +1,8 @@
-//! A body such as a pendulum's bob or a ball.
+//! Tracking of a body such as a ball or the bob of a pendulum.
 //!
-//! [`Body::take`] finds the body in each frame near where its motion predicts it, by shades that are those of the body and not those of
-//! the background, and keeps the pixels around it. Then [`Body::advance`] finds the positions again by the mean of those pixels.
+//! [`Body::take`] searches each frame near the predicted position for shades of the body that differ from the
+//! background, and keeps the pixels around it. [`Body::advance`] then improves the positions with the mean of those
+//! pixels.
 
 mod background;
 mod course;
@@ -31,84 +32,84 @@ use crate::tracking::track::{Known, Track};
 use joining::joined;
 use refining::{Refining, Seen};
 
-/// Below this correlation a template is not what is seen.
+/// Minimum correlation of a template that was found.
 const SCORE: f64 = 0.6;
-/// From this correlation on the first template is trusted, which does not drift.
+/// Minimum correlation at which the first template is used. It does not drift.
 const CLEAR: f64 = 0.85;
-/// A body is where the agreement reaches this part of what it can reach.
+/// Minimum agreement of a body, relative to the best possible one.
 const AGREES: f32 = 0.45;
-/// The same away from where its motion leads: it may have been pushed, and other things may look alike.
+/// Minimum agreement away from the predicted position, where similar objects may be. The body may have been pushed.
 const PUSHED: f32 = 0.7;
-/// From this part on the body is followed by what it looks like there.
+/// Minimum agreement for an update of the appearance.
 const WHOLE: f32 = 0.75;
-/// Where a body and its background are so much alike, the template alone decides.
+/// Best possible agreement below which body and background are too similar, so that the template alone decides.
 const DISTINCT: f32 = 0.2;
-/// Something touches the body where so much more of the ring around it than usual does not show the background.
+/// Increase of the fraction of the ring without background from which something touches the body.
 const TOUCH: f32 = 0.2;
-/// After so many frames what touches the body belongs to its look.
+/// Number of frames after which a touching object counts as part of the appearance.
 const TOUCHED: usize = 5;
-/// By this part the template follows what is seen.
+/// Fraction of the deviation by which the template is updated in each frame.
 const PACE: f64 = 0.2;
-/// So many frames a hidden body is sought where its motion leads.
+/// Maximum number of frames in which a hidden body is sought.
 const HIDDEN: usize = 10;
-/// The greatest radius of a body as a part of the picture's height, if it is not given.
+/// Maximum radius of a body relative to the height of the picture, if it is not given.
 const RADIUS: f64 = 1.0 / 9.0;
-/// Bytes of the pixels that are kept.
+/// Maximum size of the kept pixels in bytes.
 const BYTES: usize = 96 << 20;
-/// Pixels around a template that comparisons need: the steps of an alignment, and what interpolation reaches.
+/// Margin around a template in px: steps of the alignment and support of the interpolation.
 pub(crate) const MARGIN: f64 = 5.0;
 
-/// What is known before the first frame.
+/// Settings of the tracking of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Where the body was clicked: in the frame where tracking begins, and in key frames, from which further templates are taken.
+    /// Clicks on the body: in the first frame, and in key frames that supply further templates. Positions in px.
     pub keys: Vec<Click>,
-    /// The radius of the outline in pixels; without it that of the circle around the click across which the shades differ most.
+    /// Radius of the outline, px. Default: that of the circle around the click with the largest contrast.
     pub radius: Option<f64>,
-    /// The time that the camera takes to read a frame; not estimated for bodies, and zero unless it is known.
+    /// Readout time of the camera. Not estimated for bodies: [`Known::Estimated`] counts as 0.
     pub readout: Known,
 }
 
-/// What a frame shows.
+/// Result of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sight {
-    /// The body was not clicked yet.
+    /// Frame before the first click.
     Before,
-    /// The body is at this position of the picture in pixels, with this correlation.
+    /// Position in px and correlation with the template, 0 to 1.
     At([f64; 2], f64),
-    /// The body was not found; it is sought further where its motion leads.
+    /// Not found. The search continues at the predicted position.
     Hidden,
-    /// The body was not found; it is not sought until the next key frame.
+    /// Not found. The search ends until the next key frame.
     Lost,
 }
 
-/// How a body is found in the next frame.
+/// State of the search in successive frames.
 struct Tracker {
     look: Look,
-    /// The template that follows what the body looks like.
+    /// Template that is updated.
     now: Template,
     axis: Option<Axis>,
     background: Background,
-    /// Frames since the body was seen.
+    /// Number of frames since the body was seen.
     hidden: usize,
-    /// The first of them.
+    /// First frame without the body.
     since: usize,
-    /// Where the motion of the body begins, among all that has been seen.
+    /// Index of the first sighting of the present motion.
     begin: usize,
-    /// The part of the ring around the body that usually does not show the background: smear, a rod.
+    /// Usual fraction of the ring around the body that does not show the background: smear, a rod.
     around: f32,
-    /// The frame of the click, until the body has moved.
+    /// Frame of the click, until the body has moved.
     start: Option<Start>,
 }
 
-/// The frame of a click, and how many frames have come after it.
+/// Frame of a click, and the number of frames after it.
 struct Start {
     plane: Plane,
     click: [f64; 2],
     age: usize,
 }
 
-/// What was found in a frame.
+/// Result of the search in a frame.
 struct Sighting {
     found: Found,
     agreement: f64,
@@ -116,24 +117,24 @@ struct Sighting {
     free: bool,
 }
 
-/// The greatest radius that is followed in a picture of so many rows.
+/// Maximum radius in px in a picture of `high` rows.
 fn greatest(high: f64) -> f64 {
     (high / 3.0).clamp(3.0, 100.0)
 }
 
-/// The smallest and the greatest radius, in pixels, that can be followed in a picture of so many rows, as it is stored.
+/// Minimum and maximum radius in px of a body in a stored picture of `high` rows.
 pub fn radii(high: f64) -> [f64; 2] {
     [disc::SMALLEST, greatest(high)]
 }
 
-/// The tracking of a body.
+/// Tracker of a body.
 pub struct Body {
     settings: Settings,
     size: Option<(usize, usize)>,
-    /// Time and sense of the last frame.
+    /// Time of the last frame (s), and the step to it, whose sign is the direction.
     last: Option<(f64, f64)>,
     templates: Vec<Template>,
-    /// For each template: true once its disc moves as a whole.
+    /// One per template: true once its disc has moved as a whole.
     moved: Vec<bool>,
     tracker: Option<Tracker>,
     seen: Vec<Seen>,
@@ -145,7 +146,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// Prepares for the first frame.
+    /// State before the first frame.
     pub fn new(settings: Settings) -> Body {
         Body {
             settings,
@@ -163,13 +164,13 @@ impl Body {
         }
     }
 
-    /// Takes the next frame, in the order of time or against it (seconds). `camera` says how the camera has moved since the
-    /// first frame ([`Similarity::IDENTITY`] on a tripod).
+    /// Takes the next frame. `time` in s, monotonic in either direction. `camera`: motion of the camera since the first
+    /// frame ([`Similarity::IDENTITY`] on a tripod).
     ///
     /// # Errors
     ///
-    /// Where a click lies outside the picture or on a uniform place, the frame has another size or does not follow the one
-    /// before, or the film is too long.
+    /// A [`Refusal`] if a click lies outside the picture or on a uniform area, the frame has another size or is out of
+    /// order, or the film is too long.
     pub fn take(&mut self, frame: usize, time: f64, plane: &Plane, camera: Similarity) -> Result<Sight, Refusal> {
         self.admit(frame, time, plane)?;
         let key = self.settings.keys.iter().rev().find(|key| key.frame == frame).copied();
@@ -223,8 +224,8 @@ impl Body {
         Ok(())
     }
 
-    /// The template of a key frame. Where the template before it finds the body at the click, too, the same point of the
-    /// body is followed further.
+    /// Makes the template of a key frame. If the previous template finds the body near the click, the same point of the
+    /// body is tracked further.
     fn begin(&mut self, plane: &Plane, [x, y]: [f64; 2], sighting: Option<Sighting>) -> Result<Sighting, Refusal> {
         let (wide, high) = (plane.width() as f64, plane.height() as f64);
         if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
@@ -254,13 +255,13 @@ impl Body {
         Ok(Sighting { found, agreement: 1.0, aside, free: true })
     }
 
-    /// The body near where its motion predicts it; `None` where nothing there resembles it.
+    /// Finds the body near its predicted position; `None` if nothing there resembles it.
     fn find(&mut self, plane: &Plane, time: f64, departed: Option<[f64; 2]>) -> Option<Sighting> {
         let (tracker, template) = (self.tracker.as_mut()?, self.templates.last()?);
         let disc = template.disc;
         let trail = self.seen.get(tracker.begin..).unwrap_or_default();
         let trail = trail.get(trail.len().saturating_sub(TOUCHED + 4)..).unwrap_or_default();
-        // Two bodies that touch pull one another's positions: the motion before leads through.
+        // Bodies that touch disturb one another's positions: the prediction uses those before.
         let touched = trail.iter().rev().take_while(|one| !one.free).count();
         let counts = |one: &&Seen| one.free || touched >= TOUCHED || trail.len() < 4;
         let trail: Vec<(f64, [f64; 2])> =
@@ -284,7 +285,8 @@ impl Body {
         found
     }
 
-    /// Continues the refinement by as many steps, each of which does the work of about one frame. True once the track is complete.
+    /// Continues the refinement by `steps` steps of about the work of one frame. Returns true once the track is
+    /// complete.
     pub fn advance(&mut self, steps: usize) -> bool {
         let refining = self.refining.get_or_insert_with(|| Refining::new(self.templates.clone()));
         for _ in 0..steps {
@@ -301,25 +303,26 @@ impl Body {
         self.track.is_some()
     }
 
-    /// The whole refinement at once.
+    /// Completes the refinement.
     pub fn finish(&mut self) -> Track {
         while !self.advance(usize::MAX) {}
         self.track.clone().unwrap_or_default()
     }
 
-    /// The radius of the last outline, in pixels; `None` before the first click was taken.
+    /// Radius of the last outline, px; `None` before the first click.
     pub fn radius(&self) -> Option<f64> {
         self.templates.last().map(|template| template.disc.outline)
     }
 
-    /// The track, once it is complete.
+    /// Track, once it is complete.
     pub fn track(&self) -> Option<&Track> {
         self.track.as_ref()
     }
 }
 
 impl Tracker {
-    /// The body within so many pixels of a point, if the agreement reaches a part of what it can reach.
+    /// Finds the body within `reach` px of a point, with an agreement of at least `part_of_best` times the best
+    /// possible one.
     fn find(
         &mut self,
         plane: &Plane,
@@ -341,7 +344,7 @@ impl Tracker {
         }
         let own = self.look.at(&compared, disc.middle(found.position));
         if found.score < SCORE || own.score < agreement.score - 0.1 {
-            // What the outline says: to within some pixels.
+            // Position by the outline only, accurate to about 1 px.
             found = Found { position: place, variance: [1.0; 2], settled: true, light: [1.0, 0.0], ..found };
         } else {
             agreement = own;

@@ -1,28 +1,28 @@
-//! A part of a frame.
+//! Part of a frame.
 
 use crate::plane::Plane;
 
-/// The part of a frame whose first pixel is at `corner`.
+/// Part of a frame whose first pixel is at `corner`, px.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub plane: Plane,
     pub corner: [f64; 2],
 }
 
-/// A direction in the space of shades, along which a body differs most from what is around it.
+/// Direction in the space of shades along which a body differs most from its surroundings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Axis {
     middle: [f32; 3],
     along: [f32; 3],
 }
 
-/// Colours are used where they differ by so many times as much as grey values: they have half the resolution.
+/// Minimum ratio of colour to grey differences for the use of colours, which have half the resolution.
 const COLOURED: f32 = 2.0;
-/// The most by which a difference of shades is enlarged.
+/// Maximum gain of a difference of shades.
 const ENLARGED: f32 = 3.0;
 
 impl Axis {
-    /// The direction between two shades; `None` where grey values show them well enough.
+    /// Direction between two shades; `None` if grey values suffice.
     pub(crate) fn between(body: [f32; 3], around: [f32; 3]) -> Option<Axis> {
         let apart = [0, 1, 2].map(|k| body[k] - around[k]);
         let colour = (apart[1] * apart[1] + apart[2] * apart[2]).sqrt();
@@ -42,7 +42,8 @@ impl Axis {
 }
 
 impl Part {
-    /// The part of a frame within so many pixels of a point, in grey values or along an axis; `None` outside the picture.
+    /// Part of a frame within `reach` px of a point, as grey values or projected on an axis; `None` outside the
+    /// picture.
     pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], reach: f64, axis: Option<&Axis>) -> Option<Part> {
         let (left, top) = ((x - reach).floor().max(0.0), (y - reach).floor().max(0.0));
         let size = |at: f64, first: f64| ((at + reach).ceil() - first).max(0.0) as usize;
@@ -61,7 +62,7 @@ impl Part {
         self.plane.cubic(x - self.corner[0], y - self.corner[1])
     }
 
-    /// The value and its derivatives.
+    /// Value and its derivatives to the right and downwards, per px.
     pub(crate) fn jet(&self, x: f64, y: f64) -> (f64, [f64; 2]) {
         let across = self.at(x + 0.5, y) - self.at(x - 0.5, y);
         let down = self.at(x, y + 0.5) - self.at(x, y - 0.5);

@@ -1,34 +1,34 @@
-//! Positions by the mean of what a body looks like in all frames.
+//! Refinement of positions with the mean appearance of a body over all frames.
 //!
-//! A template from one frame contains the noise of that frame and the background behind the body. The mean over the frames
-//! that follow a key frame contains neither, and the scatter of each pixel about the mean says how much it counts.
+//! A template from one frame contains its noise and the background behind the body. The mean over the frames after a
+//! key frame averages both. The scatter of each pixel about the mean determines its weight.
 
 use crate::tracking::body::part::Part;
 use crate::tracking::body::template::{Found, Sample, Template};
 
-/// Rounds of template and positions.
+/// Number of iterations of template and positions.
 const ROUNDS: usize = 3;
-/// Pixels that a position may be away from where the first template found it.
+/// Maximum distance of a position from that of the first template along a coordinate, px.
 const REACH: f64 = 1.5;
-/// The variance of a pixel that scatters as usual counts with this addition, so that no few pixels decide.
+/// Addition to the relative variance of a pixel in its weight, so that a few pixels do not dominate.
 const ADDITION: f64 = 0.5;
 
-/// A frame in which the body was seen.
+/// Frame in which the body was found. Time in s.
 #[derive(Clone, Debug)]
 pub(crate) struct Seen {
     pub frame: usize,
     pub time: f64,
-    /// Which key frame the template is from.
+    /// Index of the template.
     pub key: usize,
     pub part: Part,
-    /// By the template of the key frame.
+    /// Result with the template of the key frame.
     pub first: Found,
     pub now: Found,
-    /// How well the place agrees with the body rather than with what stands still behind it, as a part of the best agreement there.
+    /// Agreement with the body rather than the background, relative to the best possible one.
     pub agreement: f64,
-    /// True if the body was not where its motion leads, or was hidden before.
+    /// True if the body was away from its predicted position, or hidden before.
     pub aside: bool,
-    /// True if nothing else that moves touches the body: its position then tells where it goes.
+    /// True if no other moving object touches the body, so that its position can be used for predictions.
     pub free: bool,
 }
 
@@ -37,20 +37,20 @@ enum Stage {
     Aligning(usize),
 }
 
-/// Sums over the frames of what a sample of a template shows.
+/// Sums over the frames for a sample of a template.
 #[derive(Clone, Copy, Default)]
 struct Sum {
     count: f64,
     value: f64,
     gradient: [f64; 2],
-    /// Of the deviation from the template before.
+    /// Squared deviations from the previous template.
     squares: f64,
 }
 
-/// The state between two portions of work.
+/// State of the refinement.
 pub(crate) struct Refining {
     templates: Vec<Template>,
-    /// For each template and sample.
+    /// One per template and sample.
     sums: Vec<Vec<Sum>>,
     stage: Stage,
     round: usize,
@@ -62,7 +62,7 @@ impl Refining {
         Refining { templates, sums, stage: Stage::Averaging(0), round: 0 }
     }
 
-    /// Does the work of one frame; true once all is done.
+    /// Does the work of one frame. Returns true at the end.
     pub(crate) fn step(&mut self, seen: &mut [Seen]) -> bool {
         match self.stage {
             Stage::Averaging(at) if at < seen.len() => {
@@ -89,7 +89,7 @@ impl Refining {
         self.round == ROUNDS
     }
 
-    /// Adds the pixels of a frame in the light of the template.
+    /// Adds the pixels of a frame, with gain and offset of the template.
     fn add(&mut self, one: &Seen) {
         let Some((template, sums)) = self.templates.get(one.key).zip(self.sums.get_mut(one.key)) else { return };
         let [gain, offset] = one.now.light;
@@ -110,7 +110,7 @@ impl Refining {
     fn average(&mut self) {
         for (template, sums) in self.templates.iter_mut().zip(&mut self.sums) {
             let frames = sums.first().map_or(0.0, |sum| sum.count);
-            // Few frames: one template is as good as their mean.
+            // With few frames the first template is as good as the mean.
             if frames >= 8.0 {
                 let mut variances = Vec::with_capacity(sums.len());
                 for (sample, sum) in template.samples.iter_mut().zip(sums.iter()) {
@@ -130,7 +130,7 @@ impl Refining {
         }
     }
 
-    /// Takes away the mean shift of each template's frames: the click decides which point of the body is followed.
+    /// Subtracts the mean shift over the frames of each template, so that the click defines the tracked point.
     fn centre(&self, seen: &mut [Seen]) {
         for key in 0..self.templates.len() {
             let mut shift = [0.0; 2];

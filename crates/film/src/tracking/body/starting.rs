@@ -1,4 +1,4 @@
-//! The beginning of a track: the template of a click, and the first motion, which checks its disc.
+//! Start of a track: template of a click, and verification of its disc by the first motion.
 
 use crate::plane::Plane;
 use crate::tracking::body::background::Background;
@@ -10,24 +10,24 @@ use crate::tracking::body::template::{Found, Template};
 use crate::tracking::body::{Body, MARGIN, RADIUS, Start, Tracker, greatest, radii};
 use crate::tracking::refusal::Refusal;
 
-/// From this coherence on a disc moves with its body: that of the outline in one picture, and that which is found by its motion.
+/// Minimum coherence of a disc that moves with its body, for the outline in one picture and for a disc found by motion.
 const COHERENT: [f64; 2] = [0.12, 0.3];
-/// An outline whose motion explains so many times less than that of a larger disc is that of a spot.
+/// Ratio of the explained changes from which a smaller outline is that of a spot.
 const SPOT: f64 = 3.0;
-/// A disc is found by its motion in so many frames after the click: later, uniform bodies fit many motions.
+/// Maximum number of frames after the click for a disc found by motion. Later, uniform bodies fit many motions.
 const LATEST: usize = 2;
-/// A disc is found by a motion of at least this part of its radius.
+/// Minimum displacement for a disc found by motion, relative to its radius.
 const CLEARLY: f64 = 0.25;
 
 impl Body {
-    /// The disc where its radius is given, in a picture of so many rows.
+    /// Disc with the given radius, if any, in a picture of `high` rows.
     pub(super) fn given(&self, high: f64) -> Option<Disc> {
         let given = self.settings.radius.filter(|radius| radius.is_finite());
         let [least, greatest] = radii(high);
         given.map(|radius| Disc::of([0.0; 2], radius.clamp(least, greatest)))
     }
 
-    /// Takes the template of the body at a position.
+    /// Makes the template of the body at a position, px.
     pub(super) fn start(
         &mut self,
         plane: &Plane,
@@ -57,7 +57,8 @@ impl Body {
         Ok(Found { position, ..found })
     }
 
-    /// The place of the body after its first motion. Its disc is taken from that motion where the outline in one picture was another one.
+    /// Position of the body after its first motion, px. The disc is replaced by that of the motion, if this explains
+    /// more.
     pub(super) fn depart(&mut self, plane: &Plane) -> Option<[f64; 2]> {
         let high = plane.height() as f64;
         let (given, disc) = (self.settings.radius.is_some(), self.templates.last()?.disc);

@@ -1,52 +1,52 @@
-//! What a body looks like, and where it is in a frame.
+//! Template of a body and its alignment with a frame.
 
 use crate::plane::Plane;
 use crate::tracking::body::disc::Disc;
 use crate::tracking::body::part::Part;
 use crate::tracking::linear::solve;
 
-/// Steps until a position is given up.
+/// Maximum number of steps of an alignment.
 const STEPS: usize = 25;
-/// A step of so many pixels is the last one.
+/// Length of a step in px that ends an alignment.
 const CLOSE: f64 = 1e-3;
 
-/// Samples that suffice for a coarse search.
+/// Number of samples for a coarse search.
 const FEW: usize = 120;
 
-/// A pixel of a template.
+/// Sample of a template.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
-    /// From the middle of the template, in pixels.
+    /// Offset from the tracked point, px.
     pub offset: [f64; 2],
     pub value: f64,
-    /// The derivatives to the right and downwards.
+    /// Derivatives to the right and downwards, per px.
     pub gradient: [f64; 2],
-    /// How much it counts: 1 for a usual pixel, less for one that varies from frame to frame.
+    /// Weight: 1 for a usual pixel, less for one that varies between frames.
     pub weight: f64,
 }
 
-/// The pixels in a disc, in places relative to the point that is followed.
+/// Pixels in a disc, relative to the tracked point.
 #[derive(Clone, Debug)]
 pub(crate) struct Template {
     pub samples: Vec<Sample>,
     pub disc: Disc,
 }
 
-/// Where a template was found.
+/// Result of an alignment. Position in px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
     pub position: [f64; 2],
     /// Correlation of the pixels with the template.
     pub score: f64,
-    /// Variances of both coordinates, from the residuals.
+    /// Variances of both coordinates from the residuals, px².
     pub variance: [f64; 2],
-    /// Contrast relative to the template, and the difference of the grey values.
+    /// Contrast relative to the template, and difference of brightness in grey values.
     pub light: [f64; 2],
     pub settled: bool,
 }
 
 impl Template {
-    /// The disc near a point.
+    /// Template from the disc near a point, px.
     pub(crate) fn new(part: &Part, [x, y]: [f64; 2], disc: Disc) -> Template {
         let reach = disc.reach().floor() as i64;
         let mut samples = Vec::new();
@@ -63,7 +63,7 @@ impl Template {
         Template { samples, disc }
     }
 
-    /// Follows by a part what a frame shows at a point.
+    /// Updates the template by the fraction `pace` of its deviation from a frame.
     pub(crate) fn follow(&mut self, part: &Part, found: &Found, pace: f64) {
         let ([x, y], [gain, offset]) = (found.position, found.light);
         for sample in &mut self.samples {
@@ -73,7 +73,7 @@ impl Template {
         }
     }
 
-    /// Whether there is anything to be recognised: a standard deviation of a grey value.
+    /// True if the disc is uniform: its standard deviation is below 1 grey value.
     pub(crate) fn plain(&self) -> bool {
         let count = self.samples.len() as f64;
         let mean = self.samples.iter().map(|sample| sample.value).sum::<f64>() / count;
@@ -81,7 +81,7 @@ impl Template {
         squares.is_nan() || squares < count
     }
 
-    /// The correlation with the pixels around the middle of a pixel, from every `stride`-th sample.
+    /// Correlation with the pixels around the centre of a pixel, from every `stride`-th sample.
     fn correlation(&self, plane: &Plane, column: i64, row: i64, stride: usize) -> f64 {
         let (mut n, mut t, mut p, mut tt, mut pp, mut tp) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
         for sample in self.samples.iter().step_by(stride) {
@@ -95,21 +95,21 @@ impl Template {
             tp += value * pixel;
         }
         let (tt, pp, tp) = (tt - t * t / n, pp - p * p / n, tp - t * p / n);
-        // A uniform place resembles nothing: its grey values scatter by less than a step.
+        // A uniform area, with a standard deviation below half a grey value, has no correlation.
         if tt > 0.0 && pp > 0.25 * n { tp / (tt * pp).sqrt() } else { 0.0 }
     }
 
-    /// The place of the best correlation within so many pixels of a point: its middle, and the correlation. A coarse search with
-    /// a part of the samples comes first.
+    /// Position of the best correlation within `reach` px of a point, and that correlation. A coarse search with fewer
+    /// samples comes first.
     pub(crate) fn search(&self, plane: &Plane, around: [f64; 2], reach: f64) -> ([f64; 2], f64) {
-        // What is recognised by a disc of some pixels still resembles it a fifth of the radius away.
+        // A disc of several pixels is still similar at a distance of a fifth of its radius.
         let step = ((self.disc.radius / 5.0) as usize).clamp(1, 4);
         let stride = (self.samples.len() / FEW).max(1);
         let (place, _) = self.scan(plane, around, reach.ceil().clamp(1.0, 1e4) as i64, (step, stride));
         self.scan(plane, place, step as i64 + 1, (1, 1))
     }
 
-    /// The best place of a grid, by every `stride`-th sample.
+    /// Best position on a grid, by every `stride`-th sample.
     fn scan(&self, plane: &Plane, around: [f64; 2], reach: i64, (step, stride): (usize, usize)) -> ([f64; 2], f64) {
         let middle = around.map(|at| at.floor().clamp(-1e6, 1e6) as i64);
         let mut best = (around, -1.0);
@@ -128,9 +128,10 @@ impl Template {
         best
     }
 
-    /// The position of the least residual, from a start at most `reach` pixels away, with a free contrast and brightness.
+    /// Position of the least weighted residual, at most `reach` px from the start along each coordinate, with free
+    /// contrast and brightness.
     ///
-    /// S. Baker, I. Matthews, *Int. J. Comput. Vis.* 56 (2004) 221, the inverse compositional form.
+    /// Baker and Matthews, *Int. J. Comput. Vis.* 56 (2004) 221, inverse compositional form.
     pub(crate) fn align(&self, part: &Part, start: [f64; 2], reach: f64) -> Found {
         let mut found = Found { position: start, score: 0.0, variance: [0.0; 2], light: [1.0, 0.0], settled: false };
         let mean = self.samples.iter().map(|sample| sample.value).sum::<f64>() / self.samples.len() as f64;

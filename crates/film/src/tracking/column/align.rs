@@ -1,30 +1,30 @@
-//! The row of the surface in one frame, by the method of Gauss and Newton on the pixels of the bore.
+//! Row of the surface in one frame, by Gauss-Newton steps on the pixels of the bore.
 
 use crate::tracking::column::pattern::{Pattern, Pose, Residuals, Weights};
 use crate::tracking::column::strip::Strip;
 use crate::tracking::linear::solve;
 
-/// Steps until the position is given up.
+/// Maximum number of steps.
 const STEPS: usize = 20;
-/// A step of so many rows is the last one.
+/// Length of a step in rows that ends the iteration.
 const CLOSE: f64 = 1e-3;
 
-/// How well a frame agrees with the pattern.
+/// Agreement of a frame with the pattern.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Agreement {
-    /// Variance of the position, from the residuals of this frame.
+    /// Variance of the position from the residuals of this frame, rows².
     pub variance: f64,
     /// Correlation of the pixels with the model.
     pub score: f64,
-    /// Sum of the squared residuals.
+    /// Sum of squared residuals, grey values².
     pub squares: f64,
-    /// How many pixels were compared.
+    /// Number of compared pixels.
     pub count: f64,
-    /// Whether the steps became short.
+    /// True if the iteration converged.
     pub settled: bool,
 }
 
-/// Sums of products of the pixels, the pattern's derivative, the pattern and one.
+/// Sums of products of the pixels with the derivative of the pattern, the pattern and 1.
 struct Sums {
     matrix: [[f64; 3]; 3],
     side: [f64; 3],
@@ -35,7 +35,7 @@ impl Sums {
     fn of(pattern: &Pattern, strip: &Strip, pose: &Pose, weights: &mut Weights, model: &mut [(f64, f64)]) -> Sums {
         let window = pattern.window;
         let mut sums = Sums { matrix: [[0.0; 3]; 3], side: [0.0; 3], squares: 0.0 };
-        // Taken about the offset: the squares of grey values would lose digits.
+        // Relative to the offset, since squares of grey values would lose digits.
         for row in window.rows(pose.row) {
             pattern.weights(row as f64 - pose.row, &pose.smear, weights);
             pattern.row(row, weights, model);
@@ -63,12 +63,12 @@ impl Sums {
     }
 }
 
-/// Moves the pose to the least residual between two rows.
+/// Moves the pose to the least residual with a row in the interval `between`.
 pub(crate) fn align(pattern: &Pattern, strip: &Strip, pose: &mut Pose, between: (f64, f64)) -> Agreement {
     let mut weights = Weights::default();
     let mut model = vec![(0.0, 0.0); pattern.window.width()];
     let (lowest, highest) = (between.0.max(0.0), between.1.min(pattern.window.grid.rows as f64 - 1.0));
-    // A row that no pixel decides is equally likely anywhere between the two.
+    // Without information the row is uniformly distributed over the interval.
     let width = (highest - lowest).max(0.0);
     let unknown = Agreement { variance: width * width / 12.0, ..Agreement::default() };
     let mut agreement = unknown;
@@ -85,7 +85,7 @@ pub(crate) fn align(pattern: &Pattern, strip: &Strip, pose: &mut Pose, between: 
             return Agreement { squares, count, ..unknown };
         }
         pose.gain = gain;
-        // Where the surface is lower by one row, the picture there is that of a row higher.
+        // A pattern moved down by one row shows at each place what was one row above.
         let step = (-slope / gain).clamp(-1.0, 1.0);
         let row = (pose.row + step).min(highest).max(lowest);
         let moved = (row - pose.row).abs();
@@ -104,7 +104,7 @@ pub(crate) fn align(pattern: &Pattern, strip: &Strip, pose: &mut Pose, between: 
     agreement
 }
 
-/// Adds the residuals of a frame to those of which the background is made.
+/// Adds the residuals of a frame to the sums for the background.
 pub(crate) fn residuals(pattern: &Pattern, strip: &Strip, pose: &Pose, sums: &mut Residuals) {
     let window = pattern.window;
     let mut weights = Weights::default();

@@ -1,11 +1,11 @@
-//! Which part of the strip shows the bore: the part that changes in time.
+//! Detection of the bore: the part of the strip that changes in time.
 
 use crate::tracking::column::strip::{Grid, Strip};
 
-/// A bin belongs to the bore if its variance in time is at least this part of the greatest one.
+/// Minimum variance in time of a bin of the bore, relative to the largest one.
 const LEAST: f64 = 0.3;
 
-/// Sums over time of every value of the strip.
+/// Sums over time of each value of the strip, and of its square.
 pub(crate) struct Changes {
     sums: Vec<(f64, f64)>,
     frames: f64,
@@ -25,13 +25,14 @@ impl Changes {
         self.frames += 1.0;
     }
 
-    /// The bins of the bore, from the first to before the last, around the one in the middle.
+    /// Range of the bins of the bore, around the middle one.
     ///
-    /// The variance of each value in time, less that of the quietest rows (noise and flicker), is summed over the rows.
+    /// The criterion is the variance in time, summed over the rows. The variance of a quiet row (noise and flicker, the
+    /// 0.2 quantile) is subtracted.
     pub(crate) fn bore(&self, grid: Grid) -> (usize, usize) {
         let change: Vec<f64> = (0..grid.bins).map(|bin| self.change(grid, bin)).collect();
         let middle = grid.bins / 2;
-        // A click is a few pixels beside the axis at most.
+        // A click is at most a few pixels beside the axis.
         let near = middle.saturating_sub(grid.bins / 4)..(middle + grid.bins / 4 + 1).min(grid.bins);
         let peak = near.max_by(|a, b| change[*a].total_cmp(&change[*b])).unwrap_or(middle);
         let enough = |bin: &usize| change.get(*bin).is_some_and(|value| *value >= LEAST * change[peak]);

@@ -1,27 +1,29 @@
-//! Errors of films in which compression keeps small changes of the picture back.
+//! Errors of films in which compression suppresses small changes of the picture.
 //!
-//! A slow and small motion then lags behind by up to the change that is kept back, like a gear with play. The lag has nearly the frequency of the
-//! motion itself: differences of the track do not show it, and the part that a sinusoid misses is about a third of it.
+//! A slow and small motion then lags by up to the suppressed change, like a gear with play. The lag has nearly the
+//! frequency of the motion: differences of the track do not show it, and the residual of a sinusoid is about a third of
+//! it.
 
 use crate::tracking::column::strip::Strip;
 use crate::tracking::median::median;
 use crate::tracking::readout;
 
-/// Values of two strips that are compared at most.
+/// Maximum number of values compared per pair of strips.
 const COMPARED: usize = 1500;
-/// Steps of 1/256 by which evened values that are the same differ at most.
+/// Maximum difference of equal normalized values, in 1/256 of a grey value.
 const SAME: u16 = 8;
-/// Least part of the values that stay the same from a frame to the next one (median of the film) in a film whose compression keeps changes back:
-/// noise without compression leaves fewer the same.
+/// Minimum fraction of values that stay equal between frames (median over the film) if compression suppresses changes.
+/// Noise without compression leaves fewer equal values.
 const KEPT: f64 = 0.3;
-/// The error of a slow motion as a multiple of what a sinusoid misses: 1 to 5 in films with coarse steps.
+/// Standard error of a slow motion in multiples of the residual of a sinusoid. Observed: 1 to 5 in coarse films.
 const PLAY: f64 = 3.0;
-/// Where a sinusoid misses more than this part of the motion, the motion is none.
+/// Maximum residual of a sinusoidal motion, relative to the amplitude (root mean square).
 const SINUSOIDAL: f64 = 0.15;
-/// What moves by more rows a frame (root mean square) changes too much to be kept back.
+/// Maximum speed in rows per frame (root mean square) at which changes are suppressed.
 const FAST: f64 = 10.0;
 
-/// The standard error, in pixels, that the lag of a compressed film makes likely; 0 where the picture changes freely.
+/// Standard error in px by the lag of a compressed film; 0 if the film shows no suppressed changes. `times` in s,
+/// `along` in rows, `read`: readout position of each point, relative to the height of the frame.
 pub(crate) fn lag(strips: &[Strip], times: &[f64], along: &[f64], read: &[f64]) -> f64 {
     let kept = |pair: &[Strip]| {
         let stride = (pair[0].grey.len() / COMPARED).max(1);
@@ -38,7 +40,7 @@ pub(crate) fn lag(strips: &[Strip], times: &[f64], along: &[f64], read: &[f64]) 
     if missed > SINUSOIDAL * motion {
         return 0.0;
     }
-    // The square of the speed in rows a frame: from about one on, less is kept back.
+    // Mean squared speed, (rows per frame)². The lag decreases from about 1 on.
     let speed = along.windows(2).map(|pair| (pair[1] - pair[0]) * (pair[1] - pair[0])).sum::<f64>() / count;
     if speed > FAST * FAST {
         return 0.0;

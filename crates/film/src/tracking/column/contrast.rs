@@ -1,14 +1,15 @@
-//! How clearly the clicked place stands out of the noise.
+//! Contrast of the clicked place relative to the noise.
 
 use crate::tracking::median::median;
 
-/// The median of absolute normal deviates, in standard deviations.
+/// Median of the absolute value of a standard normal deviate.
 const MEDIAN: f64 = 0.6745;
 
-/// The signal-to-noise ratio of a profile around a row: the root mean square of the values about their straight line (where light only
-/// grows or falls evenly, no row differs from the next) in standard deviations of the noise. Noise alone has a ratio near 1.
+/// Signal-to-noise ratio of a profile around a row: root mean square about the regression line, relative to the
+/// standard deviation of the noise. A linear change of brightness does not help to locate a row. Noise alone gives
+/// about 1.
 ///
-/// The noise is that of the differences of successive profiles: most rows do not see the surface pass.
+/// The noise is estimated from differences of successive profiles, in which the surface passes only few rows.
 pub(crate) fn contrast(profiles: &[Vec<f32>], clicked: usize, row: f64, half: usize) -> f64 {
     let noise = median(profiles.windows(2).map(|pair| difference(&pair[0], &pair[1])).collect()) / 2.0_f64.sqrt();
     let profile = profiles.get(clicked).map_or(&[][..], Vec::as_slice);
@@ -18,15 +19,15 @@ pub(crate) fn contrast(profiles: &[Vec<f32>], clicked: usize, row: f64, half: us
     if signal > 0.0 { signal / noise } else { 0.0 }
 }
 
-/// The standard deviation of the difference of two profiles by its median: the few rows in which something moves do not count, and
-/// neither does light that flickers evenly.
+/// Standard deviation of the difference of two profiles, from its median absolute deviation. Rows with motion and
+/// uniform flicker have little effect.
 fn difference(one: &[f32], other: &[f32]) -> f64 {
     let differences: Vec<f64> = one.iter().zip(other).map(|(a, b)| f64::from(b - a)).collect();
     let common = median(differences.clone());
     median(differences.into_iter().map(|value| (value - common).abs()).collect()) / MEDIAN
 }
 
-/// The root mean square of values about the straight line through them.
+/// Root mean square of values about their regression line.
 fn about_line(values: &[f32]) -> f64 {
     let count = values.len() as f64;
     let mean = values.iter().map(|value| f64::from(*value)).sum::<f64>() / count;

@@ -1,4 +1,4 @@
-//! The exposure time by the least residual.
+//! Exposure time with the least residual.
 
 use crate::tracking::column::align::align;
 use crate::tracking::column::pattern::{Fitting, Pattern, Pose};
@@ -6,41 +6,41 @@ use crate::tracking::column::strip::Strip;
 use crate::tracking::motion::{motion, smear};
 use crate::tracking::track::Exposure;
 
-/// Exposure times of the first search, as parts of the time between frames.
+/// Number of intervals between trial exposure times in the first search, from 0 to the frame interval.
 const COARSE: usize = 8;
-/// Evaluations that follow, each at the vertex of the parabola through the three best.
+/// Number of further trials, each at the vertex of the parabola through the three best.
 const FINE: usize = 5;
-/// Frames that are compared.
+/// Maximum number of compared frames.
 const FRAMES: usize = 60;
 
-/// The fewest frames that tell anything.
+/// Minimum number of frames.
 const FEWEST: usize = 12;
-/// Times that pattern and positions are fitted.
+/// Number of iterations of pattern and positions.
 const ROUNDS: usize = 2;
-/// Rows by which a candidate may move a position.
+/// Maximum change of a position by a trial, rows.
 const REACH: f64 = 2.0;
 
-/// The search for the exposure time.
+/// Search for the exposure time.
 pub(crate) struct Candidates {
-    /// The longest that a frame can be exposed.
+    /// Maximum exposure time, s.
     longest: f64,
-    /// The frames that are compared.
+    /// Indices of the compared frames.
     chosen: Vec<usize>,
-    /// Candidates and their residuals.
+    /// Trial exposure times (s) and their mean squared residuals.
     tried: Vec<(f64, f64)>,
-    /// The greatest speed.
+    /// Largest speed, rows per s.
     fastest: f64,
     trial: Option<Trial>,
 }
 
-/// One candidate: pattern and positions are fitted twice, frame by frame.
+/// Fit of pattern and positions with one trial exposure time, one frame per step.
 struct Trial {
     exposure: f64,
     pattern: Pattern,
     poses: Vec<Pose>,
-    /// While the pattern is fitted; then the positions are.
+    /// Present while the pattern is fitted, absent while the positions are.
     fitting: Option<Fitting>,
-    /// The next of the chosen frames.
+    /// Index among the compared frames.
     at: usize,
     round: usize,
     squares: f64,
@@ -53,14 +53,14 @@ impl Candidates {
         let speed = |at: &usize| motion(times, &rows, *at).0.abs();
         let mut chosen: Vec<usize> = (0..poses.len()).filter(|at| poses[*at].trusted).collect();
         chosen.sort_by(|a, b| speed(a).total_cmp(&speed(b)));
-        // The fast frames show the smear, and slow ones the pattern.
+        // Fast frames show the smear, slow ones the pattern.
         let fastest = chosen.iter().rev().nth(chosen.len() / 50).map_or(0.0, speed);
         let stride = chosen.len().div_ceil(FRAMES).max(1);
         let chosen: Vec<usize> = chosen.into_iter().rev().step_by(stride).collect();
         Candidates { longest: shortest, chosen, tried: Vec::new(), fastest, trial: None }
     }
 
-    /// Does the work of one frame; the exposure once all candidates are tried.
+    /// Does the work of one frame. Returns the exposure time after the last trial.
     pub(crate) fn advance(&mut self, start: &Pattern, strips: &[Strip], poses: &[Pose]) -> Option<Exposure> {
         if self.fastest * self.longest < 1.0 || self.chosen.len() < FEWEST {
             return Some(Exposure::Under(self.longest));
@@ -79,7 +79,7 @@ impl Candidates {
             self.vertex()
         } else {
             let best = self.best();
-            // A smear of less than a pixel disappears in the blur of the lens.
+            // Smear of less than a pixel cannot be distinguished from the blur of the lens.
             let limit = 1.0 / self.fastest;
             return Some(if best < limit { Exposure::Under(limit) } else { Exposure::Seconds(best) });
         };
@@ -105,7 +105,7 @@ impl Candidates {
         self.tried.iter().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0.0, |best| best.0)
     }
 
-    /// The vertex of the parabola through the best candidate and its neighbours.
+    /// Vertex of the parabola through the best trial and its neighbours.
     fn vertex(&self) -> f64 {
         let mut sorted = self.tried.clone();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -115,7 +115,7 @@ impl Candidates {
         let (left, right) = ((q - p) / (y - x), (r - q) / (z - y));
         let curvature = (right - left) / (z - x);
         let vertex = (x + y) / 2.0 - left / (2.0 * curvature);
-        // Between the neighbours, and away from what is tried already.
+        // Between the neighbours, at a distance from earlier trials.
         let close = 1e-3 * self.longest;
         let vertex = if curvature > 0.0 { vertex.clamp(x, z) } else { best };
         if [x, y, z].iter().any(|known| (known - vertex).abs() < close) {
@@ -127,7 +127,7 @@ impl Candidates {
 }
 
 impl Trial {
-    /// Does the work of one frame; the mean squared residual of the chosen frames after the last one.
+    /// Does the work of one frame. Returns the mean squared residual at the end.
     fn step(&mut self, chosen: &[usize], strips: &[Strip], before: &[Pose]) -> Option<f64> {
         let next = chosen.get(self.at).zip(self.poses.get_mut(self.at));
         self.at += 1;

@@ -1,4 +1,4 @@
-//! The track of a surface from its rows: times, errors, doubts, and gaps where it is hidden.
+//! Track of a surface from its rows: times, errors, doubts, and gaps where it is hidden.
 
 use crate::tracking::column::compression::lag;
 use crate::tracking::column::solving::Solving;
@@ -7,27 +7,27 @@ use crate::tracking::errors::{jumps, outliers, scaled};
 use crate::tracking::readout;
 use crate::tracking::track::{Known, Point, Readout, Track};
 
-/// A point with a lower score is doubtful.
+/// Minimum score of a reliable point.
 const SCORE: f64 = 0.6;
-/// So is one that lies more of its standard errors from what its neighbours predict.
+/// Maximum deviation of a reliable point from the prediction of its neighbours, in standard errors.
 const DEVIATION: f64 = 6.0;
-/// So is one that a smooth motion misses by more pixels.
+/// Maximum deviation of a reliable point from a smooth motion, px.
 const JUMP: f64 = 3.0;
-/// So is one with a larger standard error, in pixels.
+/// Maximum standard error of a reliable point, px.
 const UNCERTAIN: f64 = 3.0;
-/// One that agrees as well as this with what is usually seen, with nearly its usual strength, needs no lead over other rows: smear makes
-/// the two regions uncertain, and the surface is there.
+/// Minimum score, and range of gains, of a point that needs no advantage over other rows. Smear makes the two regions
+/// uncertain although the surface is visible.
 const SAME: f64 = 0.995;
 const LEAST_GAIN: f64 = 0.8;
 const MOST_GAIN: f64 = 1.25;
-/// So many frames between two that are in doubt are in doubt with them, unless the two regions are clear there.
+/// Maximum number of frames between two doubtful ones that become doubtful too, unless their regions are clear.
 const BETWEEN: usize = 3;
-/// A surface that is hidden in fewer frames in a row has a value in doubt there, and no gap.
+/// Minimum length of a gap in frames. In shorter runs of hidden frames the points are doubtful.
 const HIDDEN: usize = 4;
-/// A film in which the surface is hidden in more than this part of the frames shows something else.
+/// Maximum fraction of hidden frames; with more of them the film has no gaps.
 const MOST_HIDDEN: f64 = 0.5;
 
-/// The track with times and errors. `height` is that of the picture in pixels.
+/// Track with times and errors. `height`: height of the picture, px.
 pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving): (&[Strip], &Solving)) -> Track {
     let found = strips.iter().zip(&solving.poses).zip(solving.agreements.iter().zip(&solving.certainties));
     let mut points = Vec::with_capacity(strips.len());
@@ -37,7 +37,7 @@ pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving
         let seen = strip.line.at(pose.row);
         let seen_there = agreement.settled && agreement.score >= SCORE;
         let is_same = agreement.settled && agreement.score >= SAME && (LEAST_GAIN..MOST_GAIN).contains(&pose.gain);
-        // By which part of a frame's height the row is read after that in the middle.
+        // Readout position of the row, relative to the middle of the frame, in frame heights.
         read.push(seen[1] / height as f64 - 0.5);
         formal.push(agreement.variance.sqrt());
         hidden.push(certainty.is_hidden() && !is_same);
@@ -50,7 +50,7 @@ pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving
             doubtful: certainty.is_doubtful() && !is_same || !(seen_there || certainty.is_clear()),
         });
     }
-    // The parts of the film between gaps.
+    // Intervals of the film between gaps.
     let parts = parts(&hidden);
     let kept = || parts.iter().cloned().flatten();
     let pick = |values: &[f64]| -> Vec<f64> { kept().filter_map(|at| values.get(at).copied()).collect() };
@@ -86,7 +86,7 @@ pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving
     Track { points, exposure: solving.exposure, readout, direction: Some(line.direction), ..Track::default() }
 }
 
-/// The places of the frames in which the surface is not hidden for long. Those at the ends of the film are among them: a gap has two sides.
+/// Ranges of frames between gaps. Hidden frames at both ends of the film belong to them: a gap has two sides.
 fn parts(hidden: &[bool]) -> Vec<std::ops::Range<usize>> {
     let count = hidden.len();
     let mut parts = Vec::new();

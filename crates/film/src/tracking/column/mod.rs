@@ -1,7 +1,7 @@
-//! The surface of a liquid in a tube.
+//! Tracking of the surface of a liquid in a tube.
 //!
-//! [`Column::take`] keeps a strip along the tube of each frame. Then [`Column::advance`] finds the path of the surface through
-//! the space-time picture of the strips, and refines it on the pixels of the bore.
+//! [`Column::take`] keeps a strip along the tube from each frame. [`Column::advance`] finds the path of the surface
+//! through the space-time picture of the strips, and refines it on the pixels of the bore.
 
 mod align;
 mod bore;
@@ -30,52 +30,52 @@ pub use picture::SpaceTimePicture;
 use solving::{Solving, Task};
 use strip::{Grid, Line, Strip};
 
-/// Grey values that the strips of a film may hold, of two bytes each.
+/// Maximum number of grey values in the strips of a film, two bytes each.
 const VALUES: usize = 48 << 20;
-/// Rows of a strip at most: paths keep rows in 16 bits.
+/// Maximum number of rows of a strip; paths store rows in 16 bits.
 const ROWS: usize = 8192;
-/// Bins across the strip.
+/// Maximum number of bins across the strip.
 const BINS: usize = 20;
-/// Half the width of the strip, as a part of the picture's height.
+/// Default half width of the strip, relative to the height of the picture.
 const HALF_WIDTH: f64 = 1.0 / 16.0;
-/// The surface moves by at most this part of the picture's height between frames.
+/// Maximum motion of the surface between frames, relative to the height of the picture.
 const REACH: f64 = 1.0 / 8.0;
-/// A tube shorter than this, in pixels, shows no motion that could be followed.
+/// Minimum length of a tube, px.
 const SHORTEST: f64 = 24.0;
-/// The fewest frames of a track.
+/// Minimum number of frames of a track.
 const FEWEST: usize = 3;
 
-/// Where the surface was clicked, in pixels.
+/// Click on the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Click {
-    /// The frame, counted as the frames that are taken.
+    /// Frame number, as passed to [`Column::take`].
     pub frame: usize,
-    /// To the right and downwards.
+    /// Position in px, to the right and downwards.
     pub position: [f64; 2],
 }
 
-/// What is known before the first frame.
+/// Settings of the tracking of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// The surface.
+    /// Click on the surface.
     pub click: Click,
-    /// Two points of the tube's axis, such as its ends; without them the tube is upright and goes through the click.
+    /// Two points of the tube axis, such as its ends, px. Default: an upright tube through the click.
     pub tube: Option<[[f64; 2]; 2]>,
-    /// Half the width of the strip in which the bore is sought, in pixels; without it 1/16 of the picture's height.
+    /// Half the width of the strip in which the bore is sought, px. Default: 1/16 of the height of the picture.
     pub half_width: Option<f64>,
-    /// The exposure time.
+    /// Exposure time.
     pub exposure: Known,
-    /// The time that the camera takes to read a frame.
+    /// Readout time of a frame.
     pub readout: Known,
 }
 
 impl Settings {
-    /// An upright tube of which only the surface is known.
+    /// Settings for an upright tube.
     pub fn new(click: Click) -> Settings {
         Settings { click, tube: None, half_width: None, exposure: Known::Estimated, readout: Known::Estimated }
     }
 
-    /// A point of the tube's axis, and its direction, of length 1.
+    /// Point of the tube axis (px), and its unit direction.
     pub(crate) fn axis(&self) -> ([f64; 2], [f64; 2]) {
         let upright = (self.click.position, [0.0, 1.0]);
         let Some([from, to]) = self.tube else { return upright };
@@ -84,7 +84,7 @@ impl Settings {
         if length > 0.0 { (from, [u / length, v / length]) } else { upright }
     }
 
-    /// Length of the axis in pixels, in a picture of this height in pixels.
+    /// Length of the axis in px, in a picture with the height `high` in px.
     fn length(&self, high: f64) -> f64 {
         self.tube.map_or(high - 1.0, |[[x, y], [u, v]]| {
             let (along, down) = (u - x, v - y);
@@ -92,40 +92,41 @@ impl Settings {
         })
     }
 
-    /// Rows and bins of a strip, in pictures of this width and height in pixels.
+    /// Rows and bins of a strip, in pictures with this width and height in px.
     fn grid(&self, [wide, high]: [f64; 2]) -> Grid {
         let half = self.half_width.filter(|half| half.is_finite()).unwrap_or(HALF_WIDTH * high).min(wide).max(2.0);
-        // A bin is no narrower than a pixel.
+        // A bin has at least the width of a pixel.
         let bins = BINS.min((2.0 * half) as usize).max(1);
         let rows = (self.length(high) as usize).saturating_add(1).min(ROWS);
         Grid { rows, bins, width: 2.0 * half / bins as f64 }
     }
 
-    /// Number of frames that can be tracked, in pictures of this width and height in pixels.
+    /// Maximum number of frames in pictures with this width and height in px.
     pub(crate) fn most_frames(&self, size: [usize; 2]) -> usize {
         most_frames(self.grid(size.map(|side| side as f64)))
     }
 }
 
-/// The grey values of the space-time picture.
+/// Grey values of the space-time picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpaceTime {
-    /// One column of the picture for each frame: the mean over the bore in every row along the tube, from its beginning.
+    /// One column per frame: mean over the bore for each row along the tube, from its first end.
     pub columns: Vec<Vec<u8>>,
-    /// The point of the first row in the first frame, in pixels.
+    /// Position of the first row in the first frame, px.
     pub origin: [f64; 2],
-    /// Along the tube, of length 1: from one row to the next.
+    /// Unit vector along the tube, from one row to the next.
     pub direction: [f64; 2],
-    /// Where the bore begins and ends, in pixels from the axis to the right of a tube that points downwards.
+    /// Edges of the bore, as distances from the axis in px; positive to the right for a tube that
+    /// points down.
     pub bore: [f64; 2],
 }
 
-/// Number of frames whose strips fit into memory.
+/// Maximum number of frames whose strips fit into memory.
 fn most_frames(grid: Grid) -> usize {
     VALUES / (grid.rows * grid.bins).max(1)
 }
 
-/// The tracking of a surface.
+/// Tracker of a surface.
 pub struct Column {
     settings: Settings,
     layout: Option<Layout>,
@@ -135,7 +136,7 @@ pub struct Column {
     track: Option<Track>,
 }
 
-/// What the first frame decides.
+/// Geometry determined by the first frame.
 struct Layout {
     size: (usize, usize),
     line: Line,
@@ -169,17 +170,18 @@ impl Layout {
 }
 
 impl Column {
-    /// Prepares for the first frame.
+    /// State before the first frame.
     pub fn new(settings: Settings) -> Column {
         Column { settings, layout: None, strips: Vec::new(), anchors: Vec::new(), solving: None, track: None }
     }
 
-    /// Takes the next frame, in the order of time (seconds); keeps a strip of it. `camera` says how the camera has moved since the
+    /// Takes the next frame and keeps a strip of it. `time` in s, ascending. `camera`: motion of the camera since the
     /// first frame ([`Similarity::IDENTITY`] on a tripod).
     ///
     /// # Errors
     ///
-    /// Where the click lies outside the picture, the frame has another size or an earlier time, or the film is too long.
+    /// A [`Refusal`] if the click lies outside the picture, the tube is too short, the frame has another size or is out
+    /// of order, or the film is too long.
     pub fn take(&mut self, frame: usize, time: f64, plane: &Plane, camera: Similarity) -> Result<(), Refusal> {
         let layout = match &mut self.layout {
             Some(layout) => layout,
@@ -205,8 +207,8 @@ impl Column {
         Ok(())
     }
 
-    /// Fixes the surface in a frame to within some pixels of a click, in place of an earlier anchor of that frame. The path is
-    /// found again by the next calls of [`Column::advance`].
+    /// Fixes the surface in a frame to within several px of a click. Replaces an earlier anchor of that frame. The next
+    /// calls of [`Column::advance`] repeat the search.
     pub fn anchor(&mut self, click: Click) {
         self.anchors.retain(|anchor| anchor.frame != click.frame);
         self.anchors.push(click);
@@ -228,12 +230,12 @@ impl Column {
         }
     }
 
-    /// Continues the search by as many steps, each of which does the work of about one frame (less than a millisecond). True
-    /// once the track is complete.
+    /// Continues the search by `steps` steps of about the work of one frame, less than 1 ms each. Returns true once the
+    /// track is complete.
     ///
     /// # Errors
     ///
-    /// Where there are too few frames, or the clicked place shows nothing that can be followed.
+    /// A [`Refusal`] if there are too few frames, or nothing at the click can be tracked.
     pub fn advance(&mut self, steps: usize) -> Result<bool, Refusal> {
         let short = Refusal::Short { frames: FEWEST };
         let Some(layout) = self.layout.as_ref().filter(|_| self.strips.len() >= FEWEST) else { return Err(short) };
@@ -254,7 +256,7 @@ impl Column {
         Ok(self.track.is_some())
     }
 
-    /// The whole search at once.
+    /// Completes the search.
     ///
     /// # Errors
     ///
@@ -264,13 +266,13 @@ impl Column {
         Ok(self.track.clone().unwrap_or_default())
     }
 
-    /// The track, once it is complete.
+    /// Track, once it is complete.
     pub fn track(&self) -> Option<&Track> {
         self.track.as_ref()
     }
 
-    /// The space-time picture of the frames that have been taken; `None` before the first. Which part of the strip is the bore is known
-    /// the better, the more frames there are.
+    /// Space-time picture of the frames taken so far; `None` before the first. The estimate of the bore improves with
+    /// the number of frames.
     pub fn space_time(&self) -> Option<SpaceTime> {
         let layout = self.layout.as_ref()?;
         let grid = layout.grid;
@@ -297,7 +299,7 @@ fn task(settings: &Settings, anchors: &[Click], strips: &[Strip], layout: &Layou
     }
 }
 
-/// The strip and the row of a click; the nearest strip where its frame was not taken.
+/// Index of the strip and row of a click. If its frame was not taken, a neighbouring strip is used.
 fn seen(strips: &[Strip], layout: &Layout, click: &Click) -> (usize, f64) {
     let at = strips.partition_point(|strip| strip.frame < click.frame).min(strips.len().saturating_sub(1));
     let row = strips.get(at).map_or(0.0, |strip| strip.line.row(click.position));

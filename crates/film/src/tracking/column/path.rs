@@ -1,15 +1,15 @@
-//! The path of the surface through the space-time picture: the cheapest sequence of rows (A. J. Viterbi, *IEEE Trans. Inf.
-//! Theory* 13 (1967) 260).
+//! Path of the surface through the space-time picture: the sequence of rows with the least total cost (Viterbi, *IEEE
+//! Trans. Inf. Theory* 13 (1967) 260).
 
 use crate::tracking::median::median;
 
-/// The cost of rows in which a person has not seen the surface.
+/// Cost of rows outside an anchor.
 const FORBIDDEN: f32 = 1e6;
-/// A profile weaker than this part of the median of the strongest ones counts as if it had this strength, so that noise in a
-/// uniform part does not resemble anything.
+/// Minimum strength of a profile, relative to the median of the strongest ones. It prevents that noise in a uniform
+/// area resembles the template.
 const FLOOR: f64 = 0.3;
 
-/// The strength of a profile: the square root of its summed squares about their mean, around each row.
+/// Strength of a profile around each row: square root of the sum of squared deviations from the mean.
 pub(crate) fn strengths(profile: &[f32], half: usize) -> Vec<f64> {
     let windows = |squares: bool| {
         let value = move |row: i64| {
@@ -28,13 +28,13 @@ pub(crate) fn strengths(profile: &[f32], half: usize) -> Vec<f64> {
     windows(false).zip(windows(true)).map(|(sum, squares)| (squares - sum * sum / count).max(0.0).sqrt()).collect()
 }
 
-/// The value of a row; beyond the ends that of the last one.
+/// Value of a row; beyond the ends, that of the last row.
 fn at(profile: &[f32], row: i64) -> f32 {
     let last = profile.len().saturating_sub(1);
     profile.get(usize::try_from(row).unwrap_or(0).min(last)).copied().unwrap_or(0.0)
 }
 
-/// The clicked profile around a row, less its mean; `None` where it is uniform.
+/// Profile around a row with mean 0 and norm 1; `None` if it is uniform.
 fn template(profile: &[f32], row: f64, half: usize) -> Option<Vec<f32>> {
     let middle = row.round() as i64;
     let mut values: Vec<f32> = (-(half as i64)..=half as i64).map(|k| at(profile, middle + k)).collect();
@@ -48,20 +48,21 @@ fn template(profile: &[f32], row: f64, half: usize) -> Option<Vec<f32>> {
     Some(values)
 }
 
-/// A profile that is sought in others.
+/// Profile that is sought in others.
 pub(crate) struct Template {
     values: Vec<f32>,
     floor: f64,
 }
 
 impl Template {
-    /// The clicked profile around a row; `None` where it is uniform. `strongest` is the greatest strength of each frame.
+    /// Template from the profile around a clicked row; `None` if it is uniform. `strongest`: largest strength in each
+    /// frame.
     pub(crate) fn new(profile: &[f32], row: f64, half: usize, strongest: &[f64]) -> Option<Template> {
         let floor = (FLOOR * median(strongest.to_vec())).max(1e-3);
         Some(Template { values: template(profile, row, half)?, floor })
     }
 
-    /// The cost of each row: 0 where the profile around it is that of the template, 2 where it is the opposite.
+    /// Cost of each row: 0 if the profile around it equals the template, 2 if it is the opposite.
     pub(crate) fn costs(&self, profile: &[f32]) -> Vec<f32> {
         let half = self.values.len() / 2;
         let cost = |(row, strength): (usize, f64)| {
@@ -77,13 +78,13 @@ impl Template {
     }
 }
 
-/// The search for the path, frame after frame.
+/// Search for the path, frame by frame.
 pub(crate) struct Search {
-    /// The cost of a step by one row.
+    /// Cost of a step by one row.
     step: f32,
-    /// The cost of the cheapest path to each row of the frame before.
+    /// Least total cost up to each row of the previous frame.
     costs: Vec<f32>,
-    /// For each frame and row the row of the frame before.
+    /// Predecessor of each row, for each frame.
     before: Vec<Vec<u16>>,
 }
 
@@ -92,8 +93,8 @@ impl Search {
         Search { step, costs: vec![0.0; rows], before: Vec::new() }
     }
 
-    /// Takes the costs of the rows in the next frame. The surface moves by at most `reach` rows since the frame before; `fixed` are the rows
-    /// in which a person saw it.
+    /// Takes the costs of the rows in the next frame. `reach`: maximum motion since the previous frame, rows; `fixed`:
+    /// first and last row of an anchor.
     pub(crate) fn take(&mut self, costs: &[f32], reach: usize, fixed: Option<(usize, usize)>) {
         let (mut sums, before) = nearest(&self.costs, reach, self.step);
         for (row, sum) in sums.iter_mut().enumerate() {
@@ -104,12 +105,12 @@ impl Search {
         self.before.push(before);
     }
 
-    /// The cost of the cheapest path to each row of the last frame.
+    /// Least total cost up to each row of the last frame.
     pub(crate) fn sums(&self) -> &[f32] {
         &self.costs
     }
 
-    /// The row of each frame.
+    /// Row of the surface in each frame.
     pub(crate) fn path(&self) -> Vec<usize> {
         let cheapest = self.costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
         let mut row = cheapest.map_or(0, |(row, _)| row);
@@ -123,16 +124,16 @@ impl Search {
     }
 }
 
-/// For each row the cheapest way to it from one at most `reach` rows away: its cost, and that row.
+/// Least cost of reaching each row from a row at most `reach` away, and that row.
 ///
-/// With a cost proportional to the distance, the least value over a window that slides down, and that over one that slides up.
+/// The cost of a step is proportional to its length, so that a sliding minimum in both directions suffices.
 fn nearest(costs: &[f32], reach: usize, step_cost: f32) -> (Vec<f32>, Vec<u16>) {
     let mut best = vec![(f32::INFINITY, 0_u16); costs.len()];
     for backward in [false, true] {
         let mut window = std::collections::VecDeque::new();
         for step in 0..costs.len() {
             let row = if backward { costs.len() - 1 - step } else { step };
-            // The cost, had this row been reached from the beginning: differences are those of the steps.
+            // Cost relative to a start at the first row, so that differences are costs of steps.
             let entry = costs[row] - step_cost * step as f32;
             while window.back().is_some_and(|(_, value)| *value > entry) {
                 window.pop_back();

@@ -1,9 +1,9 @@
-//! What the surface looks like: a grey value for each distance from it along the tube and each bin across the bore.
+//! Appearance of the surface: a grey value for each distance from it along the tube and each bin across the bore.
 //!
-//! The film is modelled as `gain * (pattern(row - surface) + background(row)) + offset`, with a gain and an offset for each frame.
-//! The pattern is a cubic spline with a knot for each pixel, fitted to the pixels of all frames by least squares, so that
-//! frames with different fractions of a pixel determine it more finely than one frame can. Smear during the exposure widens
-//! the splines and not the pattern: blurred frames determine the sharp pattern, too.
+//! The model of the film is `gain * (pattern(row - surface) + background(row)) + offset`, with a gain and an offset for
+//! each frame. The pattern is a cubic spline with one knot per pixel, fitted to the pixels of all frames by least
+//! squares. Frames with different fractions of a pixel determine it with subpixel resolution. Smear during the exposure
+//! widens the splines instead of the pattern, so that blurred frames contribute to the sharp pattern.
 
 use crate::tracking::column::strip::{Grid, Strip};
 use crate::tracking::linear::Banded;
@@ -12,28 +12,28 @@ use crate::tracking::spline;
 /// Penalty on second differences of the pattern, relative to the mean weight of a knot: it bridges knots without data.
 const SMOOTHNESS: f64 = 1e-4;
 
-/// A frame's part of the model.
+/// Parameters of a frame in the model.
 #[derive(Clone, Debug)]
 pub(crate) struct Pose {
-    /// The row of the surface.
+    /// Row of the surface.
     pub row: f64,
-    /// Contrast, relative to the mean of all frames.
+    /// Contrast relative to the mean of all frames.
     pub gain: f64,
-    /// Grey values.
+    /// Offset, grey values.
     pub offset: f64,
-    /// By how many rows the surface is away from `row` at instants that divide the exposure equally.
+    /// Displacement of the surface from `row`, in rows, at evenly spaced instants of the exposure.
     pub smear: Vec<f64>,
-    /// Whether the frame counts for pattern and background.
+    /// True if the frame contributes to pattern and background.
     pub trusted: bool,
 }
 
-/// The bins and rows that are compared.
+/// Compared bins and rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Window {
     pub grid: Grid,
-    /// The bins of the bore, from the first to before the last.
+    /// Range of the bins of the bore.
     pub bins: (usize, usize),
-    /// Rows to both sides of the surface.
+    /// Number of rows on each side of the surface.
     pub half: f64,
 }
 
@@ -42,7 +42,7 @@ impl Window {
         self.bins.1 - self.bins.0
     }
 
-    /// The rows around the surface.
+    /// Rows around the surface.
     pub(crate) fn rows(&self, row: f64) -> std::ops::Range<usize> {
         let first = (row - self.half).ceil().max(0.0) as usize;
         let end = ((row + self.half).floor() + 1.0).max(0.0) as usize;
@@ -50,31 +50,31 @@ impl Window {
     }
 }
 
-/// The weights of the knots in one row.
+/// Weights of the knots in one row.
 #[derive(Default)]
 pub(crate) struct Weights {
-    /// The first knot.
+    /// Index of the first knot.
     pub first: usize,
-    /// Of the values.
+    /// Weights for the value.
     pub values: Vec<f64>,
-    /// Of the derivatives.
+    /// Weights for the derivative.
     pub slopes: Vec<f64>,
 }
 
 #[derive(Clone, Debug)]
 pub(crate) struct Pattern {
     pub window: Window,
-    /// The distance of the first knot.
+    /// Distance of the first knot from the surface, rows.
     first: f64,
     knots: usize,
-    /// For each knot, the bins.
+    /// One per knot and bin.
     coefficients: Vec<f64>,
-    /// For each row of the strip, the bins: what stands still.
+    /// Stationary background: one value per row of the strip and bin.
     pub background: Vec<f64>,
 }
 
 impl Pattern {
-    /// A pattern without content, wide enough for frames smeared by up to `smear` rows.
+    /// Empty pattern for frames with up to `smear` rows of smear.
     pub(crate) fn new(window: Window, smear: f64) -> Pattern {
         let reach = (window.half + smear / 2.0).ceil();
         let knots = 2 * reach as usize + 4;
@@ -87,12 +87,12 @@ impl Pattern {
         }
     }
 
-    /// The weights of the knots for a row at this distance from the surface.
+    /// Weights of the knots for a row at `distance` rows from the surface.
     pub(crate) fn weights(&self, distance: f64, smear: &[f64], weights: &mut Weights) {
         weights.values.clear();
         weights.slopes.clear();
         let part = 1.0 / smear.len() as f64;
-        // The greater of a number and of one that is none is the number.
+        // `max` of NaN and a number is the number.
         let place = |shift: f64| (distance - shift - self.first - 1.0).max(0.0).min((self.knots - 4) as f64);
         let lowest = smear.iter().map(|shift| place(*shift)).fold(f64::INFINITY, f64::min);
         weights.first = lowest.floor() as usize;
@@ -110,13 +110,13 @@ impl Pattern {
                 weights.slopes[start + k] += part * slopes[k];
             }
         }
-        // The rightmost place may lie on the last knot.
+        // The last place may lie on the last knot.
         let room = self.knots - weights.first;
         weights.values.truncate(room);
         weights.slopes.truncate(room);
     }
 
-    /// The pattern and its derivative by the row in the bins of one row of the strip, with the background.
+    /// Pattern with background, and derivative of the pattern by the row, for each bin of one row.
     pub(crate) fn row(&self, row: usize, weights: &Weights, out: &mut [(f64, f64)]) {
         let width = self.window.width();
         out.iter_mut().zip(&self.background[row * width..]).for_each(|(out, still)| *out = (*still, 0.0));
@@ -130,7 +130,7 @@ impl Pattern {
     }
 }
 
-/// The normal equations of the pattern.
+/// Normal equations of the pattern.
 pub(crate) struct Fitting {
     matrix: Banded,
     sides: Vec<f64>,
@@ -150,7 +150,6 @@ impl Fitting {
         }
     }
 
-    /// Takes a frame.
     pub(crate) fn take(&mut self, pattern: &Pattern, strip: &Strip, pose: &Pose) {
         let window = pattern.window;
         let width = window.width();
@@ -174,7 +173,8 @@ impl Fitting {
         }
     }
 
-    /// Replaces the content of the pattern; returns the mean gain of the frames, which the pattern has taken over.
+    /// Solves for the coefficients of the pattern. Returns the mean gain of the frames, by which the pattern is
+    /// multiplied.
     pub(crate) fn finish(mut self, pattern: &mut Pattern) -> f64 {
         let penalty = SMOOTHNESS * self.matrix.scale() + f64::MIN_POSITIVE;
         for knot in 0..pattern.knots {
@@ -197,9 +197,9 @@ impl Fitting {
     }
 }
 
-/// The mean residual of each value of the strip, of which the background is made.
+/// Mean residual of each value of the strip, for the background.
 pub(crate) struct Residuals {
-    /// Count, sum, sum of squares.
+    /// Number, sum, and sum of squares of the residuals.
     sums: Vec<(f64, f64, f64)>,
 }
 
@@ -214,8 +214,8 @@ impl Residuals {
         }
     }
 
-    /// Adds to the background the part of each mean that its scatter does not explain (the positive-part estimator of W. James and
-    /// C. Stein, *Proc. 4th Berkeley Symp.* 1 (1961) 361).
+    /// Adds to the background the part of each mean that its scatter does not explain (positive-part James-Stein
+    /// estimator, *Proc. 4th Berkeley Symp.* 1 (1961) 361).
     pub(crate) fn finish(self, pattern: &mut Pattern) {
         for ((count, sum, squares), still) in self.sums.into_iter().zip(&mut pattern.background) {
             let mean = sum / count;

@@ -1,28 +1,28 @@
-//! The space-time picture of a surface: a strip along the tube from every frame, side by side.
+//! Space-time picture of a surface: the strips of all frames side by side.
 
 use crate::tracking::column::SpaceTime;
 
-/// The space-time picture of a surface, to be painted: time to the right, the tube downwards.
+/// Space-time picture of a surface, for display: time to the right, the tube downwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpaceTimePicture {
-    /// The frame of each column.
+    /// Frame number of each column.
     pub frames: Vec<usize>,
-    /// How many of the columns have been read; the others are black.
+    /// Number of columns already read; the others are black.
     pub read: usize,
-    /// How many rows it has; each is a pixel of the film along the tube.
+    /// Number of rows, one per px along the tube.
     pub rows: usize,
-    /// Grey values, row by row: one for each frame.
+    /// Grey values, row by row, one per frame.
     pub grey: Vec<u8>,
-    /// The point of the film's picture that the first row shows.
+    /// Position of the first row in the film, px.
     pub origin: [f64; 2],
-    /// Along the tube, of length 1: from one row to the next.
+    /// Unit vector along the tube, from one row to the next.
     pub direction: [f64; 2],
-    /// Where the bore begins and ends, in pixels from the axis.
+    /// Edges of the bore, as distances from the axis in px.
     pub bore: [f64; 2],
 }
 
 impl SpaceTimePicture {
-    /// Of frames in this order; in pixels of the stored picture.
+    /// Picture with the frames in this order. Positions in px of the stored picture.
     pub fn new(picture: &SpaceTime, frames: Vec<usize>) -> Self {
         let rows = picture.columns.iter().map(Vec::len).min().unwrap_or(0);
         let count = frames.len();
@@ -40,17 +40,17 @@ impl SpaceTimePicture {
         }
     }
 
-    /// The row nearest to a point, as a fraction too: a whole number is the middle of a row.
+    /// Row of a point in px; the centre of a row is a whole number.
     pub fn row_of(&self, [x, y]: [f64; 2]) -> f64 {
         (x - self.origin[0]) * self.direction[0] + (y - self.origin[1]) * self.direction[1]
     }
 
-    /// The point of a row.
+    /// Position of a row in px.
     pub fn position(&self, row: f64) -> [f64; 2] {
         [self.origin[0] + row * self.direction[0], self.origin[1] + row * self.direction[1]]
     }
 
-    /// The column of a frame; `None` where the frame was left out.
+    /// Column of a frame; `None` if the frame was left out.
     pub fn column_of(&self, frame: usize) -> Option<usize> {
         self.frames.binary_search(&frame).ok()
     }

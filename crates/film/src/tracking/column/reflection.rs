@@ -1,46 +1,46 @@
-//! Light that moves along the bore besides the surface, such as the reflection of a person: its path and its shape, so that both can be
-//! taken from the strips before the surface is sought.
+//! Light that moves along the bore besides the surface, such as the reflection of a person. Its path and shape are
+//! found so that it can be subtracted from the strips before the surface is sought.
 
 use crate::tracking::column::path::Search;
 use crate::tracking::column::regions::{Regions, Shape};
 use crate::tracking::median::median;
 
-/// Rows to both sides of its middle in which a reflection is modelled.
+/// Number of modelled rows on each side of the middle of a reflection.
 const HALF: usize = 28;
-/// Rows to both sides over which light is added up for the first path.
+/// Number of rows on each side over which light is added up for the first path.
 const BROAD: usize = 4;
-/// The cost of a step by one row, as a part of what the right row saves.
+/// Cost of a step by one row, relative to the gain at the correct row.
 const STEP: f32 = 0.005;
-/// Light below this root mean square in grey values, over its rows and channels, cannot draw the path. What compression leaves of a film
-/// without a reflection has 0.4 to 1.5.
+/// Minimum root mean square, over rows and channels, of a reflection that can be mistaken for the surface, in grey
+/// values. Compression artefacts without a reflection have 0.4 to 1.5.
 const FAINT: f32 = 2.0;
-/// Times that path and shape are found.
+/// Number of iterations of path and shape.
 const ROUNDS: usize = 3;
 
-/// The shape of a reflection and the row of its middle in each frame.
+/// Shape of a reflection, and the row of its middle in each frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Reflection {
     rows: Vec<f64>,
-    /// For each channel the grey values that it adds around its middle.
+    /// Added grey values around the middle, for each channel.
     added: Vec<Vec<f32>>,
 }
 
 enum Stage {
-    /// The frames less the two regions; with the first path, if none is known.
+    /// Subtracting the two regions from the frames; also searching the first path, if none is given.
     Residuals(Option<Search>),
-    /// The shape, a row at a time.
+    /// Determining the shape, one row per step.
     Added,
     Path(Search, Vec<Vec<f32>>),
 }
 
-/// The search for a reflection, in steps of about one frame.
+/// Search for a reflection, in steps of about one frame.
 pub(crate) struct Finding {
     shape: Shape,
     regions: Regions,
     surface: Vec<usize>,
-    /// The rows that it may move since the frame before, for each frame.
+    /// Maximum motion since the previous frame, rows, for each frame.
     reach: Vec<usize>,
-    /// What followed the surface's path is the reflection itself.
+    /// True if the given path is that of the reflection instead of the surface.
     is_swapped: bool,
     residuals: Vec<Vec<f32>>,
     path: Vec<usize>,
@@ -51,7 +51,7 @@ pub(crate) struct Finding {
 }
 
 impl Finding {
-    /// Seeks light beside the `surface`; or, if `is_swapped`, takes the path for that of the light.
+    /// Starts a search for light beside the `surface`. `is_swapped`: the given path is that of the light.
     pub(crate) fn new(regions: Regions, surface: Vec<usize>, reach: Vec<usize>, is_swapped: bool) -> Finding {
         // The second half of the channels are differences.
         let shape = Shape { channels: (regions.shape.channels / 2).max(1), ..regions.shape };
@@ -71,7 +71,7 @@ impl Finding {
         }
     }
 
-    /// Does the work of one frame; the reflection once it is found.
+    /// Does the work of one frame. Returns the reflection at the end.
     pub(crate) fn step(&mut self, signals: &[Vec<f32>]) -> Option<Reflection> {
         let at = self.at;
         self.at += 1;
@@ -137,7 +137,7 @@ impl Finding {
         None
     }
 
-    /// The cost of each row without a shape: less, the more light lies around it.
+    /// Cost of each row while the shape is unknown, decreasing with the light around it.
     fn broad(&self, rest: &[f32]) -> Vec<f32> {
         let rows = self.shape.rows;
         let mut light = vec![0.0_f32; rows];
@@ -151,7 +151,8 @@ impl Finding {
         light.into_iter().map(|light| 1.0 - light / most).collect()
     }
 
-    /// The cost of each row: the squares that remain without the light there, less those with nothing taken away, in units of its own.
+    /// Cost of each row: change of the squared residuals by subtraction of the light there, plus 1, relative to the
+    /// squared light.
     fn costs(&self, rest: &[f32]) -> Vec<f32> {
         let rows = self.shape.rows;
         let own: f32 = self.added.iter().flatten().map(|value| value * value).sum::<f32>().max(1e-3);
@@ -168,7 +169,7 @@ impl Finding {
 }
 
 impl Reflection {
-    /// Takes the light from the values of a frame in channels of so many rows.
+    /// Subtracts the light from a frame whose channels have `rows` values each.
     pub(crate) fn take_from(&self, at: usize, values: &mut [f32], rows: usize) {
         for (values, added) in values.chunks_mut(rows).zip(&self.added) {
             for (row, value) in values.iter_mut().enumerate() {
@@ -177,7 +178,7 @@ impl Reflection {
         }
     }
 
-    /// Takes the light from the mean over the channels.
+    /// Subtracts the mean light of the channels from a profile.
     pub(crate) fn take_mean_from(&self, at: usize, profile: &mut [f32]) {
         let part = 1.0 / self.added.len() as f32;
         for (row, value) in profile.iter_mut().enumerate() {
@@ -185,25 +186,25 @@ impl Reflection {
         }
     }
 
-    /// True if it is too faint to be taken for the surface.
+    /// True if the light is too faint to be mistaken for the surface.
     pub(crate) fn is_faint(&self) -> bool {
         let (squares, count) =
             self.added.iter().flatten().fold((0.0, 0.0), |(sum, count), value| (sum + value * value, count + 1.0));
         squares < FAINT * FAINT * count
     }
 
-    /// The row of its middle in each frame.
+    /// Row of the middle in each frame.
     pub(crate) fn rows(&self) -> &[f64] {
         &self.rows
     }
 
-    /// The rows that it reaches.
+    /// Rows with light.
     pub(crate) fn around(&self, at: usize, rows: usize) -> std::ops::Range<usize> {
         let middle = self.rows.get(at).copied().unwrap_or(0.0) as usize;
         middle.saturating_sub(HALF).min(rows)..(middle + HALF + 2).min(rows)
     }
 
-    /// The light in a row of a frame, in the channel to which a bin of so many belongs.
+    /// Light in a row of a frame, in the channel of bin `bin` of `bins`.
     pub(crate) fn at(&self, at: usize, row: usize, (bin, bins): (usize, usize)) -> f64 {
         let channels = self.added.len();
         let channel = (0..channels).rev().find(|channel| bins * channel / channels <= bin).unwrap_or(0);
@@ -221,7 +222,7 @@ impl Reflection {
     }
 }
 
-/// The least of the parabola through the costs around a row.
+/// Minimum of the parabola through the costs around a row.
 fn vertex(costs: &[f32], row: usize) -> f64 {
     let around = row.checked_sub(1).and_then(|first| costs.get(first..first + 3));
     let Some(&[before, own, after]) = around else { return row as f64 };

@@ -1,24 +1,24 @@
-//! The surface as the boundary of two regions: each row of the strip shows one thing while it lies above the surface and another while it
-//! lies below, and something goes along with the surface. What rests, such as the marks of a graduated tube, is in both regions and
-//! says nothing about the surface.
+//! Surface as the boundary of two regions: each row of the strip has one value while it lies above the surface and
+//! another below, and a pattern moves with the surface. Stationary details, such as the marks of a graduated tube, are
+//! in both regions and do not bias the surface.
 
 use crate::tracking::median::median;
 
-/// Residuals of so many standard deviations of the noise count half as much as larger ones.
+/// Residual in standard deviations of the noise with half of the maximum cost.
 const LARGE: f32 = 3.0;
-/// The weight of the mean difference of the regions against that of one frame, for rows seen in one region alone.
+/// Weight of the mean difference between the regions relative to one frame, for rows seen in one region only.
 const PRIOR: f32 = 1.0;
-/// Residuals whose squares are more than this part of those of large ones show something else.
+/// Minimum cost of a residual that belongs to neither region, relative to the maximum cost.
 const FOREIGN: f32 = 0.45;
-/// The noise is never less than this, in grey values.
+/// Minimum noise, grey values.
 const LEAST_NOISE: f64 = 0.25;
 
-/// The grey values of the bore, in some channels side by side.
+/// Layout of the grey values of the bore, in channels side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shape {
     pub rows: usize,
     pub channels: usize,
-    /// Rows to both sides of the surface of what goes along with it.
+    /// Number of rows on each side of the surface with the moving pattern.
     pub half: usize,
 }
 
@@ -27,45 +27,45 @@ impl Shape {
         2 * self.half + 1
     }
 
-    /// For each channel, the first of its values.
+    /// Index of the first value of each channel.
     fn starts(&self) -> impl Iterator<Item = usize> + use<> {
         let rows = self.rows;
         (0..self.channels).map(move |channel| channel * rows)
     }
 
-    /// The rows of the window around the surface.
+    /// Rows of the window around the surface.
     fn around(&self, surface: usize) -> std::ops::Range<usize> {
         surface.saturating_sub(self.half)..(surface + self.half + 1).min(self.rows)
     }
 }
 
-/// What the strip shows for any row of the surface.
+/// Model of the strip for any row of the surface.
 #[derive(Clone, Debug)]
 pub(crate) struct Regions {
     pub shape: Shape,
     above: Vec<f32>,
     below: Vec<f32>,
     moving: Vec<f32>,
-    /// For each channel, the standard deviation of what remains, in grey values.
+    /// Standard deviation of the residuals of each channel, grey values.
     noise: Vec<f32>,
 }
 
-/// Sums over the frames for the regions, or for what moves.
+/// Sums over the frames for the regions, or for the moving pattern.
 pub(crate) struct Sums {
     regions: Vec<[f32; 4]>,
     moving: Vec<[f32; 2]>,
-    /// For each channel, the median of the absolute residuals of each frame.
+    /// Median absolute residual of each frame, for each channel.
     residuals: Vec<Vec<f64>>,
-    /// For each frame, mean and median of the absolute residuals, summed over the channels.
+    /// Mean and median absolute residual of each frame, summed over the channels.
     spreads: Vec<(f64, f64)>,
-    /// For each channel, count and sum of the absolute residuals around the surface.
+    /// Number and sum of the absolute residuals around the surface, for each channel.
     near: Vec<[f64; 2]>,
-    /// The sum of the absolute residuals.
+    /// Sum of the absolute residuals.
     pub total: f64,
 }
 
 impl Sums {
-    /// The mean of the absolute residuals as a multiple of their median, in the median frame.
+    /// Ratio of the mean to the median absolute residual, in the median frame.
     pub(crate) fn spread(&self) -> f64 {
         let least = LEAST_NOISE * self.near.len() as f64;
         median(self.spreads.iter().map(|(mean, median)| mean / median.max(least)).collect())
@@ -79,7 +79,7 @@ impl Regions {
         Regions { shape, above: values.clone(), below: values, moving, noise: vec![f32::INFINITY; shape.channels] }
     }
 
-    /// What turns squared residuals into their cost.
+    /// Factor from squared residuals to relative costs.
     fn scale(&self, channel: usize) -> f32 {
         let noise = self.noise.get(channel).copied().unwrap_or(f32::INFINITY);
         1.0 / (LARGE * LARGE * noise * noise)
@@ -96,7 +96,7 @@ impl Regions {
         }
     }
 
-    /// The model of a frame in the rows of a channel.
+    /// Model of a frame in the rows of a channel.
     fn modelled(&self, channel: usize, surface: usize) -> impl Iterator<Item = f32> + '_ {
         let shape = self.shape;
         let first = channel * shape.rows;
@@ -108,7 +108,7 @@ impl Regions {
         })
     }
 
-    /// The values of the first channels less the two regions, and less what goes along with the surface if it `moves`.
+    /// Residuals of the first channels relative to the two regions, with the moving pattern subtracted if `moves`.
     pub(crate) fn rest(&self, values: &[f32], surface: usize, channels: usize, moves: bool) -> Vec<f32> {
         let rows = self.shape.rows;
         let rest = |channel: usize| {
@@ -141,7 +141,7 @@ impl Regions {
         }
     }
 
-    /// Takes the regions from the sums.
+    /// Computes the regions from the sums.
     pub(crate) fn set_regions(&mut self, sums: &Sums) {
         for first in self.shape.starts() {
             let part = first..first + self.shape.rows;
@@ -169,7 +169,7 @@ impl Regions {
         }
     }
 
-    /// Adds a frame to the sums of what moves, and to those of the residuals.
+    /// Adds a frame to the sums of the moving pattern and of the residuals.
     pub(crate) fn take_moving(&self, sums: &mut Sums, values: &[f32], surface: usize) {
         let shape = self.shape;
         let mut spread = (0.0, 0.0);
@@ -195,8 +195,8 @@ impl Regions {
         sums.spreads.push(spread);
     }
 
-    /// Takes from the sums what moves, and the noise: at least this part of the mean residual around the surface, so that a rough path is
-    /// improved from afar.
+    /// Computes the moving pattern and the noise from the sums. The noise is at least `part` of the mean residual
+    /// around the surface, so that a coarse path can be improved over a distance.
     pub(crate) fn set_moving(&mut self, sums: &Sums, part: f64) {
         for (moving, [count, sum]) in self.moving.iter_mut().zip(&sums.moving) {
             *moving = if *count > 0.0 { sum / count } else { 0.0 };
@@ -206,7 +206,8 @@ impl Regions {
         }
     }
 
-    /// The cost of each row as that of the surface: squared residuals in units of the noise, of which large ones count at most 1.
+    /// Cost of each row as the row of the surface. Each value adds its squared residual relative to the noise,
+    /// saturating at 1.
     pub(crate) fn costs(&self, values: &[f32]) -> Vec<f32> {
         let shape = self.shape;
         let mut costs = vec![0.0; shape.rows];
@@ -231,7 +232,7 @@ impl Regions {
             for along in 0..shape.window() {
                 let moving = self.moving[channel * shape.window() + along];
                 let side = if along < shape.half { &above } else { &below };
-                // The row `surface + along - half` of the strip.
+                // Row of the strip: `surface + along - half`.
                 let (skip, start) = (shape.half.saturating_sub(along), along.saturating_sub(shape.half));
                 let rests = side.get(start..).unwrap_or_default();
                 costs.iter_mut().skip(skip).zip(rests).for_each(|(sum, rest)| *sum += cost(rest - moving));
@@ -240,7 +241,7 @@ impl Regions {
         costs
     }
 
-    /// The mean cost of the values around the surface.
+    /// Mean cost of the values around the surface, 0 to 1.
     pub(crate) fn misfit(&self, values: &[f32], surface: usize) -> f32 {
         let around = self.shape.around(surface);
         let (mut sum, mut count) = (0.0, 0.0);
@@ -256,7 +257,8 @@ impl Regions {
         sum / f32::max(count, 1.0)
     }
 
-    /// The part of some rows that shows neither region in a channel of grey values (the second half of the channels are differences).
+    /// Fraction of some rows that shows neither region in a channel of grey values. The second half of the channels are
+    /// differences.
     pub(crate) fn covered(&self, values: &[f32], rows: std::ops::Range<usize>) -> f32 {
         let shape = self.shape;
         let count = rows.len().max(1) as f32;
@@ -270,7 +272,7 @@ impl Regions {
         rows.filter(is_covered).count() as f32 / count
     }
 
-    /// By how much the cost of a row would be greater than that of another if the surface were there.
+    /// Expected increase of the cost of row `other` if the surface is at row `surface`.
     pub(crate) fn contrast(&self, surface: usize, other: usize) -> f32 {
         let mut sum = 0.0;
         for channel in 0..self.shape.channels {
@@ -285,7 +287,7 @@ impl Regions {
     }
 }
 
-/// The sums of the first values, from none to all.
+/// Cumulative sums, starting with 0.
 fn running(values: impl Iterator<Item = f32>) -> Vec<f32> {
     let mut sum = 0.0;
     std::iter::once(0.0)

@@ -1,17 +1,17 @@
-//! Strips without the light of a reflection.
+//! Subtraction of a reflection from the strips.
 
 use crate::tracking::column::reflection::Reflection;
 use crate::tracking::column::strip::{Grid, Strip};
 
-/// The removal, in steps of one frame.
+/// State of the subtraction, in steps of one frame.
 pub(crate) struct Removing {
     reflection: Reflection,
     grid: Grid,
-    /// The bins of the bore, from the first to before the last.
+    /// Range of the bins of the bore.
     bins: (usize, usize),
-    /// For each row the bins of the bore: the sum over the frames of the grey values without the reflection.
+    /// Sum over the frames of the grey values without the reflection, for each row and bin of the bore.
     sums: Vec<f64>,
-    /// For each bin the sums that give the part of the channel's light in it.
+    /// Sums for the fraction of the light of the channel in each bin.
     parts: Vec<(f64, f64)>,
     strips: Vec<Strip>,
     at: usize,
@@ -31,7 +31,7 @@ impl Removing {
         }
     }
 
-    /// Does the work of one frame; the strips once all are done.
+    /// Does the work of one frame. Returns the strips at the end.
     pub(crate) fn step(&mut self, strips: &[Strip]) -> Option<Vec<Strip>> {
         let (grid, bins, width) = (self.grid, self.bins, self.bins.1 - self.bins.0);
         let at = self.at;

@@ -1,59 +1,60 @@
-//! The path of the surface from the click: several candidates, each improved by what all frames then show of the two regions, and
-//! the one that leaves the least unexplained.
+//! Path of the surface from the click. Several candidates are improved by the two regions that all frames then show.
+//! The candidate with the least residual is chosen.
 
 use crate::tracking::column::path::{Search, Template, strengths};
 use crate::tracking::column::regions::{Regions, Shape, Sums};
 use crate::tracking::median::median;
 
-/// The cost of a step by one row: for the correlation of profiles, and for each channel of the regions.
+/// Cost of a step by one row, for the correlation of profiles and for each channel of the regions.
 const TEMPLATE_STEP: f32 = 0.004;
 const REGION_STEP: f32 = 0.01;
-/// Times that regions and path are found again.
+/// Number of iterations of regions and path.
 const ROUNDS: usize = 4;
-/// The noise that is assumed in each of these, as a part of the mean residual around the surface.
+/// Lower bound of the noise in each iteration, relative to the mean residual around the surface.
 const NEAR: [f64; ROUNDS + 1] = [1.5, 1.0, 0.7, 0.5, 0.5];
-/// A candidate that leaves less than this part of what the best one leaves is better: equals keep the simpler way.
+/// Ratio of residuals below which a later candidate replaces the best one; of equal ones the simpler is kept.
 const BETTER: f64 = 0.995;
-/// A frame is in doubt below this lead and below this contrast, and above this misfit.
+/// A frame is doubtful below this lead or contrast, or above this misfit.
 const LEAD: f32 = 0.25;
 const CONTRAST: f32 = 1.0;
 const MISFIT: f32 = 0.6;
-/// Above this lead and below this misfit a frame is in no doubt.
+/// A frame is clear above this lead and below this misfit.
 const CLEAR_LEAD: f32 = 0.45;
 const CLEAR_MISFIT: f32 = 0.3;
-/// Something covers the tube where more than this part of the rows that the surface passes shows neither region.
+/// Fraction of the rows passed by the surface, showing neither region, from which the tube is covered.
 const COVERED: f32 = 0.4;
-/// Rows further from the surface than this are elsewhere.
+/// Minimum distance of an alternative row from the surface.
 pub(crate) const ELSEWHERE: usize = 6;
 
-/// What is sought, and what is known of it.
+/// Input of the search.
 #[derive(Clone, Debug)]
 pub(crate) struct Sought {
     pub shape: Shape,
     /// Frame and row of the click.
     pub clicked: (usize, f64),
-    /// Rows to both sides of the surface that are compared with the click.
+    /// Number of rows on each side of the surface that are compared with the click.
     pub half: usize,
-    /// For each frame the rows that the surface may have moved since the frame before, and those in which a person saw it.
+    /// For each frame, the maximum motion since the previous frame in rows, and the first and last row of an anchor.
     pub limits: Vec<(usize, Option<(usize, usize)>)>,
 }
 
-/// How certain the row of a frame is.
+/// Certainty of the row of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Certainty {
-    /// By how much a path through the best row elsewhere costs more, as a part of what the model predicts.
+    /// Additional cost of a path through the best alternative row, relative to the additional cost predicted by the
+    /// model.
     pub lead: f32,
-    /// That prediction, in units of the noise.
+    /// Predicted additional cost, in units of the noise.
     pub contrast: f32,
-    /// The mean cost of a value around the surface, at most 1.
+    /// Mean cost of a value around the surface, 0 to 1.
     pub misfit: f32,
-    /// The part of the rows that the surface passes which shows neither region.
+    /// Fraction of the rows passed by the surface that shows neither region.
     pub covered: f32,
 }
 
 impl Certainty {
-    /// True if the two regions decide the row within about a pixel, even where the picture around it does not resemble the others, such as
-    /// leaves behind clear water.
+    /// True if the two regions determine the row to about a pixel, even if the picture around it differs from the
+    /// others, for instance by leaves behind clear water.
     pub(crate) fn is_clear(&self) -> bool {
         self.lead > CLEAR_LEAD && self.misfit < CLEAR_MISFIT
     }
@@ -63,36 +64,36 @@ impl Certainty {
         self.covered > COVERED && !self.is_clear()
     }
 
-    /// True if the surface may as well be elsewhere, or is hidden.
+    /// True if the surface may be elsewhere, or is hidden.
     pub(crate) fn is_doubtful(&self) -> bool {
         self.lead < LEAD || self.contrast < CONTRAST || self.misfit > MISFIT
     }
 }
 
 enum Stage {
-    /// The profiles are compared with the clicked one.
+    /// Comparing the profiles with the clicked one.
     Template(Template, Search, bool),
-    /// The temporal median of each row is sought, a few rows at a time.
+    /// Determining the temporal median of each row, a few rows per step.
     Medians(Vec<f32>),
     Regions(Box<Trial>),
     Moving(Box<Trial>),
     Costs(Box<Trial>, Search),
-    /// Back from the last frame.
+    /// Searching backwards from the last frame.
     Back(Search),
     Finished,
 }
 
-/// The path that was found, and what it leaves.
+/// Best path with its residuals.
 #[derive(Clone, Debug)]
 pub(crate) struct Outcome {
     pub path: Vec<usize>,
     pub regions: Regions,
     pub certainties: Vec<Certainty>,
-    /// In the clicked frame, the row with the least cost.
+    /// Row of least cost in the clicked frame.
     pub favourite: usize,
-    /// The sum of the absolute residuals.
+    /// Sum of the absolute residuals, grey values.
     pub left: f64,
-    /// Their mean as a multiple of their median, in the median frame: 1.18 for noise alone.
+    /// Ratio of mean to median absolute residual, in the median frame; 1.18 for pure noise.
     pub unexplained: f64,
 }
 
@@ -105,20 +106,20 @@ struct Trial {
     left: f64,
 }
 
-/// The search, in steps of about one frame.
+/// State of the search, in steps of about one frame.
 pub(crate) struct Seeking {
     sought: Sought,
     stage: Stage,
     at: usize,
-    /// Profiles less their temporal median.
+    /// Profiles minus their temporal median.
     residues: Vec<Vec<f32>>,
     starts: Vec<Vec<usize>>,
     best: Option<Box<Trial>>,
     forward: Vec<Vec<f32>>,
-    /// The rows that the surface passes.
+    /// Rows that the surface passes.
     passed: std::ops::Range<usize>,
     certainties: Vec<Certainty>,
-    /// In the clicked frame, the row with the least cost.
+    /// Row of least cost in the clicked frame.
     favourite: usize,
 }
 
@@ -139,7 +140,7 @@ impl Seeking {
         }
     }
 
-    /// The outcome, once the path is found.
+    /// Result, once the path is found.
     pub(crate) fn outcome(&mut self) -> Option<Outcome> {
         let best = self.best.take()?;
         let unexplained = best.sums.spread();
@@ -153,7 +154,8 @@ impl Seeking {
         })
     }
 
-    /// Does the work of one frame; true once the path is found. `profiles` has the means over the bore, `signals` the values in channels.
+    /// Does the work of one frame. Returns true once the path is found. `profiles`: means over the bore, one value per
+    /// row; `signals`: values in channels.
     pub(crate) fn step(&mut self, profiles: &[Vec<f32>], signals: &[Vec<f32>]) -> bool {
         let at = self.at;
         self.at += 1;
@@ -252,7 +254,7 @@ impl Seeking {
         }
     }
 
-    /// Begins with the next candidate that is elsewhere in some frame than the best one, or goes back through the frames with the best one.
+    /// Starts with the next candidate that differs from the best one, or searches backwards with the best one.
     fn next(&mut self) -> Stage {
         self.at = 0;
         while let Some(path) = self.starts.pop() {
@@ -277,7 +279,8 @@ impl Seeking {
         self.next()
     }
 
-    /// Forward through the costs once more, keeping the sums, and then backward: the cheapest path through each row of each frame.
+    /// Repeats the forward search with stored sums, then searches backwards: together they give the least cost of a
+    /// path through each row of each frame.
     fn back(&mut self, mut search: Search, signals: &[Vec<f32>]) -> Stage {
         let Some(best) = &self.best else { return Stage::Finished };
         let frames = best.costs.len();
@@ -301,7 +304,7 @@ impl Seeking {
             return Stage::Finished;
         };
         let own = &best.costs[at];
-        // The step from a frame to the next one may be as large backwards.
+        // The bound of a step holds in both directions.
         let reach = limit(at + 1).0;
         search.take(own, reach, limit(at).1);
         let row = best.path[at];
@@ -325,7 +328,7 @@ impl Seeking {
     }
 }
 
-/// The rows that the surface passes, without the few that are furthest.
+/// Range of rows that the surface passes, without the outer 5 % on each side.
 fn passed(path: &[usize]) -> std::ops::Range<usize> {
     let mut rows = path.to_vec();
     rows.sort_unstable();

@@ -1,17 +1,17 @@
-//! The path of the surface where something else moves along the bore as well: what is left unexplained shows it, and without it the surface is
-//! sought again.
+//! Path of the surface if something else moves along the bore. The residuals show that motion. It is subtracted, and
+//! the search is repeated.
 
 use crate::tracking::column::path::Template;
 use crate::tracking::column::reflection::{Finding, Reflection};
 use crate::tracking::column::seeking::{Outcome, Seeking, Sought};
 use crate::tracking::column::strip::with_differences;
 
-/// The mean of the absolute residuals as a multiple of their median from which something else moves; 1.18 for noise alone.
+/// Ratio of mean to median absolute residual that indicates another motion; 1.18 for pure noise.
 const UNEXPLAINED: f64 = 1.5;
-/// A reflection that leaves more than this part of what is left without it is none.
+/// Maximum ratio of the residuals with and without a reflection.
 const LEFT: f64 = 0.9;
-/// Nor is one that in more than this part of the frames is at one distance of the surface, to within `FIRM` rows: smear goes along with the
-/// surface, and so does a second surface.
+/// Maximum fraction of frames in which a reflection keeps its distance from the surface to within `FIRM` rows. Smear
+/// and a second surface move along with the surface.
 const ALONG: f64 = 0.35;
 const FIRM: f64 = 6.0;
 
@@ -22,7 +22,7 @@ enum Stage {
     Finished,
 }
 
-/// The search, in steps of about one frame.
+/// State of the search, in steps of about one frame.
 pub(crate) struct Separating {
     sought: Sought,
     strongest: Vec<f64>,
@@ -30,14 +30,14 @@ pub(crate) struct Separating {
     /// Profiles and signals without the reflection.
     profiles: Vec<Vec<f32>>,
     signals: Vec<Vec<f32>>,
-    /// What was found without a reflection, and the best with one.
+    /// Result without a reflection, and the best one with it.
     plain: Option<Outcome>,
     best: Option<(Outcome, Reflection)>,
     tried: usize,
 }
 
 impl Separating {
-    /// `strongest` is the greatest strength of the profile of each frame.
+    /// State before the search. `strongest`: largest strength of the profile in each frame.
     pub(crate) fn new(sought: Sought, template: Template, strongest: Vec<f64>) -> Separating {
         Separating {
             stage: Stage::Seeking(Box::new(Seeking::new(sought.clone(), template)), None),
@@ -51,7 +51,8 @@ impl Separating {
         }
     }
 
-    /// Does the work of one frame; the outcome once the path is found. `profiles` has the means over the bore, `signals` the values in channels.
+    /// Does the work of one frame. Returns the result at the end, with the reflection if there is one. `profiles`:
+    /// means over the bore, one value per row; `signals`: values in channels.
     pub(crate) fn step(
         &mut self,
         profiles: &[Vec<f32>],
@@ -75,7 +76,7 @@ impl Separating {
                 }
             }
             Stage::Finding(mut finding) => match finding.step(signals) {
-                // Where nothing else moves, the path is not that of a reflection either.
+                // If nothing else moves, the path is not that of a reflection.
                 Some(reflection) if self.tried == 1 && reflection.is_faint() => Stage::Finished,
                 Some(reflection) => {
                     (self.profiles, self.signals) = Default::default();
@@ -139,7 +140,7 @@ impl Separating {
     }
 }
 
-/// True if a reflection keeps its distance of the surface.
+/// True if a reflection keeps its distance from the surface.
 fn goes_along(path: &[usize], reflection: &Reflection) -> bool {
     let mut distances: Vec<f64> = path.iter().zip(reflection.rows()).map(|(own, other)| other - *own as f64).collect();
     distances.sort_by(f64::total_cmp);

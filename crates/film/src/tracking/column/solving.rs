@@ -1,4 +1,4 @@
-//! From the strips to the track, in portions of work.
+//! Computation of a track from the strips, in steps.
 
 use crate::tracking::column::align::{Agreement, align, residuals};
 use crate::tracking::column::contrast::contrast;
@@ -14,47 +14,47 @@ use crate::tracking::motion::{motion, smear};
 use crate::tracking::refusal::Refusal;
 use crate::tracking::track::{Exposure, Known};
 
-/// Rounds of pattern and positions before the exposure time is sought, and after.
+/// Maximum number of iterations of pattern and positions before the search for the exposure time, and after it.
 const ROUNDS: usize = 3;
-/// Positions that change by less than this many rows (root of the mean square) in a round need no other one.
+/// Root mean square change of positions in rows at which the iteration ends.
 const SETTLED: f64 = 0.005;
-/// Rows that the surface may be away from the path, and from where a person clicked.
+/// Maximum distance of the surface from the path, and from an anchor, rows.
 const REACH: f64 = 4.0;
 
-/// Parts of the bore, side by side, in which the path is sought.
+/// Number of parts across the bore for the search of the path.
 const CHANNELS: usize = 2;
-/// Rows to both sides of the surface of what goes along with it, for the path.
+/// Maximum number of rows on each side of the surface with the moving pattern, for the search of the path.
 const WINDOW: usize = 12;
 
-/// A clicked frame whose lead is below this shows the surface elsewhere.
+/// Lead below which the clicked frame shows the surface elsewhere.
 const LEFT: f32 = -0.7;
 
-/// The least signal-to-noise ratio of the clicked profile. Noise alone reaches it in one of a million profiles of 15 rows, the
+/// Minimum signal-to-noise ratio of the clicked profile. Noise reaches it in one of a million profiles of 15 rows, the
 /// shortest: chi squared with 13 degrees of freedom above 52.
 const CONTRAST: f64 = 2.0;
 
-/// What is sought.
+/// Input of the tracking.
 #[derive(Clone, Debug)]
 pub(crate) struct Task {
     pub grid: Grid,
     pub bins: (usize, usize),
-    /// The index of the clicked strip, and the row.
+    /// Index of the clicked strip, and the row.
     pub clicked: (usize, f64),
-    /// Further strips and rows.
+    /// Index of the strip and row of each anchor.
     pub anchors: Vec<(usize, f64)>,
-    /// Rows that the surface moves between frames at most, in the median time between frames.
+    /// Maximum motion of the surface within the median frame interval, rows.
     pub reach: f64,
     pub exposure: Known,
 }
 
 impl Task {
-    /// The part of the bore's width in which the surface shows on both sides of it.
+    /// Window around the surface with 0.8 bore widths on each side, within 7 to 40 rows.
     fn window(&self) -> Window {
         let width = (self.bins.1 - self.bins.0) as f64 * self.grid.width;
         Window { grid: self.grid, bins: self.bins, half: (0.8 * width).clamp(7.0, 40.0) }
     }
 
-    /// How many parts of the bore are told apart.
+    /// Number of parts across the bore.
     fn channels(&self) -> usize {
         (self.bins.1 - self.bins.0).clamp(1, CHANNELS)
     }
@@ -77,28 +77,28 @@ enum Stage {
     Finished,
 }
 
-/// The state between two portions.
+/// State of the computation.
 pub(crate) struct Solving {
     pub task: Task,
     times: Vec<f64>,
-    /// The median time between frames, and the shortest.
+    /// Median and shortest frame interval, s.
     intervals: (f64, f64),
     profiles: Vec<Vec<f32>>,
     strongest: Vec<f64>,
-    /// The grey values of the bore in channels, until the path is found.
+    /// Grey values of the bore in channels, until the path is found.
     signals: Vec<Vec<f32>>,
-    /// The strips without a reflection; empty where there is none.
+    /// Strips without the reflection; empty if there is none.
     cleaned: Vec<Strip>,
     stage: Stage,
     round: usize,
-    /// The sum of the squared changes of positions in this round.
+    /// Sum of the squared changes of positions in this iteration.
     change: f64,
     pattern: Pattern,
     pub poses: Vec<Pose>,
     pub agreements: Vec<Agreement>,
     path: Vec<usize>,
     pub certainties: Vec<Certainty>,
-    /// The two regions put the surface of the clicked frame where it was clicked.
+    /// True if the two regions confirm the clicked row.
     is_favoured: bool,
     pub exposure: Option<Exposure>,
 }
@@ -133,12 +133,12 @@ impl Solving {
         }
     }
 
-    /// The grey values of the space-time picture: for each frame the mean over the bore in every row.
+    /// Grey values of the space-time picture: mean over the bore, for each frame and row.
     pub(crate) fn profiles(&self) -> &[Vec<f32>] {
         &self.profiles
     }
 
-    /// Seeks the path again after anchors have changed.
+    /// Repeats the search after a change of the anchors.
     pub(crate) fn again(&mut self, anchors: Vec<(usize, f64)>) {
         self.task.anchors = anchors;
         self.round = 0;
@@ -150,7 +150,11 @@ impl Solving {
         self.stage = Stage::Profiles;
     }
 
-    /// Does the work of one frame; true once all is done.
+    /// Does the work of one frame. Returns true at the end.
+    ///
+    /// # Errors
+    ///
+    /// A [`Refusal`] if the click cannot be tracked.
     pub(crate) fn step(&mut self, strips: &[Strip]) -> Result<bool, Refusal> {
         let cleaned = std::mem::take(&mut self.cleaned);
         let strips = if cleaned.is_empty() { strips } else { &cleaned };
@@ -209,13 +213,13 @@ impl Solving {
         Ok(Stage::Path(Box::new(Separating::new(sought, template, std::mem::take(&mut self.strongest)))))
     }
 
-    /// True if the pixels of the clicked frame, or the two regions, show the surface there.
+    /// True if the pixels of the clicked frame, or the two regions, confirm the click.
     fn shows_clicked(&self) -> bool {
         let at = self.task.clicked.0;
         self.is_favoured || self.poses.get(at).is_some_and(|pose| pose.trusted)
     }
 
-    /// The clicked frame.
+    /// Number of the clicked frame.
     fn frame(&self, strips: &[Strip]) -> usize {
         strips.get(self.task.clicked.0).map_or(0, |strip| strip.frame)
     }
@@ -251,7 +255,7 @@ impl Solving {
         };
         let mut widest = 0.0_f64;
         for (at, pose) in self.poses.iter_mut().enumerate() {
-            // Positions of the path are whole rows: too coarse for accelerations.
+            // The path has whole rows, too coarse for accelerations.
             if self.round > 0 {
                 pose.smear = smear(motion(&self.times, &rows, at), exposure);
             }

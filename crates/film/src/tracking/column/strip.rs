@@ -1,38 +1,38 @@
-//! The strip along a tube in each frame.
+//! Strip along a tube in each frame.
 
 use crate::plane::Plane;
 use crate::tracking::median::median;
 use crate::tracking::similarity::Similarity;
 
-/// Grey values are kept in steps of 1/256.
+/// Steps per grey value.
 const STEPS: f64 = 256.0;
-/// The largest of these steps.
+/// Largest stored value, in these steps.
 const LARGEST: f64 = 65_535.0;
-/// Values of two strips that are compared at most.
+/// Maximum number of values compared per pair of strips.
 const COMPARED: usize = 1500;
 
-/// The line along a tube, and the grid of a strip around it.
+/// Line along a tube.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Line {
-    /// The middle of the first row.
+    /// Centre of the first row, px.
     pub origin: [f64; 2],
-    /// Along the tube, of length 1; one row is one pixel.
+    /// Unit vector along the tube. The rows have a distance of one px.
     pub direction: [f64; 2],
 }
 
 impl Line {
-    /// The point of a row.
+    /// Position of a row, px.
     pub(crate) fn at(&self, row: f64) -> [f64; 2] {
         [self.origin[0] + row * self.direction[0], self.origin[1] + row * self.direction[1]]
     }
 
-    /// The row nearest to a point.
+    /// Row of a point in px.
     pub(crate) fn row(&self, [x, y]: [f64; 2]) -> f64 {
         (x - self.origin[0]) * self.direction[0] + (y - self.origin[1]) * self.direction[1]
     }
 
-    /// The line where the camera has moved. It begins at most half a pixel further along the tube, so that rows of an upright
-    /// tube remain rows of the picture and need no interpolation along the tube.
+    /// Line after a motion of the camera. It is shifted along the tube by at most half a pixel, so that rows of an
+    /// upright tube remain rows of the picture and need no interpolation along the tube.
     fn moved(&self, camera: &Similarity) -> Line {
         let origin = camera.apply(self.origin);
         let turned = camera.turn(self.direction);
@@ -45,44 +45,44 @@ impl Line {
     }
 }
 
-/// How the strips of all frames are divided.
+/// Division of the strips of all frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
-    /// Along the tube, a pixel each.
+    /// Rows along the tube, 1 px each.
     pub rows: usize,
-    /// Across the tube.
+    /// Bins across the tube.
     pub bins: usize,
-    /// Width of a bin in pixels.
+    /// Width of a bin, px.
     pub width: f64,
 }
 
-/// The strip of one frame.
+/// Strip of one frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Strip {
-    /// As the caller counts.
+    /// Frame number of the caller.
     pub frame: usize,
-    /// Presentation time in seconds.
+    /// Presentation time, s.
     pub time: f64,
-    /// Where it lies in this frame.
+    /// Line along the tube in this frame.
     pub line: Line,
-    /// How the camera has moved since the first frame.
+    /// Motion of the camera since the first frame.
     pub camera: Similarity,
     /// Grey values in steps of 1/256, row by row.
     pub grey: Vec<u16>,
 }
 
 impl Strip {
-    /// Reads the strip from a frame.
+    /// Samples the strip of a frame.
     pub(crate) fn read(frame: usize, time: f64, plane: &Plane, line: &Line, camera: Similarity, grid: Grid) -> Strip {
         let line = if camera == Similarity::IDENTITY { *line } else { line.moved(&camera) };
         let samples = grid.width.ceil().max(1.0);
         let left = grid.bins as f64 * grid.width / 2.0;
-        // To the right of an upright tube.
+        // To the right for a tube that points down.
         let normal = [line.direction[1], -line.direction[0]];
         let across = |bin: usize, sample: usize| (bin as f64 + (sample as f64 + 0.5) / samples) * grid.width - left;
         let mut grey = Vec::with_capacity(grid.rows * grid.bins);
         if line.direction == [0.0, 1.0] && line.origin[1] >= 0.5 && (line.origin[1] - 0.5).fract() == 0.0 {
-            // The usual case: all rows of the strip are rows of the picture and have the same pixels in a bin.
+            // Fast path: all rows of the strip are rows of the picture, with the same columns in a bin.
             let places = |bin| (0..samples as usize).map(move |sample| line.origin[0] + across(bin, sample));
             let bins: Vec<Vec<(usize, f64)>> = (0..grid.bins).map(|bin| weights(places(bin), plane.width())).collect();
             for row in (line.origin[1] as usize..plane.height()).take(grid.rows) {
@@ -105,7 +105,7 @@ impl Strip {
         Strip { frame, time, line, camera, grey }
     }
 
-    /// The grey values of some neighbouring bins of a row.
+    /// Grey values of a range of bins in a row.
     pub(crate) fn values(&self, grid: Grid, row: usize, bins: (usize, usize)) -> impl Iterator<Item = f64> {
         let start = row * grid.bins;
         let values = self.grey.get(start + bins.0..start + bins.1).unwrap_or(&[]);
@@ -119,14 +119,14 @@ impl Strip {
         }
     }
 
-    /// The means over equal parts of some neighbouring bins in every row, one part after the other.
+    /// Means over `count` equal parts of a range of bins in each row, one part after the other.
     pub(crate) fn channels(&self, grid: Grid, (first, end): (usize, usize), count: usize) -> Vec<f32> {
         let edge = |k: usize| first + (end - first) * k / count;
         (0..count).flat_map(|k| self.profile(grid, (edge(k), edge(k + 1)))).collect()
     }
 
-    /// Divides the grey values by the brightness of the frame relative to another one: the ratio of most values, of which the few that the
-    /// surface has passed do not decide.
+    /// Divides the grey values by the brightness relative to another frame. The median of the ratios is insensitive to
+    /// values changed by the motion of the surface.
     pub(crate) fn even(&mut self, first: &Strip) {
         let stride = (self.grey.len() / COMPARED).max(1);
         let pairs = self.grey.iter().zip(&first.grey).step_by(stride);
@@ -137,14 +137,14 @@ impl Strip {
         }
     }
 
-    /// The mean over some neighbouring bins in every row.
+    /// Mean over a range of bins, for each row.
     pub(crate) fn profile(&self, grid: Grid, bins: (usize, usize)) -> Vec<f32> {
         let mean = |row| self.values(grid, row, bins).sum::<f64>() / (bins.1 - bins.0) as f64;
         (0..grid.rows).map(|row| mean(row) as f32).collect()
     }
 }
 
-/// Adds to the values of some channels the differences of rows two apart: broad reflections vanish in them.
+/// Appends to the values of some channels the differences of rows two apart, in which broad reflections vanish.
 pub(crate) fn with_differences(mut values: Vec<f32>, rows: usize) -> Vec<f32> {
     let differences = |part: &[f32]| -> Vec<f32> {
         let last = part.len().saturating_sub(1);
@@ -155,7 +155,7 @@ pub(crate) fn with_differences(mut values: Vec<f32>, rows: usize) -> Vec<f32> {
     values
 }
 
-/// The weights of the pixels of a row in the sum of the values at some places, linear between the middles of the pixels.
+/// Weights of the pixels of a row in the sum of interpolated values at some places (px).
 fn weights(places: impl Iterator<Item = f64>, width: usize) -> Vec<(usize, f64)> {
     let last = width.saturating_sub(1);
     let mut weights: Vec<(usize, f64)> = Vec::new();

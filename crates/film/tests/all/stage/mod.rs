@@ -44,7 +44,7 @@ struct Paint {
 pub struct Stage {
     pub width: usize,
     pub height: usize,
-    /// Of each body, in pixels.
+    /// Radius of each body, px.
     pub radius: f64,
     /// Greatest speed in radii a frame.
     pub speed: f64,
@@ -152,12 +152,12 @@ impl Stage {
         Stage { width, height, radius, speed, coloured, exposure, wall, paints, pivot, places, noise }
     }
 
-    /// How many bodies there are.
+    /// Number of bodies.
     pub fn bodies(&self) -> usize {
         self.places.len()
     }
 
-    /// Where the middle of a body is at a time in frames.
+    /// Centre of a body, px. `time` in frames.
     pub fn place(&self, body: usize, time: f64) -> [f64; 2] {
         let at = ((time + 1.0) * FINE as f64).max(0.0);
         let places = &self.places[body];

@@ -1,4 +1,4 @@
-//! WebCodecs (W3C Working Draft), as far as films need it. `web-sys` has it behind an unstable flag of the compiler.
+//! Part of WebCodecs (W3C Working Draft) used for films. `web-sys` requires an unstable compiler flag for it.
 
 use js_sys::{Function, Promise};
 use wasm_bindgen::JsValue;
@@ -7,7 +7,7 @@ use web_sys::ImageData;
 
 #[wasm_bindgen]
 extern "C" {
-    /// A decoder: takes coded frames and calls back with pictures.
+    /// Decoder: takes encoded frames and calls back with pictures.
     pub type VideoDecoder;
 
     #[wasm_bindgen(constructor, catch)]
@@ -22,7 +22,7 @@ extern "C" {
     #[wasm_bindgen(method, catch)]
     pub fn decode(this: &VideoDecoder, chunk: &EncodedVideoChunk) -> Result<(), JsValue>;
 
-    /// Lets all frames out; the next chunk must be a key frame.
+    /// Delivers all pending frames. The next chunk must be a key frame.
     #[wasm_bindgen(method, catch)]
     pub fn flush(this: &VideoDecoder) -> Result<Promise, JsValue>;
 
@@ -35,13 +35,13 @@ extern "C" {
     #[wasm_bindgen(method, setter)]
     pub fn set_ondequeue(this: &VideoDecoder, react: Option<&Function>);
 
-    /// A coded frame.
+    /// Encoded frame.
     pub type EncodedVideoChunk;
 
     #[wasm_bindgen(constructor, catch)]
     pub fn new(parts: &JsValue) -> Result<EncodedVideoChunk, JsValue>;
 
-    /// A decoded picture, which holds memory of the decoder until it is closed.
+    /// Decoded picture. Holds memory of the decoder until it is closed.
     #[derive(Clone)]
     pub type VideoFrame;
 
@@ -63,7 +63,7 @@ extern "C" {
     #[wasm_bindgen(method)]
     pub fn close(this: &VideoFrame);
 
-    /// A part of a picture (`DOMRectReadOnly`).
+    /// Part of a picture (`DOMRectReadOnly`), px.
     pub type Rect;
 
     #[wasm_bindgen(method, getter)]
@@ -72,7 +72,7 @@ extern "C" {
     #[wasm_bindgen(method, getter)]
     pub fn height(this: &Rect) -> f64;
 
-    /// Where the values of a plane lie.
+    /// Layout of a plane in memory, bytes.
     pub type PlaneLayout;
 
     #[wasm_bindgen(method, getter)]
@@ -81,7 +81,7 @@ extern "C" {
     #[wasm_bindgen(method, getter)]
     pub fn stride(this: &PlaneLayout) -> u32;
 
-    /// A canvas's context: `web-sys` cannot draw a `VideoFrame` with it.
+    /// Context of a canvas that draws a `VideoFrame`, which `web-sys` does not support.
     #[wasm_bindgen(js_name = CanvasRenderingContext2D)]
     pub type Painter;
 
@@ -114,7 +114,7 @@ extern "C" {
     pub fn create_image_bitmap(source: &JsValue) -> Result<Promise, JsValue>;
 }
 
-/// Whether the browser offers decoders: it does in secure contexts alone.
+/// True if the browser offers decoders. It does so only in secure contexts.
 pub fn are_offered() -> bool {
     js_sys::Reflect::has(&js_sys::global(), &"VideoDecoder".into()).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! The pictures of a film, one after the other or each by itself.
+//! Decoding of the pictures of a film, in order or single ones.
 
 use super::codecs::{self, EncodedVideoChunk, VideoDecoder, VideoFrame};
 use super::picture::Picture;
@@ -16,16 +16,16 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::Blob;
 
-/// So many coded frames wait in the decoder.
+/// Maximum number of encoded frames in the queue of the decoder.
 const QUEUE: u32 = 8;
-/// So many decoded ones wait to be taken: each holds memory of the decoder.
+/// Maximum number of decoded pictures not yet taken. Each holds memory of the decoder.
 const READY: usize = 3;
-/// A decoder that a browser has taken back, as from a page that was hidden, is made again so often for one frame.
+/// Maximum number of decoders created for one frame. A browser may reclaim a decoder, for instance from a hidden page.
 const ATTEMPTS: usize = 3;
-/// Time stamps of successive frames differ by so many microseconds: they serve as names alone.
+/// Difference of successive time stamps, microseconds. Time stamps serve only as identifiers.
 const TICK: f64 = 10_000.0;
 
-/// Reads pictures of a film. The next ones in order come quickly; others need the decoder to begin at a key frame.
+/// Reader of pictures. Reading in order is fast; otherwise decoding restarts at a key frame.
 pub struct Reader {
     source: Rc<Source>,
     run: Option<Run>,
@@ -37,11 +37,11 @@ impl Reader {
         Self { source, run: None }
     }
 
-    /// The picture of a frame.
+    /// Picture of a frame.
     ///
     /// # Errors
     ///
-    /// The file cannot be read, or the decoder does not give this frame.
+    /// A [`Trouble`] if the file cannot be read, or the decoder does not deliver this frame.
     pub async fn picture(&mut self, frame: usize) -> Result<Picture, Trouble> {
         if let Some(plane) = self.source.plane(frame) {
             return Ok(Picture::Grey(plane));
@@ -63,14 +63,14 @@ impl Reader {
             if let Some(picture) = found {
                 return Ok(picture);
             }
-            // Pictures between two key frames may need those before the first.
+            // Pictures between two key frames may depend on those before the first.
             from = self.source.film.key_before(from.saturating_sub(1));
         }
         Err(lost)
     }
 }
 
-/// One picture of a film that consists of pictures.
+/// Picture of a film that consists of still pictures.
 async fn still(source: &Source, sample: usize) -> Option<Picture> {
     let bytes = source.sample(sample).await.ok()?;
     let blob = Blob::new_with_u8_array_sequence(&Array::of1(&bytes)).ok()?;
@@ -78,7 +78,7 @@ async fn still(source: &Source, sample: usize) -> Option<Picture> {
     Some(Picture::Bitmap(bitmap.dyn_into().ok()?))
 }
 
-/// What the decoder calls back with.
+/// Results of the decoder callbacks.
 #[derive(Default)]
 struct Mailbox {
     ready: RefCell<VecDeque<VideoFrame>>,
@@ -97,7 +97,7 @@ impl Mailbox {
         }
     }
 
-    /// Waits until something has happened since the last time.
+    /// Waits until something has happened since the last call.
     async fn wait(&self) {
         poll_fn(|context| {
             if self.news.take() {
@@ -110,19 +110,19 @@ impl Mailbox {
     }
 }
 
-/// A decoder on its way from a key frame through the film.
+/// Decoder that proceeds from a key frame through the film.
 struct Run {
     decoder: VideoDecoder,
     mailbox: Rc<Mailbox>,
-    /// The sample that is decoded next.
+    /// Index of the next sample to be decoded.
     next: usize,
-    /// Frames from this one on have not been given out.
+    /// First frame that has not been delivered.
     frame: usize,
     flushing: bool,
     callbacks: Option<Callbacks>,
 }
 
-/// What the decoder calls.
+/// Callbacks of the decoder.
 struct Callbacks {
     output: Closure<dyn FnMut(VideoFrame)>,
     error: Closure<dyn FnMut(JsValue)>,
@@ -130,7 +130,7 @@ struct Callbacks {
 }
 
 impl Run {
-    /// Begins at a key frame.
+    /// Starts a decoder at a key frame.
     fn begin(source: &Source, key: usize) -> Option<Self> {
         let mailbox = Rc::<Mailbox>::default();
         let place = mailbox.clone();
@@ -156,13 +156,13 @@ impl Run {
         Some(Self { decoder, mailbox, next: key, frame: 0, flushing: false, callbacks: Some(callbacks) })
     }
 
-    /// Whether going on is the way to a frame that can be decoded from this key frame on.
+    /// True if this decoder reaches `frame` sooner than a new one that starts at the sample `key`.
     fn leads_to(&self, frame: usize, key: usize) -> bool {
         frame >= self.frame && self.next >= key && !self.mailbox.failed.get()
             || frame >= self.frame && self.next + QUEUE as usize >= key
     }
 
-    /// Decodes up to a frame. Without a picture the decoder does not give it.
+    /// Decodes up to a frame. Without a picture, the decoder does not deliver the frame.
     async fn find(mut self, source: &Source, frame: usize) -> Result<(Option<Self>, Option<Picture>), Trouble> {
         loop {
             while let Some(picture) = self.take() {
@@ -192,7 +192,7 @@ impl Run {
         self.mailbox.ready.borrow_mut().pop_front()
     }
 
-    /// Gives the decoder another sample, if it has room for it.
+    /// Passes the next sample to the decoder. Returns false if the queue is full or the film has ended.
     async fn feed(&mut self, source: &Source) -> Result<bool, Trouble> {
         if self.flushing || self.decoder.decode_queue_size() >= QUEUE || self.mailbox.ready.borrow().len() >= READY {
             return Ok(false);
@@ -203,7 +203,7 @@ impl Run {
             let mailbox = self.mailbox.clone();
             if let Ok(promise) = self.decoder.flush() {
                 wasm_bindgen_futures::spawn_local(async move {
-                    // It is refused where the decoder is closed before.
+                    // The promise is rejected if the decoder is closed first.
                     let _ = browser::wait(promise).await;
                     mailbox.flushed.set(true);
                     mailbox.wake();
@@ -229,10 +229,10 @@ impl Drop for Run {
     fn drop(&mut self) {
         self.mailbox.closed.set(true);
         self.decoder.set_ondequeue(None);
-        // A decoder that failed is closed already.
+        // A failed decoder is already closed.
         let _ = self.decoder.close();
         self.mailbox.ready.borrow_mut().drain(..).for_each(|frame| frame.close());
-        // Calls that are on their way still find them.
+        // Pending calls still find the callbacks.
         let callbacks = self.callbacks.take();
         wasm_bindgen_futures::spawn_local(async move {
             browser::breathe().await;

@@ -1,4 +1,4 @@
-//! The pictures of a film, as the browser decodes them.
+//! Pictures of a film, decoded by the browser.
 
 pub mod codecs;
 mod decoder;

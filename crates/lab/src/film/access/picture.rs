@@ -1,4 +1,4 @@
-//! A decoded picture: painted upright on a canvas, or read as grey values as it is stored.
+//! Decoded picture: painted upright on a canvas, or read as stored grey values.
 
 use super::codecs::{self, Painter, PlaneLayout, VideoFrame};
 use super::source::{Source, object};
@@ -11,18 +11,18 @@ use view::views::document;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{HtmlCanvasElement, ImageBitmap, ImageData};
 
-/// Formats of which the first plane is the grey values, a byte each, and the bytes between two rows of blocks of two times two
-/// pixels, and between two blocks, in the planes of colour behind it.
+/// Formats whose first plane has the grey values, one byte each. The numbers are steps in the colour planes: rows per
+/// row of blocks of 2 × 2 pixels, and bytes per block.
 const GREY_FIRST: [(&str, usize, usize); 7] =
     [("I420", 1, 1), ("I420A", 1, 1), ("I422", 2, 1), ("I422A", 2, 1), ("I444", 2, 2), ("I444A", 2, 2), ("NV12", 1, 2)];
 
-/// A picture of a film. It gives back its memory when it is dropped.
+/// Picture of a film. Releases its memory when dropped.
 pub enum Picture {
-    /// As the decoder gives it.
+    /// Picture of the decoder.
     Frame(VideoFrame),
-    /// Kept in order to be shown, or made from a JPEG.
+    /// Copy for later display, or a decoded JPEG.
     Bitmap(ImageBitmap),
-    /// Grey values that have been drawn.
+    /// Drawn grey values.
     Grey(Rc<Plane>),
 }
 
@@ -37,7 +37,7 @@ impl Drop for Picture {
 }
 
 impl Picture {
-    /// Width and height in pixels as it is stored.
+    /// Width and height as stored, px.
     pub fn size(&self) -> [usize; 2] {
         match self {
             Self::Frame(frame) => {
@@ -49,7 +49,7 @@ impl Picture {
         }
     }
 
-    /// What a canvas can draw.
+    /// Source for drawing on a canvas.
     fn pixels(&self) -> Option<&JsValue> {
         match self {
             Self::Frame(frame) => Some(frame.as_ref()),
@@ -58,14 +58,14 @@ impl Picture {
         }
     }
 
-    /// The same picture in a form that holds no memory of the decoder.
+    /// Copy that holds no memory of the decoder.
     pub async fn kept(self) -> Option<Self> {
         let Self::Frame(frame) = &self else { return Some(self) };
         let promise = codecs::create_image_bitmap(frame).ok()?;
         Some(Self::Bitmap(browser::wait(promise).await.ok()?.dyn_into().ok()?))
     }
 
-    /// Paints it over a whole canvas, upright.
+    /// Paints the picture upright over a whole canvas.
     pub fn paint(&self, canvas: &HtmlCanvasElement, orientation: Orientation) -> Option<()> {
         let painter = painter(canvas, false)?;
         if let Self::Grey(plane) = self {
@@ -75,7 +75,7 @@ impl Picture {
             return painter.put_image_data(&data, 0.0, 0.0).ok();
         }
         let size = [canvas.width(), canvas.height()].map(f64::from);
-        // The size before the turn: the same exchange of width and height as after it.
+        // Size before the turn; the exchange of width and height is its own inverse.
         let stored = orientation.upright_size(size);
         let corner = orientation.upright([0.0, 0.0], stored);
         let edge = |point: [f64; 2]| {
@@ -88,23 +88,23 @@ impl Picture {
     }
 }
 
-/// Reads grey values and colours; keeps what it needs for it from picture to picture.
+/// Reader of grey values and colours, with buffers for reuse.
 pub struct Greys {
-    /// Width and height of the planes: those of the pictures, but with square pixels.
+    /// Width and height of the planes: orientation as stored, square px.
     size: [usize; 2],
     buffer: Option<Uint8Array>,
     canvas: Option<HtmlCanvasElement>,
 }
 
 impl Greys {
-    /// For the pictures of a film.
+    /// Reader for the pictures of a film.
     pub fn of(source: &Source) -> Self {
         let film = &source.film;
         let size = film.orientation.upright_size(film.display_size()).map(|side| (side.round() as usize).max(1));
         Self { size, buffer: None, canvas: None }
     }
 
-    /// The grey values and colours of a picture as it is stored.
+    /// Grey values and colours of a picture as stored.
     pub async fn read(&mut self, picture: &Picture) -> Option<Plane> {
         if let Picture::Grey(plane) = picture {
             return Some(Plane::clone(plane));
@@ -118,7 +118,7 @@ impl Greys {
         self.drawn(picture)
     }
 
-    /// By a copy of the decoder's own values, where their order is known.
+    /// Copies the values of the decoder, if their layout is known.
     async fn copied(&mut self, frame: &VideoFrame) -> Option<Plane> {
         let [width, height] = self.size;
         let format = frame.format()?;
@@ -133,7 +133,7 @@ impl Greys {
         let layouts: Vec<PlaneLayout> = Array::from(&layout).iter().map(JsCast::unchecked_into).collect();
         let values = buffer.to_vec();
         self.buffer = Some(buffer);
-        // Rows of a plane from a byte on, one of so many.
+        // Every `step`-th row of a plane, starting at byte `late`.
         let rows = |plane: usize, late: usize, step: usize| {
             let layout = layouts.get(plane)?;
             let (offset, stride) = (layout.offset() as usize + late, layout.stride() as usize);
@@ -159,7 +159,7 @@ impl Greys {
         Plane::of_rgb(width, height, &pixels.collect::<Vec<_>>())
     }
 
-    /// By painting it: JPEGs, pictures of more than eight bits, and those whose pixels are no squares.
+    /// Paints the picture on a canvas and reads it back: for JPEG, more than eight bits, and non-square pixels.
     fn drawn(&mut self, picture: &Picture) -> Option<Plane> {
         let size = self.size;
         let canvas = match self.canvas.take() {
@@ -172,7 +172,7 @@ impl Greys {
     }
 }
 
-/// The grey values and colours of what a canvas can draw, in this size.
+/// Grey values and colours of a drawable object, scaled to `size` (width, height, px).
 pub fn drawn(pixels: &JsValue, canvas: &HtmlCanvasElement, size: [usize; 2]) -> Option<Plane> {
     if [canvas.width(), canvas.height()].map(|length| length as usize) != size {
         canvas.set_width(size[0] as u32);
@@ -186,7 +186,7 @@ pub fn drawn(pixels: &JsValue, canvas: &HtmlCanvasElement, size: [usize; 2]) -> 
     Plane::of_rgb(size[0], size[1], &pixels)
 }
 
-/// What paints on a canvas; one whose pixels are `read` again lies in main memory.
+/// Context of a canvas. `read`: true keeps the pixels in main memory for reading.
 fn painter(canvas: &HtmlCanvasElement, read: bool) -> Option<Painter> {
     let options = object(&[("willReadFrequently", read.into()), ("alpha", false.into())]);
     let painter = canvas.get_context_with_context_options("2d", &options).ok()??;

@@ -1,4 +1,4 @@
-//! Shows single frames of the open film: the one that is wanted last, and a few around it that are kept.
+//! Display of single frames of the open film: the last one requested, with a cache of recent ones.
 
 use super::decoder::Reader;
 use super::picture::{Greys, Picture};
@@ -12,16 +12,16 @@ use view::views::*;
 use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
 
-/// Pictures that are kept take so many bytes, four for each pixel.
+/// Maximum size of the cached pictures in bytes, at four bytes per pixel.
 const BYTES: usize = 48 << 20;
-/// So many frames before one are decoded with it when a person goes backwards.
+/// Number of preceding frames that are decoded together when stepping backwards.
 const BACK: usize = 6;
 
-/// The pictures of the open film.
+/// Pictures of the open film.
 pub struct Player {
-    /// The film.
+    /// Open film.
     pub source: Rc<Source>,
-    /// Where frames are painted. It outlives the views.
+    /// Canvas with the frame. It outlives the views.
     pub canvas: HtmlCanvasElement,
     reader: RefCell<Option<Reader>>,
     kept: RefCell<VecDeque<(usize, Rc<Picture>)>>,
@@ -31,7 +31,7 @@ pub struct Player {
 }
 
 impl Player {
-    /// For a film that has been opened.
+    /// Player of an opened film.
     pub fn new(source: Rc<Source>) -> Option<Rc<Self>> {
         let canvas: HtmlCanvasElement = document().create_element("canvas").ok()?.dyn_into().ok()?;
         let [width, height] = source.film.display_size();
@@ -51,13 +51,13 @@ impl Player {
         }))
     }
 
-    /// Width and height of the upright picture in pixels.
+    /// Width and height of the upright picture, px.
     pub fn size(&self) -> [f64; 2] {
         [self.canvas.width(), self.canvas.height()].map(f64::from)
     }
 
-    /// Shows a frame as soon as it is decoded. Of several that are asked for meanwhile, only the last is.
-    /// `painted` is called with each frame that the canvas has come to show, or what kept it from being decoded.
+    /// Shows a frame once it is decoded. Of several requests meanwhile, only the last is served. `painted` is called
+    /// with each frame shown, or with the error that prevented it.
     pub fn show(self: &Rc<Self>, frame: usize, painted: impl Fn(usize, Option<Trouble>) + 'static) {
         self.wanted.set(frame);
         if self.working.replace(true) {
@@ -81,7 +81,11 @@ impl Player {
         });
     }
 
-    /// A frame as grey values, as it is stored.
+    /// Grey values of a frame as stored.
+    ///
+    /// # Errors
+    ///
+    /// A [`Trouble`] if the frame cannot be decoded.
     pub async fn plane(&self, frame: usize) -> Result<Plane, Trouble> {
         let picture = self.picture(frame).await?;
         Greys::of(&self.source).read(&picture).await.ok_or(Trouble::Frame(frame + 1))
@@ -91,7 +95,7 @@ impl Player {
         if let Some(picture) = self.at_hand(frame) {
             return Ok(picture);
         }
-        // Another frame is being decoded for somebody else.
+        // If the reader is in use elsewhere, a second one decodes this frame.
         let shared = self.reader.borrow_mut().take();
         let is_shared = shared.is_some();
         let mut reader = shared.unwrap_or_else(|| Reader::new(self.source.clone()));

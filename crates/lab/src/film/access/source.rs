@@ -1,4 +1,4 @@
-//! A film in a file that the browser gives in ranges: what it says of itself, and the bytes of its frames.
+//! Film in a file that the browser reads in ranges: its description and the bytes of its frames.
 
 use super::codecs;
 use super::trouble::Trouble;
@@ -12,40 +12,40 @@ use view::browser;
 use wasm_bindgen::JsValue;
 use web_sys::File;
 
-/// So many bytes are read at once: some hundred coded frames.
+/// Number of bytes read at once: several hundred encoded frames.
 const AHEAD: u64 = 1 << 20;
-/// The identity of a film is found from so many bytes.
+/// Number of bytes that identify a film.
 const BEGINNING: u64 = 1 << 20;
 
-/// Where the pictures of a film are.
+/// Storage of the pictures.
 enum Content {
-    /// In a file, coded.
+    /// Encoded in a file.
     File(File),
-    /// In memory, in the order in which they are shown.
+    /// In memory, in order of presentation.
     Planes(Vec<Rc<Plane>>),
 }
 
-/// A film that has been opened.
+/// Opened film.
 pub struct Source {
     content: Content,
-    /// What its container says.
+    /// Description by the container.
     pub film: Film,
-    /// The place in `film.samples` of each frame that is shown.
+    /// Index in `film.samples` of each shown frame.
     samples: Vec<usize>,
-    /// Of each sample its place in the order of time among all of them, which its decoded picture carries as a time stamp.
+    /// Rank in time of each sample among all samples. It is the time stamp of the decoded picture.
     ranks: Vec<usize>,
-    /// Of each rank the frame, if it is shown.
+    /// Frame of each rank, if it is shown.
     frames: Vec<Option<usize>>,
-    /// The bytes that were read last, and where they begin.
+    /// Bytes read last, with their offset in the file.
     piece: RefCell<Option<(u64, Uint8Array)>>,
 }
 
 impl Source {
-    /// Reads the headers of a film and asks the browser whether it can decode it.
+    /// Reads the headers of a film and checks that the browser can decode it.
     ///
     /// # Errors
     ///
-    /// The file is no film, or one that this browser cannot decode.
+    /// A [`Trouble`] if the file is not a film, or this browser cannot decode it.
     pub async fn open(file: File) -> Result<Self, Trouble> {
         let size = file.size() as u64;
         let mut opening = Opening::new(size);
@@ -63,7 +63,7 @@ impl Source {
         Ok(source)
     }
 
-    /// A film that has been drawn.
+    /// Film of drawn pictures.
     pub fn drawn(film: Film, planes: Vec<Plane>) -> Self {
         Self::new(Content::Planes(planes.into_iter().map(Rc::new).collect()), film)
     }
@@ -79,7 +79,7 @@ impl Source {
         Self { content, film, samples, ranks, frames, piece: RefCell::default() }
     }
 
-    /// The picture of a frame that is in memory.
+    /// Picture of a frame in memory.
     pub fn plane(&self, frame: usize) -> Option<Rc<Plane>> {
         match &self.content {
             Content::File(_) => None,
@@ -94,7 +94,7 @@ impl Source {
         }
     }
 
-    /// Whether the browser has a decoder.
+    /// Checks that the browser has a decoder.
     async fn check(&self) -> Result<(), Trouble> {
         let coding = self.film.codec.coding;
         let no_decoder = || FilmError::NoDecoder(self.film.codec.clone()).into();
@@ -115,7 +115,7 @@ impl Source {
         if supported.is_some_and(|supported| supported.is_truthy()) { Ok(()) } else { Err(no_decoder()) }
     }
 
-    /// What a decoder is configured with.
+    /// Configuration of the decoder.
     pub fn configuration(&self) -> JsValue {
         let codec = &self.film.codec;
         let [width, height] = self.film.size.map(JsValue::from);
@@ -126,51 +126,51 @@ impl Source {
         object(&parts)
     }
 
-    /// The name of the file.
+    /// Name of the file; empty for a drawn film.
     pub fn name(&self) -> String {
         self.file().map(File::name).unwrap_or_default()
     }
 
-    /// Its size in bytes.
+    /// Size of the file in bytes; 0 for a drawn film.
     pub fn bytes(&self) -> u64 {
         self.file().map_or(0, |file| file.size() as u64)
     }
 
-    /// Its first bytes, from which it is known again.
+    /// First bytes of the file, which identify the film.
     ///
     /// # Errors
     ///
-    /// The file cannot be read any more.
+    /// [`Trouble::Unreadable`] if the file cannot be read any more.
     pub async fn beginning(&self) -> Result<Vec<u8>, Trouble> {
         let file = self.file().ok_or(Trouble::Unreadable)?;
         Ok(read(file, 0..BEGINNING.min(self.bytes())).await?.to_vec())
     }
 
-    /// How many frames are shown.
+    /// Number of shown frames.
     pub fn count(&self) -> usize {
         self.samples.len()
     }
 
-    /// The sample of a frame.
+    /// Index of the sample of a frame.
     pub fn sample_of(&self, frame: usize) -> Option<usize> {
         self.samples.get(frame).copied()
     }
 
-    /// The rank of a sample.
+    /// Rank in time of a sample.
     pub fn rank_of(&self, sample: usize) -> Option<usize> {
         self.ranks.get(sample).copied()
     }
 
-    /// The frame of a rank, if it is shown.
+    /// Frame of a rank, if it is shown.
     pub fn frame_of(&self, rank: usize) -> Option<usize> {
         self.frames.get(rank).copied().flatten()
     }
 
-    /// The coded bytes of a sample; further ones are read with them.
+    /// Encoded bytes of a sample. Following bytes are read ahead.
     ///
     /// # Errors
     ///
-    /// The file cannot be read any more.
+    /// [`Trouble::Unreadable`] if the file cannot be read any more.
     pub async fn sample(&self, at: usize) -> Result<Uint8Array, Trouble> {
         let sample = self.film.samples.get(at).ok_or(Trouble::Unreadable)?;
         let range = sample.offset..sample.offset + u64::from(sample.size);
@@ -192,18 +192,18 @@ impl Source {
     }
 }
 
-/// The bytes of a range of a file.
+/// Bytes of a range of a file.
 async fn read(file: &File, range: Range<u64>) -> Result<Uint8Array, Trouble> {
     let part = file.slice_with_f64_and_f64(range.start as f64, range.end as f64).map_err(|_| Trouble::Unreadable)?;
     let buffer = browser::wait(part.array_buffer()).await.map_err(|_| Trouble::Unreadable)?;
     Ok(Uint8Array::new(&buffer))
 }
 
-/// A plain object with these properties.
+/// JavaScript object with these properties.
 pub fn object(parts: &[(&str, JsValue)]) -> JsValue {
     let object = Object::new();
     for (name, value) in parts {
-        // A plain object takes everything.
+        // Setting a property of a plain object does not fail.
         let _ = Reflect::set(&object, &(*name).into(), value);
     }
     object.into()

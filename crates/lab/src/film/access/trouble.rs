@@ -1,20 +1,20 @@
-//! Why a film cannot be shown, and what to do.
+//! Errors of showing films.
 
 use film::containers::FilmError;
 use units::{Words, words};
 
-/// Why there is no film, or no picture of it.
+/// Reason why a film, or a picture of it, cannot be shown.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Trouble {
-    /// The file is none that can be read.
+    /// The file cannot be opened as a film.
     Film(FilmError),
-    /// The browser offers no decoders to this page: it came over the network without encryption.
+    /// The browser offers no decoder to this page, which was loaded without encryption.
     Insecure,
-    /// The browser does not give the file any more.
+    /// The browser cannot read the file any more.
     Unreadable,
-    /// The decoder does not give this frame (counted from 1).
+    /// The decoder does not deliver this frame (number from 1).
     Frame(usize),
-    /// The film stopped before the end of what was asked for.
+    /// The film was closed during the request.
     Closed,
 }
 
@@ -25,7 +25,7 @@ impl From<FilmError> for Trouble {
 }
 
 impl Trouble {
-    /// What is wrong and what to do.
+    /// Message: what is wrong, and what to do.
     pub fn words(&self) -> Words {
         match self {
             Self::Film(error) => error.words(),

@@ -1,4 +1,4 @@
-//! The second act: what is followed.
+//! Second step: the subject of tracking.
 
 use super::radius;
 use super::tool::{fold, take_tool, tool_button};
@@ -9,7 +9,7 @@ use desk::Subject;
 use view::browser;
 use view::views::*;
 
-/// Kinds as chips, what has been clicked, and what helps where the picture is difficult.
+/// Kinds of subjects, the clicks, and aids for difficult pictures.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let kinds = [
@@ -49,7 +49,7 @@ pub fn view(app: App) -> View {
     ))
 }
 
-/// Which body the next click belongs to.
+/// Choice of the body to which the next click belongs.
 fn bodies(app: App) -> View {
     let words = words::of(app);
     if app.films.kind.get() != Kind::Body {
@@ -78,7 +78,7 @@ fn bodies(app: App) -> View {
     })
 }
 
-/// For tubes that are not upright and cameras that are not still.
+/// Aids for inclined tubes and moving cameras.
 fn help(app: App) -> View {
     let words = words::of(app);
     let has_surface = memo(move || {

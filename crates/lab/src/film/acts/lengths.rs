@@ -1,4 +1,4 @@
-//! The third act: how long something is, and where zero is.
+//! Third step: scale and origin.
 
 use super::tool::{fold, tool_button};
 use crate::app::App;
@@ -8,7 +8,7 @@ use crate::film::{calibrating, words};
 use desk::{Lacking, ParallaxForm};
 use view::views::*;
 
-/// The ruler, and what is asked more rarely.
+/// Ruler, and the less common settings.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let scale = move || {
@@ -70,7 +70,7 @@ pub fn view(app: App) -> View {
     ))
 }
 
-/// A rectangle in the plane of the motion.
+/// Rectangle in the plane of the motion.
 fn rectangle(app: App) -> View {
     let words = words::of(app);
     let side = move |number: usize, id: &'static str, name: &'static str| {
@@ -90,7 +90,7 @@ fn rectangle(app: App) -> View {
     ))
 }
 
-/// A ruler that is not where the motion is.
+/// Ruler outside the plane of the motion.
 fn parallax(app: App) -> View {
     let words = words::of(app);
     let behind = create_signal(String::new());

@@ -1,4 +1,4 @@
-//! The four acts in the panel: open a film, say what is followed, say how long something is, take the record.
+//! The four steps in the panel: film, subject, lengths, record.
 
 mod follow;
 mod lengths;
@@ -15,7 +15,7 @@ use view::icons;
 use view::views::*;
 use web_sys::HtmlInputElement;
 
-/// The way in, beside the one for tables.
+/// Buttons that open or record a film, beside the one for tables.
 pub fn way_in(app: App) -> View {
     let words = words::of(app);
     let mut input = input().r#type("file").accept("video/*,.mkv,.avi");
@@ -37,7 +37,7 @@ pub fn way_in(app: App) -> View {
     View::from((open, input, camera::button(app), filming::button(app)))
 }
 
-/// The acts; nothing while no film is open.
+/// The four steps; empty while no film is open.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let opening = move || match app.films.opening.get_clone() {
@@ -66,7 +66,7 @@ pub fn view(app: App) -> View {
     View::from((changing(opening), changing(acts)))
 }
 
-/// An act with its number; a tick stands for the number of one that is done.
+/// Step with its number, or a tick once it is done.
 fn act(
     number: &'static str,
     id: &'static str,
@@ -86,7 +86,7 @@ fn act(
     li().class(class).id(id).child(h3().id(heading).child(number).child(title)).child(content)
 }
 
-/// Which acts are done.
+/// Completed steps.
 fn done(app: App) -> [bool; 4] {
     let now = app.films.now.get_clone();
     let Some(now) = now else { return [false; 4] };

@@ -1,4 +1,4 @@
-//! The first act: the film, its times, and which part of it is used.
+//! First step: the film, its times, and the used part.
 
 use super::notes;
 use super::tool::fold;
@@ -9,7 +9,7 @@ use crate::film::{opening, words};
 use view::browser;
 use view::views::*;
 
-/// What the file says, and what a person says of its times.
+/// Description of the film, and the settings of its times.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let extent = move || {
@@ -55,7 +55,7 @@ fn factor(app: App) -> View {
     View::from((field_of("film-factor", words.factor).child(field), note(words.factor_note)))
 }
 
-/// The part of the film that is used: from one frame to another.
+/// Used part of the film.
 fn part(app: App) -> View {
     let words = words::of(app);
     let end = move |end: usize, id: &'static str, name: &'static str, here: &'static str| {

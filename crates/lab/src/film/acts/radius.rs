@@ -1,4 +1,4 @@
-//! The radius of a body: found from the click, or typed.
+//! Radius of a body: found around the click, or typed.
 
 use crate::app::App;
 use crate::film::aim::Kind;
@@ -8,7 +8,7 @@ use units::number::{parse, plain};
 use view::browser;
 use view::views::*;
 
-/// The radius of the body that is chosen; nothing before that body was clicked.
+/// Radius of the chosen body; empty before the body was clicked.
 pub fn view(app: App) -> View {
     let films = app.films;
     let clicked = memo(move || {
@@ -22,7 +22,7 @@ pub fn view(app: App) -> View {
     changing(move || clicked.get().map_or_else(View::new, |body| field(app, body)))
 }
 
-/// The field, the radius as a length, and the way back to the radius that is found.
+/// Field in px, the radius as a length, and a button that restores the radius found around the click.
 fn field(app: App, body: usize) -> View {
     let words = words::of(app);
     let style = app.language.get_untracked().style();
@@ -41,7 +41,7 @@ fn field(app: App, body: usize) -> View {
     let take = move |event| {
         let typed = value_of(&event);
         let read = parse(&typed, style).filter(|(_, rest)| rest.is_empty() || *rest == "px");
-        // The desk refuses a text that is no number like a number that is no radius.
+        // The desk rejects NaN like an invalid radius.
         let radius = read.map_or(f64::NAN, |(radius, _)| radius);
         set((!typed.trim().is_empty()).then_some(radius));
     };

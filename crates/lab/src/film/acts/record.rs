@@ -1,4 +1,4 @@
-//! The fourth act: the record, what was found beside it, and the fit.
+//! Fourth step: record, doubts and fit.
 
 use super::{notes, truth};
 use crate::app::App;
@@ -8,7 +8,7 @@ use crate::tabs;
 use view::browser;
 use view::views::*;
 
-/// The bar while frames are searched; then what was found.
+/// Progress of the tracking, then its result.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let busy = memo(move || app.films.progress.with(Option::is_some));

@@ -1,11 +1,11 @@
-//! What acts have in common: buttons that give the next click on the film a meaning, and folds.
+//! Common parts of the steps: buttons that select the effect of the next click, and folds.
 
 use crate::app::App;
 use crate::film::aim::Tool;
 use view::browser;
 use view::views::*;
 
-/// A button that makes the next click on the film mean something.
+/// Button that selects the effect of the next click on the film.
 pub fn tool_button(app: App, id: &'static str, tool: Tool, name: &'static str) -> HtmlButton {
     let on = move || app.films.tool.get() == tool;
     let take = move |_| {
@@ -16,12 +16,12 @@ pub fn tool_button(app: App, id: &'static str, tool: Tool, name: &'static str) -
     button().class("chip").id(id).attr("aria-pressed", move || on().to_string()).when(events::click, take).child(name)
 }
 
-/// A fold with its summary.
+/// Fold with a summary.
 pub fn fold(summary_words: &'static str) -> HtmlDetails {
     details().class("more-of-act").child(summary().child(summary_words))
 }
 
-/// Chooses what the next click sets, and shows the film for it.
+/// Selects the effect of the next click, and shows the film.
 pub fn take_tool(app: App, tool: Tool) {
     app.films.points.set(Vec::new());
     app.films.shown.set(true);

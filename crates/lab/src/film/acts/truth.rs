@@ -1,4 +1,4 @@
-//! Of a filmed simulation: how far what was found is from what was filmed, shown only to those who ask.
+//! Comparison of the tracks with the truth of a filmed simulation, shown on demand.
 
 use crate::app::App;
 use crate::film::words;
@@ -7,7 +7,7 @@ use sycamore_web::SvgGlobalAttributes;
 use units::number::plain;
 use view::views::*;
 
-/// The button, then the numbers and the differences over time; nothing for other films.
+/// Button, then numbers and differences over time; empty for other films.
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let filmed = memo(move || app.films.now.with(|now| now.as_ref().is_some_and(|now| now.filmed)));
@@ -53,7 +53,7 @@ fn lines(app: App, one: &TruthComparison, number: Option<usize>) -> Vec<String> 
     lines
 }
 
-/// Differences over time: to the right and down for a body, along the tube for a surface.
+/// Differences over time, px: to the right and down for a body, along the tube for a surface.
 fn plot(app: App, one: &TruthComparison) -> View {
     let words = words::of(app);
     let style = app.language.get_untracked().style();

@@ -1,5 +1,5 @@
-//! The scene as pixels: its nodes are written as SVG, which the browser draws as a picture. The colours are those that the scene states
-//! itself, whatever the theme of the page is, so that the same film has the same bits.
+//! Rendering of the scene to pixels: its nodes are serialized to SVG, which the browser draws. Colours are those of the
+//! scene, independent of the theme of the page, so that the same film has the same bits.
 
 use super::ruler::Ruler;
 use crate::film::access::drawn;
@@ -16,29 +16,29 @@ use web_sys::{
     Blob, BlobPropertyBag, HtmlCanvasElement, HtmlImageElement, SvgElement, SvgGraphicsElement, Url, XmlSerializer,
 };
 
-/// The scene is drawn into this part of the picture: left, top, width and height. The ruler stands beside it.
+/// Place of the scene in the picture: left, top, width, height, px. The ruler is drawn beside it.
 const PLACE: [f64; 4] = [8.0, 8.0, 544.0, 344.0];
-/// Ground and ink of the picture.
+/// Background and ink of the picture.
 const GROUND: &str = "#f2f0ea";
 const INK: &str = "#22303a";
-/// What a scene shows.
+/// SVG elements of a scene with a position.
 const SHAPES: &str = "path, circle, ellipse, rect, line, polyline, polygon";
-/// The truth is known of so many shapes.
+/// Maximum number of shapes with known truth.
 const MOST_SHAPES: usize = 300;
 
-/// The scene, out of sight.
+/// Invisible copy of the scene.
 pub struct Drawing {
     host: web_sys::Element,
     picture: Picture,
-    /// The scene in the picture of the camera.
+    /// Root of the scene in the picture.
     root: SvgElement,
     shapes: Vec<SvgGraphicsElement>,
     canvas: HtmlCanvasElement,
-    /// What stands before and behind the scene in the picture.
+    /// SVG text before and after the scene.
     frame: [String; 2],
-    /// What was drawn last, with its grey values.
+    /// Scene drawn last, with its grey values.
     last: RefCell<Option<(String, Plane)>>,
-    /// The ruler, where the scene has a scale.
+    /// Ruler, if the scene has a scale.
     pub ruler: Option<Ruler>,
 }
 
@@ -48,7 +48,7 @@ impl Drop for Drawing {
     }
 }
 
-/// How many pixels of the picture a unit of the scene takes.
+/// Pixels of the picture per unit of the scene.
 pub fn pixels(play: &Play) -> Option<f64> {
     let scene = play.program().scene(play.basis().tag())?;
     let area = scene.root.attributes.iter().find(|attribute| attribute.name == "viewBox")?;
@@ -60,7 +60,7 @@ pub fn pixels(play: &Play) -> Option<f64> {
 }
 
 impl Drawing {
-    /// Of the scene of a simulation.
+    /// Copy of the scene of a simulation; `None` without a scene.
     pub fn of(play: &mut Play) -> Option<Self> {
         let mut scene = play.program().scene(play.basis().tag())?.clone();
         let quantities: Vec<bool> = scene.values.iter().map(|value| !value.unit.text.is_empty()).collect();
@@ -92,12 +92,12 @@ impl Drawing {
         Some(Self { host, picture, root, shapes, canvas, frame: [open, close], last: RefCell::default(), ruler })
     }
 
-    /// Brings the nodes to the time shown.
+    /// Updates the nodes to the time shown.
     pub fn follow(&mut self, play: &mut Play) {
         self.picture.draw(play);
     }
 
-    /// The middle of each shape in pixels of the picture; not a number where it is not seen.
+    /// Centre of each shape in px of the picture; NaN if it is not visible.
     pub fn places(&self) -> Vec<[f64; 2]> {
         let corner = self.root.get_bounding_client_rect();
         let place = |shape: &SvgGraphicsElement| {
@@ -112,7 +112,7 @@ impl Drawing {
         self.shapes.iter().map(|shape| place(shape).unwrap_or([f64::NAN; 2])).collect()
     }
 
-    /// The grey values of the picture.
+    /// Grey values of the picture.
     pub async fn plane(&self) -> Option<Plane> {
         let scene = XmlSerializer::new().ok()?.serialize_to_string(&self.root).ok()?;
         if let Some((last, plane)) = &*self.last.borrow()
@@ -137,8 +137,8 @@ impl Drawing {
     }
 }
 
-/// A camera sees no arrows of velocities and forces, no trails, and no readings of quantities; the numbers of scales it sees.
-/// `quantities` says which values of the scene have a unit.
+/// Removes arrows, trails, and readings of quantities, which a camera would not see. Numbers of scales are kept.
+/// `quantities`: true for each value of the scene with a unit.
 fn remove_signs(element: &mut Element, quantities: &[bool]) {
     let is_sign = |element: &Element| {
         let arrow =
@@ -157,7 +157,7 @@ fn remove_signs(element: &mut Element, quantities: &[bool]) {
     });
 }
 
-/// Whether a text shows a value with a unit.
+/// True if a text shows a value with a unit.
 fn reads(element: &Element, quantities: &[bool]) -> bool {
     let is_quantity = |piece: &Piece| piece.value().is_some_and(|index| quantities.get(index) == Some(&true));
     element.children.iter().any(|child| match child {

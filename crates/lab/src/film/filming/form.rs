@@ -1,4 +1,4 @@
-//! The form of the virtual camera, and what is shown while it films.
+//! Form of the virtual camera, and progress of the filming.
 
 use super::drawing::pixels;
 use super::ruler::Ruler;
@@ -10,7 +10,7 @@ use units::number::plain;
 use view::views::*;
 use view::{browser, icons};
 
-/// The button that opens the form, and one for each film of this simulation on which work is kept.
+/// Button that opens the form, and one button for each film of this simulation with stored work.
 pub fn button(app: App) -> View {
     let words = words::of(app);
     let open = move |_| {
@@ -51,13 +51,13 @@ pub fn button(app: App) -> View {
     View::from((button, changing(move || each(kept.get_clone().into_iter().enumerate(), again))))
 }
 
-/// `10 s, 30/s`
+/// Short description, such as `10 s, 30/s`.
 fn described(app: App, settings: &CameraSettings) -> String {
     let style = app.language.get_untracked().style();
     format!("{} s, {}/s", plain(settings.seconds, 4, style), plain(settings.rate, 4, style))
 }
 
-/// The form, or how far the filming is.
+/// Form, or progress of the filming.
 pub fn view(app: App) -> View {
     let filming = memo(move || app.films.filming.with(Option::is_some));
     changing(move || match (filming.get(), app.films.camera_form.get()) {

@@ -1,4 +1,5 @@
-//! The virtual camera: it films the simulation of the open document, and the film is tracked as any other. Nothing leaves the page.
+//! Virtual camera: films the simulation of the open document. The film is tracked like any other and does not leave the
+//! page.
 
 mod drawing;
 mod form;

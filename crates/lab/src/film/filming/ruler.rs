@@ -1,25 +1,25 @@
-//! The ruler beside the scene in a filmed picture.
+//! Ruler beside the scene in a filmed picture.
 
 use play::Play;
 use units::number::plain;
 
-/// The ruler has at most so many pixels, and more than two fifths of them.
+/// Maximum length of the ruler, px. It is longer than two fifths of that.
 const LONGEST: f64 = 260.0;
-/// Where it stands in the picture, in pixels.
+/// Position of its lower end in the picture, px.
 const PLACE: [f64; 2] = [566.0, 310.0];
 
-/// A ruler of round length.
+/// Ruler of a round length.
 pub struct Ruler {
-    /// Its length in pixels.
+    /// Length, px.
     pub pixels: f64,
-    /// The same for people.
+    /// Length as text with its unit.
     pub length: String,
-    /// Metres in a pixel.
+    /// Size of a pixel, m.
     pub pixel: f64,
 }
 
 impl Ruler {
-    /// For a scene of which a unit is drawn in so many pixels; `None` where the scene has no scale.
+    /// Ruler for a scene drawn with `pixels` px per unit; `None` if the scene has no scale.
     pub fn of(play: &mut Play, pixels: f64) -> Option<Self> {
         let (metres, unit) = play.grips().scale()?;
         let pixel = metres / pixels;
@@ -40,7 +40,7 @@ impl Ruler {
         Some(Self { pixels: unit.to_si(value) / pixel, length, pixel })
     }
 
-    /// As SVG.
+    /// SVG of the ruler.
     pub fn drawn(&self) -> String {
         let [x, bottom] = PLACE;
         let top = bottom - self.pixels;

@@ -1,4 +1,5 @@
-//! Filming: a second run of the same simulation goes on from frame to frame, and its scene is drawn for instants within each exposure.
+//! Filming: a second run of the simulation proceeds from frame to frame, and its scene is drawn at instants within each
+//! exposure.
 
 use super::drawing::Drawing;
 use crate::app::App;
@@ -10,15 +11,15 @@ use play::Play;
 use view::browser;
 use view::views::*;
 
-/// The page reacts after so many milliseconds of work.
+/// Duration of a slice of work, ms; the page reacts between slices.
 const SLICE: f64 = 12.0;
-/// So many drawings are made for each pixel by which something moves during an exposure, and at most so many.
+/// Number of drawings per pixel of motion during an exposure, and the maximum number of drawings.
 const DRAWINGS_PER_PIXEL: f64 = 2.0;
 const MOST_DRAWINGS: f64 = 12.0;
-/// A shape that moves by less than this is at rest, in pixels.
+/// Extent of the motion below which a shape is at rest, px.
 const REST: f64 = 0.05;
 
-/// Films a recipe and opens the film; progress is in [`crate::film::Films::filming`], and taking it away ends the filming.
+/// Films a recipe and opens the film. Progress is in [`crate::film::Films::filming`]; clearing it cancels the filming.
 pub fn film(app: App, recipe: FilmRecipe) {
     if app.films.filming.get_untracked().is_some() {
         return;
@@ -26,7 +27,7 @@ pub fn film(app: App, recipe: FilmRecipe) {
     app.films.filming.set(Some([0, recipe.settings.frames()]));
     wasm_bindgen_futures::spawn_local(async move {
         let filmed = shoot(app, &recipe).await;
-        // The film is opened and shown in tasks of their own.
+        // The film is opened and shown in separate tasks.
         browser::breathe().await;
         let cancelled = app.films.filming.take().is_none();
         match filmed {
@@ -41,10 +42,14 @@ pub fn film(app: App, recipe: FilmRecipe) {
     });
 }
 
-/// The frames and the truth, or why there are none.
+/// Frames and true positions.
+///
+/// # Errors
+///
+/// A message, empty if the filming was cancelled.
 async fn shoot(app: App, recipe: &FilmRecipe) -> Result<(Vec<Plane>, FilmTruth), String> {
     let words = crate::film::words::of(app);
-    // What has been clicked is shown first. Each step of the preparation is a task of its own.
+    // The page shows the click first. Each step of the preparation is a separate task.
     browser::breathe().await;
     let play = app.with(|lab| {
         let desk = lab.desk.as_ref()?;
@@ -101,7 +106,7 @@ async fn shoot(app: App, recipe: &FilmRecipe) -> Result<(Vec<Plane>, FilmTruth),
     Ok((planes, truth))
 }
 
-/// Computes the run up to a time. Whether it goes as far.
+/// Computes the run up to a time (SI). Returns false if it ends before.
 async fn reach(play: &mut Play, time: f64, clock: &mut Slices) -> bool {
     while play.course().front() < time {
         if !play.compute_on(time) {
@@ -112,7 +117,7 @@ async fn reach(play: &mut Play, time: f64, clock: &mut Slices) -> bool {
     true
 }
 
-/// The greatest way of a shape, in pixels.
+/// Largest displacement of a shape, px.
 fn farthest(begin: &[[f64; 2]], end: &[[f64; 2]]) -> f64 {
     let square = |(from, to): (&[f64; 2], &[f64; 2])| {
         let [across, down] = [to[0] - from[0], to[1] - from[1]];
@@ -128,7 +133,7 @@ fn moves(part: &[[f64; 2]]) -> bool {
     })
 }
 
-/// Lets the page react from time to time.
+/// Lets the page react after each slice of work.
 struct Slices {
     end: f64,
 }

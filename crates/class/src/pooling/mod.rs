@@ -1,0 +1,145 @@
+//! The pooled value of the results of groups, by random effects: besides its own error, each result may deviate from the
+//! common value by what groups do differently, with standard deviation tau.
+
+mod outliers;
+mod quantiles;
+
+pub use outliers::Reason;
+
+use outliers::{is_outlier, reason};
+use quantiles::{bisected, chi_squared, student};
+use units::{Language, Words, words};
+
+/// Result of a group, in any unit that is common to all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// The value.
+    pub value: f64,
+    /// Its standard error, above 0.
+    pub error: f64,
+}
+
+/// A pooled value. Intervals hold with a probability of 95 %.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pooled {
+    /// Number of results.
+    pub count: usize,
+    /// Weighted mean.
+    pub value: f64,
+    /// Standard error of the mean after Hartung and Knapp (Statist. Med. 20 (2001) 1771).
+    pub error: f64,
+    /// Interval of the mean, from Student's distribution with `count - 1` degrees of freedom.
+    pub interval: (f64, f64),
+    /// Standard deviation between the groups, after Paule and Mandel (J. Res. NBS 87 (1982) 377).
+    pub tau: f64,
+    /// Interval of `tau` by the Q profile (Viechtbauer, Statist. Med. 26 (2007) 37).
+    pub tau_interval: (f64, f64),
+}
+
+/// A result that lies far from the others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outlier {
+    /// Index of the result.
+    pub index: usize,
+    /// Likely reason; `None` if none fits.
+    pub reason: Option<Reason>,
+}
+
+/// Results of groups together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pool {
+    /// All results together.
+    pub all: Pooled,
+    /// The results that lie far from the others.
+    pub outliers: Vec<Outlier>,
+    /// Pooled value without the outliers; `None` if there are none, or fewer than two results are left.
+    pub without: Option<Pooled>,
+}
+
+/// Pools the results of at least two groups.
+///
+/// # Errors
+/// Fewer than two results, a value that is not finite, or an error that is not above 0.
+pub fn pool(results: &[Measured]) -> Result<Pool, Words> {
+    if results.len() < 2 {
+        return Err(words(
+            "a pooled value needs the results of two groups at least",
+            "un valor conjunto necesita los resultados de al menos dos grupos",
+        ));
+    }
+    for (index, one) in results.iter().enumerate() {
+        let number = index + 1;
+        if !one.value.is_finite() {
+            return Err(words!("result {number} is not a number", "el resultado {number} no es un número"));
+        }
+        if !(one.error > 0.0 && one.error.is_finite()) {
+            return Err(words!(
+                "result {number} has no standard error above 0; without one it cannot be weighted",
+                "el resultado {number} no tiene un error típico mayor que 0; sin él no se puede ponderar"
+            ));
+        }
+    }
+    let marked: Vec<bool> = is_outlier(results);
+    let rest: Vec<Measured> =
+        results.iter().zip(&marked).filter(|(_, marked)| !**marked).map(|(one, _)| *one).collect();
+    let outliers = (0..results.len()).filter(|index| marked[*index]);
+    let outliers: Vec<Outlier> =
+        outliers.map(|index| Outlier { index, reason: reason(results[index], &rest) }).collect();
+    let without = (!outliers.is_empty() && rest.len() >= 2).then(|| pooled(&rest));
+    Ok(Pool { all: pooled(results), outliers, without })
+}
+
+/// Sum of squared deviations from the weighted mean in units of their variance, with this variance between the groups; the
+/// mean, and the sum of the weights.
+fn weighted(results: &[Measured], variance: f64) -> (f64, f64, f64) {
+    let weight = |one: &Measured| 1.0 / (one.error * one.error + variance);
+    let sum: f64 = results.iter().map(weight).sum();
+    let mean = results.iter().map(|one| weight(one) * one.value).sum::<f64>() / sum;
+    let squares = results.iter().map(|one| weight(one) * (one.value - mean) * (one.value - mean)).sum();
+    (squares, mean, sum)
+}
+
+fn pooled(results: &[Measured]) -> Pooled {
+    let freedom = results.len() as u32 - 1;
+    // A larger variance makes the sum of squares smaller. At the square of 1000 ranges and errors it is negligible.
+    let low = results.iter().map(|one| one.value).fold(f64::INFINITY, f64::min);
+    let high = results.iter().map(|one| one.value).fold(f64::NEG_INFINITY, f64::max);
+    let largest_error = results.iter().map(|one| one.error).fold(0.0, f64::max);
+    let largest = 1000.0 * (high - low + largest_error);
+    // The bisection is over the standard deviation.
+    let tau_of = |squares: f64| {
+        if weighted(results, 0.0).0 <= squares {
+            return 0.0;
+        }
+        bisected(0.0, largest, |tau| weighted(results, tau * tau).0 > squares)
+    };
+    let tau = tau_of(f64::from(freedom));
+    let (squares, value, weights) = weighted(results, tau * tau);
+    let error = (squares / f64::from(freedom) / weights).sqrt();
+    let reach = student(0.95, freedom) * error;
+    Pooled {
+        count: results.len(),
+        value,
+        error,
+        interval: (value - reach, value + reach),
+        tau,
+        tau_interval: (tau_of(chi_squared(0.975, freedom)), tau_of(chi_squared(0.025, freedom))),
+    }
+}
+
+impl Pooled {
+    /// A sentence about the scatter between the groups. `number`: writes a number with its unit.
+    pub fn scatter_text(&self, language: Language, number: impl Fn(f64) -> String) -> String {
+        let (tau, low, high) = (number(self.tau), number(self.tau_interval.0), number(self.tau_interval.1));
+        if self.tau_interval.0 > 0.0 {
+            return language.pick(
+                format!("The groups differ by more than their errors explain: by {tau} (95 %: {low} to {high}). Look for what they did differently, or for errors that are too small."),
+                format!("Los grupos difieren más de lo que explican sus errores: en {tau} (95 %: de {low} a {high}). Busca qué hicieron de otra manera, o errores demasiado pequeños."),
+            );
+        }
+        language.pick(
+            format!("The groups agree within their errors. A scatter between them of up to {high} is not excluded (95 %)."),
+            format!("Los grupos concuerdan dentro de sus errores. No se excluye una dispersión entre ellos de hasta {high} (95 %)."),
+        )
+    }
+}

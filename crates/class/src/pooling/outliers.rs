@@ -1,0 +1,84 @@
+//! Results that lie far from the others, and likely reasons.
+
+use super::Measured;
+use units::{Words, words};
+
+/// Distance from the median from which on a result is an outlier, in standard deviations of its error and of the scatter
+/// of all.
+const FAR: f64 = 3.5;
+
+/// Factor from the median of |x - median| to the standard deviation of a normal distribution.
+const SCALE: f64 = 1.4826;
+
+/// Relative distance within which a factor is recognised.
+const NEAR: f64 = 0.1;
+
+/// Likely reason for an outlier.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// A factor of 10, 100 or 1000: the unit.
+    Unit,
+    /// A factor of 2: radius and diameter, or amplitude and peak to peak.
+    Double,
+    /// A factor of 2 pi: frequency and angular frequency.
+    Angular,
+    /// The sign.
+    Sign,
+}
+
+impl Reason {
+    /// Description for people.
+    pub fn words(self) -> Words {
+        match self {
+            Self::Unit => words("another power of ten: look at the unit", "otra potencia de diez: mira la unidad"),
+            Self::Double => words(
+                "twice or half as large: radius for diameter, or the like",
+                "el doble o la mitad: radio por diámetro, o algo parecido",
+            ),
+            Self::Angular => words(
+                "a factor of 2π: frequency for angular frequency",
+                "un factor 2π: frecuencia por frecuencia angular",
+            ),
+            Self::Sign => words("the other sign", "el otro signo"),
+        }
+    }
+}
+
+/// For each result, true if it is an outlier: |x - median| > 3.5 sqrt(error² + scatter²). The scatter is that of all results
+/// beyond their errors, from the median of |x - median|, so that outliers do not hide each other.
+pub(super) fn is_outlier(results: &[Measured]) -> Vec<bool> {
+    let center = median(results.iter().map(|one| one.value).collect());
+    let whole = SCALE * median(results.iter().map(|one| (one.value - center).abs()).collect());
+    let error = median(results.iter().map(|one| one.error).collect());
+    let scatter = (whole * whole - error * error).max(0.0);
+    let far = |one: &Measured| (one.value - center).abs() > FAR * (one.error * one.error + scatter).sqrt();
+    results.iter().map(far).collect()
+}
+
+/// Likely reason why a result differs from the median of the others.
+pub(super) fn reason(outlier: Measured, others: &[Measured]) -> Option<Reason> {
+    let center = median(others.iter().map(|one| one.value).collect());
+    let factor = outlier.value / center;
+    let is_near = |expected: f64| (factor / expected - 1.0).abs() < NEAR || (factor * expected - 1.0).abs() < NEAR;
+    if !factor.is_finite() || factor == 0.0 {
+        return None;
+    }
+    if (factor + 1.0).abs() < NEAR {
+        return Some(Reason::Sign);
+    }
+    if [10.0, 100.0, 1000.0].into_iter().any(is_near) {
+        return Some(Reason::Unit);
+    }
+    if is_near(2.0) {
+        return Some(Reason::Double);
+    }
+    is_near(core::f64::consts::TAU).then_some(Reason::Angular)
+}
+
+/// Median; for an even number the mean of the two middle values. NaN without values.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_unstable_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    let value = |index: usize| values.get(index).copied().unwrap_or(f64::NAN);
+    if values.len().is_multiple_of(2) { 0.5 * (value(middle.wrapping_sub(1)) + value(middle)) } else { value(middle) }
+}

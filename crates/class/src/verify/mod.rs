@@ -1,0 +1,38 @@
+//! Hand-ins. A hand-in holds work and the values that follow from it ([`saved::hand_in`]). Because the same document, data
+//! and seed give the same bits everywhere, the values can be computed again from the work and compared exactly.
+//!
+//! This shows that the values follow from the data. It does not show who measured the data or did the work.
+
+mod copies;
+mod recomputation;
+mod verdict;
+
+pub use copies::{Copied, Curve, Relation, copies};
+pub use recomputation::Recomputation;
+pub use verdict::{Difference, Verdict, compare, meaning};
+
+use saved::hand_in::{HandIn, Sender};
+use saved::project::Project;
+use units::Words;
+
+/// A hand-in of this work. `made`: time in milliseconds since 1970. `program`: version of the program. The values are
+/// computed from the work at once; [`Recomputation`] does it in slices.
+///
+/// # Errors
+/// If the document of the work cannot be opened.
+pub fn hand_in(work: Project, sender: Sender, made: u64, program: &str) -> Result<HandIn, Words> {
+    let mut recomputation = Recomputation::begin(&work)?;
+    while recomputation.advance() {}
+    Ok(HandIn { program: program.to_owned(), made, sender, work, facts: recomputation.facts() })
+}
+
+/// Computes a hand-in again at once, and compares. `program`: version of the program that verifies.
+///
+/// # Errors
+/// If the document of the hand-in cannot be opened.
+pub fn verify(hand_in: &HandIn, program: &str) -> Result<Verdict, Words> {
+    let mut recomputation = Recomputation::begin(&hand_in.work)?;
+    while recomputation.advance() {}
+    let refused = recomputation.refused();
+    Ok(compare(hand_in, &recomputation.facts(), refused, program))
+}

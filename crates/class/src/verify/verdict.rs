@@ -1,0 +1,125 @@
+//! Comparison of stated values with computed ones.
+
+use saved::Number;
+use saved::hand_in::{Fact, FactValue, HandIn, Part};
+use std::collections::BTreeMap;
+use units::{Language, Words, words};
+
+/// Relative deviation allowed between versions of the program, whose algorithms may differ.
+const TOLERANCE: f64 = 1e-6;
+
+/// A stated value that does not follow from the work.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Part of the work.
+    pub part: Part,
+    /// Name of the record, fit, question or film.
+    pub item: String,
+    /// Name of the quantity.
+    pub quantity: String,
+    /// The stated value; `None` if the hand-in does not state it.
+    pub stated: Option<FactValue>,
+    /// The computed value; `None` if the work does not give it.
+    pub computed: Option<FactValue>,
+}
+
+/// Result of a verification.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Verdict {
+    /// Number of stated values that were computed again with the same result.
+    pub equal: usize,
+    /// Stated values that do not follow from the work.
+    pub differences: Vec<Difference>,
+    /// Number of parts of the work that could not be restored.
+    pub refused: usize,
+    /// Version of the program that made the hand-in, if it is another one; numbers may then differ by the relative
+    /// deviation 1e-6.
+    pub other_version: Option<String>,
+}
+
+impl Verdict {
+    /// True if every stated value follows from the work.
+    pub fn holds(&self) -> bool {
+        self.differences.is_empty() && self.refused == 0
+    }
+}
+
+impl Difference {
+    /// One line: place, stated and computed value.
+    pub fn text(&self, language: Language) -> String {
+        let nothing = language.pick("nothing", "nada");
+        let value = |value: &Option<FactValue>| match value {
+            None => nothing.to_owned(),
+            Some(FactValue::Number(Number(number))) => format!("{number}"),
+            Some(FactValue::Text(text)) => format!("\"{}\"", shortened(text)),
+        };
+        let (stated, computed) = (language.pick("stated", "declarado"), language.pick("computed", "calculado"));
+        let (part, item, quantity) = (self.part.words(), shortened(&self.item), shortened(&self.quantity));
+        let part = part.text(language);
+        format!("{part} \"{item}\", {quantity}: {stated} {}, {computed} {}", value(&self.stated), value(&self.computed))
+    }
+}
+
+/// Text of a stranger in one line of bounded length.
+fn shortened(text: &str) -> String {
+    const MOST: usize = 120;
+    let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(MOST).collect();
+    if text.chars().nth(MOST).is_some() { format!("{line}…") } else { line }
+}
+
+/// Explanation of what a verification shows and what it does not.
+pub fn meaning() -> Words {
+    words(
+        "Equal values follow from the data of the hand-in. This does not show who took the data or did the work.",
+        "Los valores iguales se siguen de los datos de la entrega. Esto no muestra quién tomó los datos ni hizo el trabajo.",
+    )
+}
+
+/// Compares the values of a hand-in with those computed from its work. `refused`: number of parts of the work that could
+/// not be restored. `program`: version of the program that has computed.
+pub fn compare(hand_in: &HandIn, computed: &[Fact], refused: usize, program: &str) -> Verdict {
+    let other_version = (hand_in.program != program).then(|| hand_in.program.clone());
+    let mut rest: BTreeMap<(Part, &str, &str), &FactValue> =
+        computed.iter().map(|fact| (key(fact), &fact.value)).collect();
+    let (mut equal, mut differences) = (0, Vec::new());
+    for fact in &hand_in.facts {
+        let value = rest.remove(&key(fact));
+        if value.is_some_and(|value| is_equal(&fact.value, value, other_version.is_some())) {
+            equal += 1;
+        } else {
+            differences.push(difference(key(fact), Some(&fact.value), value));
+        }
+    }
+    differences.extend(rest.into_iter().map(|(key, value)| difference(key, None, Some(value))));
+    Verdict { equal, differences, refused, other_version }
+}
+
+fn key(fact: &Fact) -> (Part, &str, &str) {
+    (fact.part, &fact.item, &fact.quantity)
+}
+
+fn difference(
+    (part, item, quantity): (Part, &str, &str),
+    stated: Option<&FactValue>,
+    computed: Option<&FactValue>,
+) -> Difference {
+    Difference {
+        part,
+        item: item.to_owned(),
+        quantity: quantity.to_owned(),
+        stated: stated.cloned(),
+        computed: computed.cloned(),
+    }
+}
+
+fn is_equal(stated: &FactValue, computed: &FactValue, is_other_version: bool) -> bool {
+    if stated == computed {
+        return true;
+    }
+    match (stated, computed) {
+        (FactValue::Number(Number(stated)), FactValue::Number(Number(computed))) if is_other_version => {
+            (stated - computed).abs() <= TOLERANCE * computed.abs()
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,9 @@
+//! Tests of the class, linked as one test program.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod copies;
+mod pooling;
+mod results;
+mod support;
+mod verify;

@@ -1,0 +1,38 @@
+//! `meniscus hand-in`: makes a hand-in from a project.
+
+use super::VERSION;
+use super::arguments::HandIn;
+use super::read::text;
+use crate::failure::Failure;
+use crate::terminal::Terminal;
+use crate::terminal::output::file;
+use saved::hand_in::{HAND_IN_ENDING, Sender};
+use saved::project::{LONGEST_PROJECT, Project};
+use std::time::{SystemTime, UNIX_EPOCH};
+use units::{Words, words};
+
+/// Writes the hand-in of a project.
+///
+/// # Errors
+/// The project cannot be read, its document has errors, or the file cannot be written.
+pub fn hand_in(arguments: &HandIn, terminal: Terminal) -> Result<(), Failure> {
+    let path = &arguments.project;
+    let refused = |why: Words| refused(&path.display().to_string(), &why);
+    let project = Project::read(&text(path, LONGEST_PROJECT)?).map_err(|error| refused(error.words()))?;
+    let sender =
+        Sender { name: arguments.name.clone(), seat: arguments.seat, assignment: arguments.assignment.clone() };
+    let made = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_millis() as u64);
+    let made = class::verify::hand_in(project, sender, made, VERSION).map_err(refused)?;
+    let output = arguments.output.clone().unwrap_or_else(|| path.with_extension(&HAND_IN_ENDING[1..]));
+    file(&output, std::slice::from_ref(path), made.write().as_bytes())?;
+    let (count, output) = (made.facts.len(), output.display());
+    let said = words!("Wrote {output} with {count} values", "Se escribió {output} con {count} valores");
+    terminal.print(&format!("{}\n", said.text(terminal.language)));
+    Ok(())
+}
+
+fn refused(name: &str, why: &Words) -> Failure {
+    let message =
+        Words { english: format!("{name} {}", why.english).into(), spanish: format!("{name} {}", why.spanish).into() };
+    Failure::Request { message, hint: None }
+}

@@ -1,0 +1,13 @@
+//! `meniscus hand-in` and `meniscus verify`: making and verifying hand-ins.
+
+pub mod arguments;
+mod hand_in;
+mod read;
+mod report;
+mod verify;
+
+pub use hand_in::hand_in;
+pub use verify::verify;
+
+/// Version of this program, which a hand-in states.
+const VERSION: &str = env!("CARGO_PKG_VERSION");

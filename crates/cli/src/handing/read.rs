@@ -1,0 +1,54 @@
+//! Reading of hand-ins and projects.
+
+use crate::failure::Failure;
+use saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError, LONGEST_HAND_IN};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// A file, and the hand-in in it or the reason why there is none.
+pub struct Handed {
+    /// The file.
+    pub path: PathBuf,
+    /// The hand-in.
+    pub content: Result<HandIn, HandInError>,
+}
+
+/// Text of a file of at most `most` bytes. One byte more is read, so that its reader refuses a longer file.
+pub fn text(path: &Path, most: usize) -> Result<String, Failure> {
+    let fails = |error| Failure::file("read", path, &error);
+    let file = std::fs::File::open(path).map_err(fails)?;
+    let mut bytes = Vec::new();
+    file.take(most as u64 + 1).read_to_end(&mut bytes).map_err(fails)?;
+    // A damaged file is told by its reader.
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// The hand-ins of files and folders, in the order of their names.
+///
+/// # Errors
+/// A file or folder cannot be read, or a folder has no hand-ins.
+pub fn all(paths: &[PathBuf]) -> Result<Vec<Handed>, Failure> {
+    let mut files = Vec::new();
+    for path in paths {
+        if !path.is_dir() {
+            files.push(path.clone());
+            continue;
+        }
+        let entries = std::fs::read_dir(path).map_err(|error| Failure::file("read", path, &error))?;
+        let names = entries.filter_map(|entry| Some(entry.ok()?.path()));
+        let mut inside: Vec<PathBuf> = names.filter(|path| path.to_string_lossy().ends_with(HAND_IN_ENDING)).collect();
+        if inside.is_empty() {
+            return Err(Failure::with_hint(
+                format!("{} has no hand-ins", path.display()),
+                format!("their names end in {HAND_IN_ENDING}"),
+            ));
+        }
+        inside.sort();
+        files.append(&mut inside);
+    }
+    let read = |path: PathBuf| -> Result<Handed, Failure> {
+        let content = HandIn::read(&text(&path, LONGEST_HAND_IN)?);
+        Ok(Handed { path, content })
+    };
+    files.into_iter().map(read).collect()
+}

@@ -1,0 +1,174 @@
+//! Result of a verification, as text and as JSON.
+
+use super::read::Handed;
+use crate::terminal::visible::visible;
+use class::verify::{Copied, Relation, Verdict, meaning};
+use saved::hand_in::FactValue;
+use serde_json::{Value, json};
+use units::{Language, Words};
+
+/// Result for one hand-in.
+pub enum State {
+    /// It cannot be read, for this reason.
+    Unreadable(Words),
+    /// The hand-in of this index was made later by the same sender and counts.
+    Repeated(usize),
+    /// It was computed again.
+    Verified(Verdict),
+}
+
+/// Results of all hand-ins.
+pub struct Report<'a> {
+    /// The hand-ins.
+    pub handed: &'a [Handed],
+    /// One result for each.
+    pub states: Vec<State>,
+    /// Data that two of them share.
+    pub copies: Vec<Copied>,
+}
+
+impl Report<'_> {
+    /// True if all values follow from their data, and no measured data are shared.
+    pub fn holds(&self) -> bool {
+        let holds = |state: &State| match state {
+            State::Unreadable(_) => false,
+            State::Repeated(_) => true,
+            State::Verified(verdict) => verdict.holds(),
+        };
+        self.states.iter().all(holds) && self.copies.iter().all(|copied| copied.is_common_source)
+    }
+
+    fn name(&self, index: usize) -> String {
+        self.handed.get(index).map_or_else(String::new, |handed| handed.path.display().to_string())
+    }
+
+    fn sender(&self, index: usize) -> String {
+        let hand_in = self.handed.get(index).and_then(|handed| handed.content.as_ref().ok());
+        hand_in.map_or_else(String::new, |hand_in| hand_in.sender.name.clone())
+    }
+
+    /// Lines for people.
+    pub fn text(&self, language: Language) -> String {
+        let mut text = String::new();
+        for (index, state) in self.states.iter().enumerate() {
+            let (file, sender) = (self.name(index), self.sender(index));
+            text += &match state {
+                State::Unreadable(why) => format!("{file} {}\n", why.text(language)),
+                State::Repeated(counts) => {
+                    let other = self.name(*counts);
+                    let why = language.pick(
+                        format!("was made before {other}, which counts"),
+                        format!("se hizo antes que {other}, que es la que cuenta"),
+                    );
+                    format!("{file} ({sender}) {why}\n")
+                }
+                State::Verified(verdict) => format!("{file} ({sender}): {}", found(verdict, language)),
+            };
+        }
+        for copied in &self.copies {
+            text += &self.shared(copied, language);
+        }
+        visible(&format!("{text}{}\n", meaning().text(language))).into_owned()
+    }
+
+    fn shared(&self, copied: &Copied, language: Language) -> String {
+        let place =
+            |(index, record, column): &(usize, String, String)| format!("{}, {record}, {column}", self.name(*index));
+        let relation = match copied.relation {
+            Relation::Equal => language.pick("equal data", "datos iguales"),
+            Relation::Scaled => {
+                language.pick("the same data, shifted or scaled", "los mismos datos, desplazados o escalados")
+            }
+            Relation::Part => language.pick("a part of the same data", "una parte de los mismos datos"),
+            Relation::Resampled => language.pick("the same data, resampled", "los mismos datos, remuestreados"),
+        };
+        let source = match copied.is_common_source {
+            true => language.pick(" (a common source, no alarm)", " (una fuente común, sin alarma)"),
+            false => "",
+        };
+        format!("{relation}{source}: {} = {}\n", place(&copied.one), place(&copied.other))
+    }
+
+    /// One JSON object.
+    pub fn json(&self, language: Language) -> String {
+        let hand_in = |(index, state): (usize, &State)| {
+            let (file, sender) = (self.name(index), self.sender(index));
+            match state {
+                State::Unreadable(why) => json!({"file": file, "unreadable": why.text(language)}),
+                State::Repeated(counts) => json!({"file": file, "sender": sender, "repeated_by": self.name(*counts)}),
+                State::Verified(verdict) => json!({
+                    "file": file,
+                    "sender": sender,
+                    "holds": verdict.holds(),
+                    "equal": verdict.equal,
+                    "not_restored": verdict.refused,
+                    "other_version": verdict.other_version,
+                    "differences": differences(verdict, language),
+                }),
+            }
+        };
+        let place = |(index, record, column): &(usize, String, String)| json!({"file": self.name(*index), "record": record, "column": column});
+        let copied = |copied: &Copied| {
+            let relation = match copied.relation {
+                Relation::Equal => "equal",
+                Relation::Scaled => "scaled",
+                Relation::Part => "part",
+                Relation::Resampled => "resampled",
+            };
+            json!({
+                "relation": relation,
+                "common_source": copied.is_common_source,
+                "places": [place(&copied.one), place(&copied.other)],
+            })
+        };
+        let whole = json!({
+            "hand_ins": self.states.iter().enumerate().map(hand_in).collect::<Vec<_>>(),
+            "shared": self.copies.iter().map(copied).collect::<Vec<_>>(),
+            "meaning": meaning().text(language),
+        });
+        format!("{whole:#}\n")
+    }
+}
+
+/// Description of a verdict: one line, and one for each difference.
+fn found(verdict: &Verdict, language: Language) -> String {
+    let (equal, all) = (verdict.equal, verdict.equal + verdict.differences.len());
+    let mut text = if verdict.holds() {
+        language.pick(
+            format!("{equal} values computed again, all equal\n"),
+            format!("{equal} valores calculados de nuevo, todos iguales\n"),
+        )
+    } else {
+        language.pick(format!("{equal} of {all} values equal\n"), format!("{equal} de {all} valores iguales\n"))
+    };
+    if let Some(version) = &verdict.other_version {
+        text += &language.pick(
+            format!("  made by version {version}; numbers are compared to a relative deviation of 1e-6\n"),
+            format!("  hecha con la versión {version}; los números se comparan con una desviación relativa de 1e-6\n"),
+        );
+    }
+    if verdict.refused > 0 {
+        let refused = verdict.refused;
+        text += &language.pick(
+            format!("  parts of the work that could not be restored: {refused}\n"),
+            format!("  partes del trabajo que no se pudieron recuperar: {refused}\n"),
+        );
+    }
+    verdict.differences.iter().for_each(|difference| text += &format!("  {}\n", difference.text(language)));
+    text
+}
+
+fn differences(verdict: &Verdict, language: Language) -> Vec<Value> {
+    let value = |value: &Option<FactValue>| serde_json::to_value(value).unwrap_or_default();
+    let difference = |one: &class::verify::Difference| {
+        json!({
+            "part": one.part,
+            "item": one.item,
+            "quantity": one.quantity,
+            "stated": value(&one.stated),
+            "computed": value(&one.computed),
+            "text": one.text(language),
+        })
+    };
+    verdict.differences.iter().map(difference).collect()
+}

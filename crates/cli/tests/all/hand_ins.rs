@@ -1,0 +1,111 @@
+//! Hand-ins: made from a project, verified, and told apart.
+
+use crate::common::meniscus;
+use document::page::Source;
+use saved::Item;
+use saved::format::{Content, Record};
+use saved::project::Project;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+const DOCUMENT: &str = include_str!("../../../../simulations/theories/linear.md");
+
+/// A project with one record, and its path.
+fn project(directory: &Path) -> PathBuf {
+    let row = |index: u32| {
+        let scatter = f64::from(index * 7919 % 11) - 5.0;
+        format!("{:.3},{:.5}\n", f64::from(index) / 30.0, f64::from(60 - index) * 1e-4 + 3e-4 * scatter)
+    };
+    let text = std::iter::once("t [s],y [m]\n".to_owned()).chain((0..60).map(row)).collect();
+    let record = Record { name: "tube\u{1b}[31m.csv".to_owned(), text, ..Record::default() };
+    let project = Project {
+        documents: vec![Source { name: "linear.md".to_owned(), text: DOCUMENT.to_owned() }],
+        items: vec![("r".to_owned(), Item(Content::Record(record)).write(5))],
+        ..Project::default()
+    };
+    let path = directory.join("tube.meniscus");
+    std::fs::write(&path, project.write()).unwrap();
+    path
+}
+
+/// Makes a hand-in of this name in a folder, and returns its path.
+fn handed(project: &Path, folder: &Path, name: &str) -> PathBuf {
+    std::fs::create_dir_all(folder).unwrap();
+    let path = folder.join(format!("{name}.hand-in"));
+    let words = ["hand-in", project.to_str().unwrap(), "--name", name, "--output", path.to_str().unwrap()];
+    let done = meniscus(&words);
+    assert_eq!(done.code, 0, "{}", done.stderr);
+    path
+}
+
+/// Exit code, and results by file name.
+fn verified(folder: &Path) -> (i32, Value) {
+    let done = meniscus(&["verify", folder.to_str().unwrap(), "--format", "json"]);
+    (done.code, serde_json::from_str(&done.stdout).unwrap())
+}
+
+#[test]
+fn an_honest_hand_in_holds() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = handed(&project(directory.path()), &directory.path().join("in"), "blue heron");
+    let done = meniscus(&["verify", path.to_str().unwrap()]);
+    assert_eq!((done.code, done.stderr.as_str()), (0, ""));
+    assert!(done.stdout.contains("(blue heron): 6 values computed again, all equal"), "{}", done.stdout);
+    assert!(done.stdout.contains("does not show who took the data"), "{}", done.stdout);
+    let spanish = meniscus(&["--language", "es", "verify", path.to_str().unwrap()]);
+    assert!(spanish.stdout.contains("6 valores calculados de nuevo, todos iguales"), "{}", spanish.stdout);
+}
+
+#[test]
+fn damaged_repeated_changed_and_copied_hand_ins_are_told_apart() {
+    let directory = tempfile::tempdir().unwrap();
+    let (project, folder) = (project(directory.path()), directory.path().join("in"));
+    let honest = std::fs::read_to_string(handed(&project, &folder, "a")).unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).unwrap();
+    write("cut.hand-in", &honest[..honest.len() / 2]);
+    write("other.hand-in", "{}");
+    write("later.hand-in", &honest.replace("\"meniscus hand-in\":1", "\"meniscus hand-in\":2"));
+    write("changed.hand-in", &honest.replace("1.967,", "1.968,").replace("\"name\":\"a\"", "\"name\":\"b\""));
+    let before = honest.find("\"made\":").unwrap() + 7;
+    write("again.hand-in", &format!("{}1{}", &honest[..before], &honest[before..]));
+    let (code, found) = verified(&folder);
+    assert_eq!(code, 1);
+    let of = |name: &str| {
+        let all = found["hand_ins"].as_array().unwrap();
+        all.iter().find(|one| one["file"].as_str().unwrap().ends_with(name)).unwrap().clone()
+    };
+    assert_eq!(of("cut.hand-in")["unreadable"], "is damaged; ask for it again");
+    assert_eq!(of("other.hand-in")["unreadable"], "is no hand-in of Meniscus");
+    assert!(of("later.hand-in")["unreadable"].as_str().unwrap().contains("later version"));
+    // The one that was made last counts.
+    assert!(of("a.hand-in")["repeated_by"].as_str().unwrap().ends_with("again.hand-in"));
+    assert_eq!(of("again.hand-in")["holds"], true);
+    let changed = of("changed.hand-in");
+    assert_eq!((&changed["holds"], &changed["differences"][0]["quantity"]), (&false.into(), &"content".into()));
+    let shared = found["shared"].as_array().unwrap();
+    assert_eq!((shared.len(), &shared[0]["common_source"]), (1, &false.into()));
+}
+
+#[test]
+fn texts_of_strangers_do_not_reach_the_terminal_unescaped() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = handed(&project(directory.path()), directory.path(), "x");
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, text.replace("1.967,", "1.968,")).unwrap();
+    let done = meniscus(&["verify", path.to_str().unwrap()]);
+    assert_eq!(done.code, 1);
+    assert!(done.stdout.contains("content") && !done.stdout.contains('\u{1b}'), "{}", done.stdout);
+}
+
+#[test]
+fn wrong_arguments_are_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let folder = directory.path().to_str().unwrap();
+    let empty = meniscus(&["verify", folder]);
+    assert_eq!(empty.code, 2);
+    assert!(empty.stderr.contains("has no hand-ins") && empty.stderr.contains(".hand-in"), "{}", empty.stderr);
+    let project = project(directory.path());
+    let same = meniscus(&["hand-in", project.to_str().unwrap(), "--name", "a", "--output", project.to_str().unwrap()]);
+    assert_eq!(same.code, 2, "{}", same.stderr);
+    assert_eq!(meniscus(&["hand-in", project.to_str().unwrap(), "--name", "a", "--seat", "0"]).code, 2);
+}

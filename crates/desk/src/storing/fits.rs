@@ -1,0 +1,166 @@
+//! Conversion between fits and stored items: the definition and the values found. A fit is reconstructed from them in a
+//! few trials, so its outcome is not stored.
+
+use saved::format::{self, Content};
+use saved::{Item, Number};
+
+use super::records::{line, take_uses, write_uses};
+use crate::Desk;
+use crate::fits::fit::{Definition, Found, Part, Waiting, texts};
+use analysis::fit::{Loss, Rival, Target, Varied};
+use play::name_of;
+
+/// Maximum length of all stored fits together, in bytes. The records need room too.
+const LONGEST: usize = 1 << 20;
+
+impl Desk {
+    /// The fits to store, each with a name that is the same at every visit and on every page. Fits of records that are
+    /// not stored are left out, and those that exceed the maximum length.
+    pub fn saved_fits(&self) -> Vec<(String, Item)> {
+        let mut saved = SavedFits { records: self.record_names(), fits: Vec::new(), length: 0 };
+        for fit in &self.fits.finished {
+            saved.add(&fit.definition, texts(&fit.document), &Found::of(&fit.outcome));
+        }
+        if let Some(job) = self.being_remade()
+            && let Some(found) = &job.found
+        {
+            saved.add(&job.definition, texts(&job.document), found);
+        }
+        for Waiting { definition, texts, found } in &self.fits.waiting {
+            saved.add(definition, texts.clone(), found);
+        }
+        saved.fits
+    }
+
+    /// Restores a fit, to be reconstructed by [`Desk::advance_fit`], and returns its name in the storage. `None` if the
+    /// item is not a fit, or one of its records is missing.
+    pub fn restore_fit(&mut self, item: &Item) -> Option<String> {
+        let Content::Fit(saved) = &item.0 else { return None };
+        let records = self.record_names();
+        let waiting = self.waiting(saved, &records)?;
+        let name = name(&waiting.texts, &task(&waiting.definition, &records)?);
+        // The records of the last fit are likely to be fitted together again.
+        self.fits.setup.others = waiting.definition.parts.iter().map(|part| part.record).collect();
+        self.fits.setup.chosen = waiting.definition.parts.last().map(|part| part.record);
+        self.fits.waiting.push_back(waiting);
+        Some(name)
+    }
+
+    /// True if fits are waiting to be reconstructed.
+    pub fn has_fits_waiting(&self) -> bool {
+        !self.fits.waiting.is_empty()
+    }
+
+    fn waiting(&self, saved: &format::Fit, names: &[(u32, String)]) -> Option<Waiting> {
+        let task = &saved.task;
+        let definition = Definition {
+            file: task.file.clone(),
+            parts: task.records.iter().map(|part| self.part(part, names)).collect::<Option<_>>()?,
+            varied: task.varied.iter().map(read_varied).collect(),
+            parameters: read_numbers(&task.parameters),
+            window: task.window.map(|end| end.map(|Number(end)| end)),
+            loss: task.loss.as_deref().map_or(Some(Loss::Squares), Loss::from_code)?,
+        };
+        let rival = saved.found.rival.as_ref();
+        let found = Found {
+            values: read_numbers(&saved.found.values),
+            starts: saved.found.starts,
+            rival: rival.map(|rival| Rival { growth: rival.growth.0, values: read_numbers(&rival.values) }),
+        };
+        Some(Waiting { definition, texts: saved.documents.clone(), found })
+    }
+
+    /// Part of a fit if its record is there. The record is found by its name in the storage.
+    fn part(&self, saved: &format::Part, names: &[(u32, String)]) -> Option<Part> {
+        let (id, _) = names.iter().find(|(_, name)| *name == saved.record)?;
+        let record = self.record(*id).filter(|record| line(&record.name) == saved.name)?;
+        let mut uses = record.uses.clone();
+        take_uses(&mut uses, &saved.columns).then_some(())?;
+        let fixed = saved.fixed.iter().map(|&(index, Number(value))| (index, value)).collect();
+        let origin = saved.origin.map(|Number(origin)| origin);
+        Some(Part { record: record.id, name: record.name.clone(), uses, origin, fixed })
+    }
+}
+
+/// Collector of the fits to store.
+struct SavedFits {
+    /// Ids and storage names of the records that are stored.
+    records: Vec<(u32, String)>,
+    /// Storage names and items.
+    fits: Vec<(String, Item)>,
+    length: usize,
+}
+
+impl SavedFits {
+    /// Adds a fit, unless it exceeds the maximum length, is stored already, or one of its records is not stored.
+    fn add(&mut self, definition: &Definition, documents: Vec<String>, found: &Found) {
+        let Some(task) = task(definition, &self.records) else { return };
+        let name = name(&documents, &task);
+        let rival = found.rival.as_ref();
+        let rival = rival
+            .map(|Rival { growth, values }| format::Rival { growth: Number(*growth), values: write_numbers(values) });
+        let found = format::Found { values: write_numbers(&found.values), starts: found.starts, rival };
+        let item = Item(Content::Fit(format::Fit { documents, task, found }));
+        let length = item.write(0).len();
+        if self.length + length <= LONGEST && self.fits.iter().all(|(other, _)| *other != name) {
+            self.length += length;
+            self.fits.push((name, item));
+        }
+    }
+}
+
+/// Storage name of a fit. It does not depend on the result, whose last digits may differ after a reconstruction.
+fn name(documents: &[String], task: &format::Task) -> String {
+    // Texts and numbers can always be serialised.
+    let asked = serde_json::to_string(task).unwrap_or_default();
+    name_of(&documents.iter().chain([&asked]).map(String::as_str).collect::<Vec<_>>())
+}
+
+/// The definition in the storage format. `records`: ids and names of the stored records. `None` if a record of the fit
+/// is not stored.
+fn task(definition: &Definition, records: &[(u32, String)]) -> Option<format::Task> {
+    let part = |part: &Part| {
+        let (_, record) = records.iter().find(|(id, _)| *id == part.record)?;
+        Some(format::Part {
+            record: record.clone(),
+            name: line(&part.name),
+            origin: part.origin.map(Number),
+            fixed: part.fixed.iter().map(|&(index, value)| (index, Number(value))).collect(),
+            columns: write_uses(part.uses.iter().enumerate()),
+        })
+    };
+    Some(format::Task {
+        file: definition.file.clone(),
+        window: definition.window.map(|end| end.map(Number)),
+        parameters: write_numbers(&definition.parameters),
+        varied: definition.varied.iter().map(write_varied).collect(),
+        loss: (definition.loss != Loss::Squares).then(|| definition.loss.code().to_owned()),
+        records: definition.parts.iter().map(part).collect::<Option<_>>()?,
+    })
+}
+
+fn write_varied(varied: &Varied) -> format::Varied {
+    let target = match varied.target {
+        Target::Parameter(index) => format::Target::Parameter(index),
+        Target::Origin => format::Target::Origin,
+        Target::Offset(place) => format::Target::Offset(place),
+    };
+    format::Varied { target, shared: varied.shared }
+}
+
+fn read_varied(saved: &format::Varied) -> Varied {
+    let target = match saved.target {
+        format::Target::Parameter(index) => Target::Parameter(index),
+        format::Target::Origin => Target::Origin,
+        format::Target::Offset(place) => Target::Offset(place),
+    };
+    Varied { target, shared: saved.shared, ..Varied::parameter(0) }
+}
+
+fn write_numbers(numbers: &[f64]) -> Vec<Number> {
+    numbers.iter().copied().map(Number).collect()
+}
+
+fn read_numbers(saved: &[Number]) -> Vec<f64> {
+    saved.iter().map(|Number(number)| *number).collect()
+}

@@ -1,0 +1,14 @@
+//! Data stored for the next visit: conversion between a desk and items ([`saved::Item`]), and a visit of a page with its
+//! storage.
+
+mod answers;
+mod facts;
+mod films;
+mod fits;
+mod place;
+mod project;
+mod records;
+mod tracks;
+mod visit;
+
+pub use visit::{Visit, document_data};

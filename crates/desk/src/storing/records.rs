@@ -1,0 +1,157 @@
+//! Conversion between records and stored items.
+
+use saved::format::{self, Content};
+use saved::{Item, Number};
+
+use crate::Desk;
+use crate::records::recognise::Meaning;
+use crate::records::record::{LONGEST_SAVED, Origin, Record, Use};
+use analysis::derivative::Differentiation;
+use play::name_of;
+use units::Unit;
+
+impl Desk {
+    /// The records to store, each with a name that is the same at every visit and on every page. Records that are too
+    /// long are left out.
+    pub fn saved_records(&self) -> Vec<(String, Item)> {
+        let document = self.document_name();
+        let item = |record| Item(Content::Record(saved(record, &document)));
+        self.record_names().into_iter().filter_map(|(id, name)| Some((name, item(self.record(id)?)))).collect()
+    }
+
+    /// Hash of the document's text. Results of a fit for a record are valid only with this document.
+    pub(super) fn document_name(&self) -> String {
+        name_of(&[&self.document.source])
+    }
+
+    /// Ids and storage names of the records that are stored. Names are hashes of the content, with a number added for
+    /// equal records.
+    pub(crate) fn record_names(&self) -> Vec<(u32, String)> {
+        let mut names: Vec<(u32, String)> = Vec::new();
+        for record in self.data.records.iter().filter(|record| self.is_lasting(record.id)) {
+            let truth: Vec<String> =
+                record.truth.iter().flatten().map(|(name, value)| format!("{name}={value:e}")).collect();
+            let truth = truth.join(";");
+            let own = line(&record.name);
+            let mut again = 0;
+            let mut name = name_of(&[&own, &truth, &record.text]);
+            while names.iter().any(|(_, other)| *other == name) {
+                again += 1;
+                name = name_of(&[&own, &truth, &record.text, &again.to_string()]);
+            }
+            names.push((record.id, name));
+        }
+        names
+    }
+
+    /// True if a record is stored for the next visit, given the length of the records before it.
+    pub(crate) fn is_lasting(&self, id: u32) -> bool {
+        let mut sum = 0;
+        for record in &self.data.records {
+            let fits = !record.text.is_empty() && sum + record.text.len() <= LONGEST_SAVED;
+            if record.id == id {
+                return fits;
+            }
+            sum += if fits { record.text.len() } else { 0 };
+        }
+        false
+    }
+
+    /// Restores a record and returns its name in the storage. `None` if the item is not a record, cannot be read, or is
+    /// too long to be stored.
+    pub fn restore_record(&mut self, item: &Item) -> Option<String> {
+        let Content::Record(saved) = &item.0 else { return None };
+        let truth = saved.truth.as_deref().map(read_values);
+        let id = self.insert_record(&saved.name, saved.text.as_bytes(), truth).ok();
+        if let Some(id) = id.filter(|_| !saved.against.is_empty()) {
+            self.set_record_variable(id, &saved.against);
+        }
+        if let Some(record) = self.data.records.iter_mut().find(|record| Some(record.id) == id) {
+            record.shown = !saved.hidden;
+            let derivatives = saved.derivatives.iter();
+            record.restore_made(
+                derivatives.filter_map(|one| Some((one.column, Differentiation::from_code(&one.method)?))),
+                &self.document,
+            );
+            record.known = read_values(&saved.known).into_iter().collect();
+            take_uses(&mut record.uses, &saved.columns);
+        }
+        if let Some(found) = saved.found.as_ref().filter(|found| found.document == self.document_name())
+            && let Some(record) = self.data.records.iter_mut().find(|record| Some(record.id) == id)
+        {
+            let reading = found.origin.map(|Number(reading)| reading).filter(|reading| reading.is_finite());
+            record.origin = reading.map(|reading| Origin { reading, found: found.origin_fitted });
+            for &(column, Number(offset)) in &found.offsets {
+                if let Some(used) = record.uses.get_mut(column) {
+                    used.offset = offset;
+                }
+            }
+        }
+        self.records_changed();
+        self.forget_announcements();
+        self.record_names().into_iter().find(|(own, _)| Some(*own) == id).map(|(_, name)| name)
+    }
+}
+
+/// The stored form of a record. `document`: hash of the document's text.
+fn saved(record: &Record, document: &str) -> format::Record {
+    let offsets = record.uses.iter().enumerate().filter(|(_, used)| used.offset != 0.0);
+    let offsets: Vec<(usize, Number)> = offsets.map(|(column, used)| (column, Number(used.offset))).collect();
+    let found = (record.origin.is_some() || !offsets.is_empty()).then(|| format::FoundOfRecord {
+        document: document.to_owned(),
+        origin: record.origin.map(|origin| Number(origin.reading)),
+        origin_fitted: record.origin.is_some_and(|origin| origin.found),
+        offsets,
+    });
+    let derivative = |(column, how): (usize, Differentiation)| format::Derivative { column, method: how.code() };
+    format::Record {
+        name: line(&record.name),
+        text: record.text.clone(),
+        hidden: !record.shown,
+        truth: record.truth.as_ref().map(|truth| write_values(truth.iter().map(|(name, value)| (name, *value)))),
+        known: write_values(record.known.iter().map(|(name, value)| (name, *value))),
+        against: record.against.clone(),
+        columns: write_uses(record.uses.iter().enumerate().filter(|(_, used)| used.chosen)),
+        derivatives: record.differentiated().map(derivative).collect(),
+        found,
+    }
+}
+
+/// Name with line breaks replaced by spaces.
+pub(super) fn line(name: &str) -> String {
+    name.replace(['\n', '\r'], " ")
+}
+
+fn write_values<'a>(values: impl Iterator<Item = (&'a String, f64)>) -> Vec<(String, Number)> {
+    values.map(|(name, value)| (name.clone(), Number(value))).collect()
+}
+
+fn read_values(saved: &[(String, Number)]) -> Vec<(String, f64)> {
+    saved.iter().map(|(name, Number(value))| (name.clone(), *value)).collect()
+}
+
+/// Stored form of the uses of columns.
+pub(super) fn write_uses<'a>(uses: impl Iterator<Item = (usize, &'a Use)>) -> Vec<format::Column> {
+    let column = |(column, used): (usize, &Use)| format::Column {
+        column,
+        quantity: used.meaning.quantity.clone(),
+        unit: used.meaning.unit.text.clone(),
+        stated: used.stated,
+        fitted: used.fitted,
+    };
+    uses.map(column).collect()
+}
+
+/// Applies stored uses to columns. Columns with an unknown unit are skipped. Returns true if all columns exist.
+pub(super) fn take_uses(uses: &mut [Use], saved: &[format::Column]) -> bool {
+    let mut all = true;
+    for format::Column { column, quantity, unit, stated, fitted } in saved {
+        let Ok(unit) = Unit::parse(unit) else { continue };
+        let meaning = Meaning { quantity: quantity.clone(), unit };
+        match uses.get_mut(*column) {
+            Some(used) => *used = Use { meaning, fitted: *fitted, offset: 0.0, chosen: true, stated: *stated },
+            None => all = false,
+        }
+    }
+    all
+}

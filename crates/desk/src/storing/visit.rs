@@ -1,0 +1,89 @@
+//! One visit of a page: what it has read from the storage and written to it.
+
+use crate::Desk;
+use saved::{Item, Shelf, Storage};
+
+/// Key prefixes of the items of all documents.
+const RECORDS: &str = "record:";
+const FITS: &str = "fit:";
+const FILMS: &str = "film:";
+/// Key prefix of the state in which a document was left, in the form of a link.
+const STATE: &str = "state:";
+
+/// The items of a page as it has last read or written them. Other pages of the site share the storage.
+#[derive(Clone, Debug, Default)]
+pub struct Visit {
+    records: Shelf,
+    films: Shelf,
+    fits: Shelf,
+    /// Answers to the questions of the open document.
+    answers: Shelf,
+}
+
+impl Visit {
+    /// Restores records, films and fits. Returns the number of records for which there was no room; they stay in the
+    /// storage.
+    pub fn restore_measured(&mut self, desk: &mut Desk, storage: &mut dyn Storage) -> usize {
+        let records = self.records.read(storage, RECORDS, |_, item| key(RECORDS, desk.restore_record(item)));
+        // After the records, to which some of them belong.
+        self.films.read(storage, FILMS, |_, item| key(FILMS, desk.restore_film(item)));
+        let fits = self.fits.read(storage, FITS, |_, item| key(FITS, desk.restore_fit(item)));
+        if records.refused.is_empty() && records.unreadable.is_empty() {
+            // The record of a fit that cannot be restored was removed in another page.
+            fits.refused.iter().for_each(|key| storage.remove(key));
+        }
+        records.refused.len()
+    }
+
+    /// Restores the answers to the questions of an opened document. `document`: its key in the storage.
+    pub fn restore_answers(&mut self, desk: &mut Desk, storage: &dyn Storage, document: &str) {
+        let prefix = answers_of(document);
+        self.leave_document();
+        self.answers.read(storage, &prefix, |key, item| {
+            let question = key.strip_prefix(&prefix).unwrap_or_default();
+            desk.restore_answer(question, item).then(|| key.to_owned())
+        });
+    }
+
+    /// Called when the open document gets another key. Data under the former key stay.
+    pub fn leave_document(&mut self) {
+        self.answers = Shelf::default();
+    }
+
+    /// The state in which a document was left, in the form of a link; empty if there is none.
+    pub fn state(storage: &dyn Storage, document: &str) -> String {
+        storage.get(&format!("{STATE}{document}")).unwrap_or_default()
+    }
+
+    /// Saves everything. `document`: key of the open document. `now` in milliseconds. Returns false if something could
+    /// not be stored; the next call tries again.
+    pub fn save(&mut self, desk: &Desk, storage: &mut dyn Storage, document: &str, now: u64) -> bool {
+        let mut is_stored = storage.set(&format!("{STATE}{document}"), &desk.play().share());
+        for (shelf, prefix, items) in [
+            (&mut self.records, RECORDS.to_owned(), desk.saved_records()),
+            (&mut self.films, FILMS.to_owned(), desk.saved_films()),
+            (&mut self.fits, FITS.to_owned(), desk.saved_fits()),
+            (&mut self.answers, answers_of(document), desk.saved_answers()),
+        ] {
+            let items: Vec<(String, Item)> =
+                items.into_iter().map(|(name, item)| (format!("{prefix}{name}"), item)).collect();
+            is_stored &= shelf.save(storage, items, now);
+        }
+        is_stored
+    }
+}
+
+/// State and answers stored for a document, as (key, text). `document`: its key.
+pub fn document_data(storage: &dyn Storage, document: &str) -> Vec<(String, String)> {
+    let state = format!("{STATE}{document}");
+    let kept = storage.get(&state).map(|text| (state, text));
+    kept.into_iter().chain(storage.all(&answers_of(document))).collect()
+}
+
+fn answers_of(document: &str) -> String {
+    format!("answer:{document}:")
+}
+
+fn key(prefix: &str, name: Option<String>) -> Option<String> {
+    name.map(|name| format!("{prefix}{name}"))
+}

@@ -1,0 +1,47 @@
+//! A stored item: one JSON object with the version of the format and the time when it was first stored.
+//!
+//! ```json
+//! {"meniscus":3,"since":1763812800000,"item":{"record":{"name":"film.txt","text":"…"}}}
+//! ```
+//!
+//! An item is stored as a single text, so that the storage never holds an incomplete one.
+
+use crate::format::Content;
+use serde::{Deserialize, Serialize};
+
+/// Version of the format.
+const VERSION: u32 = 3;
+
+/// Maximum length of the text of an item that is read, in bytes. Written items are shorter: a record of 1 MiB with six
+/// bytes per character if all are escaped.
+const LONGEST_ITEM: usize = 8 << 20;
+
+/// An item stored for the next visit: a record, a fit, an answer or the work on a film.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item(pub Content);
+
+#[derive(Serialize, Deserialize)]
+struct Stored<C> {
+    #[serde(rename = "meniscus")]
+    version: u32,
+    since: u64,
+    item: C,
+}
+
+impl Item {
+    /// The text to store. `since`: time when the item was first stored, in milliseconds.
+    pub fn write(&self, since: u64) -> String {
+        // Texts and numbers can always be serialised.
+        serde_json::to_string(&Stored { version: VERSION, since, item: &self.0 }).unwrap_or_default()
+    }
+
+    /// Reads a stored text: the time when it was first stored, in milliseconds, and its item. `None` if this version
+    /// cannot read the text.
+    pub fn read(text: &str) -> Option<(u64, Self)> {
+        if text.len() > LONGEST_ITEM {
+            return None;
+        }
+        let stored: Stored<Content> = serde_json::from_str(text).ok()?;
+        (stored.version == VERSION).then_some((stored.since, Self(stored.item)))
+    }
+}

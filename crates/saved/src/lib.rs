@@ -1,0 +1,25 @@
+//! Formats of saved work.
+//!
+//! | module | content |
+//! |---|---|
+//! | [`format`] | content of an item: a record, a fit, an answer or the work on a film |
+//! | [`item`] | an item as one JSON object |
+//! | [`project`] | a document with its items as one file |
+//! | [`hand_in`] | a project with its sender and the numbers that follow from it |
+//! | [`storage`] | the storage of a page, as a trait |
+//! | [`shelf`] | synchronisation of the items of a page with its storage |
+//!
+//! The types of [`format`] are not those of the laboratory, so that a change there does not change what is stored.
+
+pub mod format;
+pub mod hand_in;
+pub mod item;
+mod number;
+pub mod project;
+pub mod shelf;
+pub mod storage;
+
+pub use item::Item;
+pub use number::Number;
+pub use shelf::{Left, Shelf};
+pub use storage::{Storage, own_document_key};

@@ -26,7 +26,7 @@ impl Desk {
     /// # Errors
     /// As [`play::Play::restore`]; a size that is not possible is listed with the other parts that do not fit.
     pub fn restore(&mut self, fragment: &str) -> (bool, Result<(), play::Refusal>) {
-        let wanted = self.play.sizes_for(fragment);
+        let wanted = self.play.basis().sizes_for(fragment);
         let wanted: Vec<(&str, u32)> = wanted.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         let resized = !wanted.is_empty() && self.resize(&wanted).is_ok();
         (resized, self.play.restore(fragment))

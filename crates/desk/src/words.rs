@@ -185,7 +185,7 @@ impl Desk {
     pub fn refusal_text(&self, refusal: &Refusal) -> String {
         let language = self.play.language();
         match refusal {
-            Refusal::Play(refusal) => self.play.refusal_text(refusal),
+            Refusal::Play(refusal) => self.play.basis().refusal_text(refusal),
             Refusal::TooManyRecords { most } => language.pick(
                 format!("{most} records are open already; remove one first."),
                 format!("Ya hay {most} registros abiertos; quita uno primero."),
@@ -220,7 +220,7 @@ impl Desk {
         let say = |english: &str, spanish: &str| self.play.language().pick(english, spanish).to_owned();
         let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
         match announcement {
-            Announcement::Play(announcement) => self.play.announcement_text(announcement),
+            Announcement::Play(announcement) => announcement.text(self.play.basis(), self.play.time_line()),
             Announcement::RecordAdded(name) => with("Record read: {}", "Registro leído: {}", name),
             Announcement::DerivativesMade(name) => {
                 with("Velocity and acceleration made: {}", "Velocidad y aceleración calculadas: {}", name)

@@ -9,13 +9,13 @@ use analysis::spreadsheet::{Cell, Sheet, Workbook};
 impl Desk {
     /// Workbook with the whole run on the first sheet and one sheet per record.
     pub fn workbook(&self) -> Vec<u8> {
-        let head = self.play.table_header().into_iter().map(Cell::Text).collect();
+        let head = self.play.values().table_header().into_iter().map(Cell::Text).collect();
         let cell = |cell: engine::table::Cell| match cell {
             engine::table::Cell::Number(value) => Cell::Number(value),
             engine::table::Cell::Text(text) => Cell::Text(text.to_string()),
             engine::table::Cell::Truth(value) => Cell::Text(value.to_string()),
         };
-        let cells = self.play.table_cells().into_iter();
+        let cells = self.play.values().table_cells().into_iter();
         let rows = std::iter::once(head).chain(cells.map(|row| row.into_iter().map(cell).collect())).collect();
         let run = Sheet { name: words::run(self.play.language()).to_owned(), rows, header: true };
         let record = |(view, record): (RecordView, &Record)| {

@@ -145,15 +145,16 @@ struct Store {
 }
 
 impl Store {
-    /// State of the laboratory; `None` if it is already in use. Nested use is a programming error and is reported in
-    /// the console with its place.
+    /// State of the laboratory; `None` if it is already in use. Nested use is a programming error: debug builds panic,
+    /// others report its place in the console, where the tests of the page take it for a fault.
     #[inline(never)]
     #[track_caller]
     fn lab(&self) -> Option<RefMut<'_, Lab>> {
         let lab = self.lab.try_borrow_mut().ok();
         if lab.is_none() {
-            let place = Location::caller();
-            console::error_1(&format!("the laboratory's state is used inside another use of it: {place}").into());
+            let fault = format!("the laboratory's state is used inside another use of it: {}", Location::caller());
+            debug_assert!(false, "{fault}");
+            console::error_1(&fault.into());
         }
         lab
     }
@@ -203,8 +204,8 @@ impl App {
         words_in(self.language.get_untracked())
     }
 
-    /// Calls `work` with the state of the page. Calls must not be nested: an inner call does nothing and is reported in
-    /// the console.
+    /// Calls `work` with the state of the page. Calls must not be nested: an inner call panics in debug builds; otherwise
+    /// it does nothing and is reported in the console.
     #[track_caller]
     pub fn with<T>(self, work: impl FnOnce(&mut Lab) -> T) -> Option<T> {
         self.store.lab().map(|mut lab| work(&mut lab))

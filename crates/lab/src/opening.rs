@@ -30,7 +30,7 @@ pub fn arrive(app: App, arrival: Arrival) {
     app.with(|lab| lab.awaited = awaited);
     visited::note(app, None);
     if let Some(refusal) = refusal {
-        app.complain(app.read(|play| play.refusal_text(&refusal)));
+        app.complain(app.read(|play| play.basis().refusal_text(&refusal)));
     }
 }
 
@@ -141,7 +141,7 @@ pub fn mend(app: App, change: impl FnOnce(&mut Writing, &mut Vec<Source>) -> Opt
 /// Restores a state. Returns true if sizes of families have changed, and the text of the refusal, if any.
 fn restored(desk: &mut Desk, state: &str) -> (bool, Option<String>) {
     let (resized, result) = desk.restore(state);
-    (resized, result.err().map(|refusal| desk.play().refusal_text(&refusal)))
+    (resized, result.err().map(|refusal| desk.play().basis().refusal_text(&refusal)))
 }
 
 /// Opens a document of the library or of a fit.

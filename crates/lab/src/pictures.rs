@@ -339,7 +339,7 @@ impl Opened {
     /// Performs one tick towards the moment shown first.
     fn hasten(&mut self) {
         self.play.play();
-        let goes_on = self.play.tick(TICK) && self.play.is_playing();
+        let goes_on = self.play.tick(TICK) && self.play.time_line().is_playing();
         self.ahead = if goes_on { self.ahead.saturating_sub(1) } else { 0 };
         if self.ahead == 0 {
             self.picture.draw(&mut self.play);
@@ -351,7 +351,8 @@ impl Opened {
     fn proceed(&mut self, seconds: f64) -> bool {
         let rows = self.play.course().history().map_or(0, |history| history.bytes());
         self.moved += seconds;
-        let has_ended = matches!(self.play.status(), Status::Ended | Status::Failed | Status::Full);
+        let has_ended =
+            matches!(self.play.time_line().status(self.play.basis()), Status::Ended | Status::Failed | Status::Full);
         if has_ended || self.moved > LONGEST || rows > ROWS {
             self.play.back_to_start();
             self.moved = 0.0;
@@ -359,7 +360,7 @@ impl Opened {
         self.play.play();
         self.play.tick(seconds);
         self.picture.draw(&mut self.play);
-        self.play.status() != Status::Failed || self.play.time() > 0.0
+        self.play.time_line().status(self.play.basis()) != Status::Failed || self.play.course().time() > 0.0
     }
 }
 

@@ -52,7 +52,7 @@ pub enum Announcement {
     Undone,
     /// The recording is full.
     Full,
-    /// The run failed: see [`crate::Play::problem`].
+    /// The run failed: see [`crate::TimeLine::problem`].
     Failed,
     /// This integration method was chosen.
     Method(engine::Method),

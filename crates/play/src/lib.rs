@@ -3,33 +3,34 @@
 //!
 //! | folder | contents |
 //! |---|---|
-//! | `time` | the run, its time line and clock |
-//! | `controls` | parameters, presets, buttons, states, dragging, method and step, parsing of typed values |
+//! | `basis` | the program in the language of the visitor, parsing of typed values |
+//! | `time` | the run, its time line and clock, kept runs |
 //! | `plots` | figures of the run and of kept runs, points and plots added by other crates |
 //! | `values` | readouts, values of the scene, table of rows |
+//! | `controls` | views of parameters, presets, buttons and drawn curves; what a drag reaches |
 //! | `questions` | answers and their grades |
-//! | `checks.rs` | claims of the author and their results |
-//! | `replacement` | replacing the program while it runs |
-//! | `share` | the state as a link |
+//! | `claims` | claims of the author and their results |
+//! | `play` | the wiring of these parts: operations of the visitor, links, replacing the program |
+//! | `share` | documents of links, pages in other pages |
+//!
+//! An operation on a part returns [`Changes`]. [`Play`] folds them into its [`Revision`].
 //!
 //! A [`Refusal`] is returned for input that cannot be accepted; the state is then unchanged. Getters that return texts use
 //! the chosen language. No method panics; an index that does not exist is ignored or refused.
 
 mod announcement;
-mod checks;
+mod basis;
+mod changes;
+mod claims;
 mod controls;
-mod deviation;
 mod name;
 mod play;
 mod plots;
 mod questions;
 mod refusal;
-mod removed;
-mod replacement;
 mod seat;
 mod share;
 mod time;
-mod undo;
 mod values;
 pub mod words;
 
@@ -39,20 +40,20 @@ pub use program;
 pub use units::{Language, number};
 
 pub use announcement::{Announcement, Prominence};
-pub use checks::{ClaimView, ClaimsView};
+pub use basis::Basis;
+pub use basis::input::DIGITS;
+pub use changes::{Changes, Revision};
+pub use claims::{ClaimView, Claims, ClaimsView, Deviation, deviation, deviation_svg};
 pub use controls::{
-    ButtonView, ChoiceView, DIGITS, DrawingView, MethodView, ParameterGroup, ParameterView, PresetGroup, PresetView,
-    SizeView, Slider, StateView,
+    ButtonView, ChoiceView, Controls, DrawingView, Grips, MethodView, ParameterGroup, ParameterView, PresetGroup,
+    PresetView, SizeView, Slider,
 };
-pub use deviation::Deviation;
 pub use name::name_of;
-pub use play::{Play, Revision};
-pub use plots::{
-    AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, PlotId, PlotView, Points, points_colour,
-};
-pub use questions::{Answer, AnswerView, Grade, Verdict};
+pub use play::Play;
+pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};
+pub use questions::{Answer, AnswerView, Answers, Grade, Verdict};
 pub use refusal::Refusal;
 pub use seat::SeatView;
 pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};
-pub use time::{Course, LONGEST_GAP, Problem, SPEEDS, Status, WORK_PER_TICK};
-pub use values::{Follows, Index, Members, Outline, Readout, ReadoutKind, symbol};
+pub use time::{Course, KeptView, LONGEST_GAP, MOST_KEPT, Problem, SPEEDS, Status, TimeLine, WORK_PER_TICK};
+pub use values::{Follows, Index, Members, Outline, Readout, ReadoutKind, Shown, StateView, Values, symbol};

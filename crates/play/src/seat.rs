@@ -30,7 +30,7 @@ impl Play {
         let text = text.trim();
         let seat = (!text.is_empty()).then(|| text.parse::<Seat>()).transpose();
         let seat = seat.map_err(|()| Refusal::NoSeat)?;
-        let mut program = self.program.clone();
+        let mut program = self.program().clone();
         if !program.set_seat(seat) {
             return Err(Refusal::NoSeat);
         }

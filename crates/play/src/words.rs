@@ -1,6 +1,6 @@
 //! Texts of this crate in every language. Texts of the document are translated by the document.
 
-use crate::{Announcement, Grade, Play, Refusal};
+use crate::{Announcement, Basis, Grade, Refusal, TimeLine};
 use engine::Method;
 use units::Language;
 
@@ -240,18 +240,13 @@ pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
     }
 }
 
-impl Play {
-    /// Text of a refusal in the chosen language.
-    pub fn refusal_text(&self, refusal: &Refusal) -> String {
-        refusal_text(self.language, refusal)
-    }
-
-    /// Text of an announcement in the chosen language.
-    pub fn announcement_text(&self, announcement: &Announcement) -> String {
-        let say = |english: &str, spanish: &str| self.language.pick(english, spanish).to_owned();
+impl Announcement {
+    /// Text in the chosen language.
+    pub fn text(&self, basis: &Basis, line: &TimeLine) -> String {
+        let say = |english: &str, spanish: &str| basis.language().pick(english, spanish).to_owned();
         let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
-        let time = |time: f64| self.time_words(time);
-        match announcement {
+        let time = |time: f64| basis.time_words(line.course(), time);
+        match self {
             Announcement::Playing => say("Playing", "En marcha"),
             Announcement::Paused(at) => with("Paused at {}", "En pausa en {}", &time(*at)),
             Announcement::Ended(at) => with(
@@ -261,29 +256,29 @@ impl Play {
             ),
             Announcement::Stepped(at) => with("Step, {}", "Paso, {}", &time(*at)),
             Announcement::Scrubbed(at) => time(*at),
-            Announcement::BackAtStart if self.is_started_by_hand() => {
+            Announcement::BackAtStart if line.course().begun().start.is_some() => {
                 say("Back at the start that was set by hand", "De vuelta en el inicio fijado a mano")
             }
             Announcement::BackAtStart => say("Back at the start", "De vuelta en el inicio"),
             Announcement::Restarted(index) => with(
                 "The run starts again: {} changed",
                 "La serie comienza de nuevo: cambió {}",
-                self.parameter_label(*index),
+                basis.parameter_label(*index),
             ),
             Announcement::ParameterSet(index, value) => {
-                let value = self.parameter_value_text(*index, *value);
-                format!("{}: {value}", self.parameter_label(*index))
+                let value = basis.parameter_value_text(*index, *value);
+                format!("{}: {value}", basis.parameter_label(*index))
             }
             Announcement::Drawn(index) => with(
                 "The run starts again: {} drawn",
                 "La serie comienza de nuevo: se dibujó {}",
-                &self.drawing_label(*index),
+                &basis.drawing_label(*index),
             ),
             Announcement::DrawingCleared(index) => {
-                with("{}: as in the document", "{}: como en el documento", &self.drawing_label(*index))
+                with("{}: as in the document", "{}: como en el documento", &basis.drawing_label(*index))
             }
             Announcement::Pressed(button, at) => {
-                let title = self.model().buttons.get(*button).map_or("", |button| self.text(&button.title));
+                let title = basis.model().buttons.get(*button).map_or("", |button| basis.text(&button.title));
                 format!("{title}, {}", time(*at))
             }
             Announcement::DefaultsRestored => say(
@@ -291,41 +286,41 @@ impl Play {
                 "Valores restaurados: los parámetros y el inicio son los del documento",
             ),
             Announcement::Preset(index) => {
-                self.program.presets.get(*index).map_or("", |preset| self.text(&preset.name)).to_owned()
+                basis.program().presets.get(*index).map_or("", |preset| basis.text(&preset.name)).to_owned()
             }
             Announcement::StateSet(index, value) => {
-                let unit = self.model().states.get(*index).map(|state| &state.unit);
-                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
-                let label = self.state_label(*index);
+                let unit = basis.model().states.get(*index).map(|state| &state.unit);
+                let value = unit.map_or_else(String::new, |unit| basis.quantity_text(*value, unit));
+                let label = basis.state_label(*index);
                 with("{}; the run starts from there", "{}; la serie parte de ahí", &format!("{label}: {value}"))
             }
             Announcement::StartSet { state, value, before } => {
-                let changed = self.parameters().into_iter();
+                let changed = basis.parameters(line.course()).into_iter();
                 let changed = changed.filter(|now| before.get(now.index).is_some_and(|before| now.value != *before));
                 let changed: Vec<String> = changed.map(|now| format!("{}: {}", now.label, now.spoken)).collect();
-                let unit = self.model().states.get(*state).map(|state| &state.unit);
-                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
-                format!("{}: {value}; {}", self.state_label(*state), changed.join(", "))
+                let unit = basis.model().states.get(*state).map(|state| &state.unit);
+                let value = unit.map_or_else(String::new, |unit| basis.quantity_text(*value, unit));
+                format!("{}: {value}; {}", basis.state_label(*state), changed.join(", "))
             }
-            Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &self.speed_text(*speed)),
+            Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &line.speed_text(basis, *speed)),
             Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),
             Announcement::Removed(name) => with("Run removed: {}", "Serie quitada: {}", name),
             Announcement::Undone => say("Undone", "Deshecho"),
             Announcement::Full => say("Paused: the recording is full", "En pausa: el registro está lleno"),
             Announcement::Failed => {
-                let failure = || self.problem().map(|problem| problem.message);
-                self.ending().or_else(failure).unwrap_or_default()
+                let failure = || line.problem(basis).map(|problem| problem.message);
+                line.ending(basis).or_else(failure).unwrap_or_default()
             }
-            Announcement::Method(method) => with("Method: {}", "Método: {}", method_name(self.language, *method)),
+            Announcement::Method(method) => with("Method: {}", "Método: {}", method_name(basis.language(), *method)),
             Announcement::Step(step) => {
-                with("Step: {}", "Paso: {}", &self.quantity_text(*step, &self.model().independent.unit))
+                with("Step: {}", "Paso: {}", &basis.quantity_text(*step, &basis.model().independent.unit))
             }
             Announcement::QuestionSetup(_) => {
                 say("Parameters set for the question", "Parámetros ajustados para la pregunta")
             }
             Announcement::Resized(lost) => {
                 let size = |size: crate::SizeView| format!("{}: {}", size.label, size.value);
-                let sizes = self.sizes().into_iter().map(size).collect::<Vec<_>>().join(", ");
+                let sizes = basis.sizes().into_iter().map(size).collect::<Vec<_>>().join(", ");
                 match lost.as_slice() {
                     [] => sizes,
                     lost => with(

@@ -24,6 +24,6 @@ pub fn restore(app: App) {
 /// Stores all answers. Returns true if the browser allowed it.
 pub fn save(app: App) -> bool {
     let prefix = prefix(app);
-    let answers = app.read(|play| play.saved_answers());
+    let answers = app.read(|play| play.answers().saved(play.basis()));
     answers.into_iter().all(|(name, answer)| browser::remember(&format!("{prefix}{name}"), &answer.lines()))
 }

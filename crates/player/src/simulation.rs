@@ -28,9 +28,9 @@ impl Simulation {
 
 impl Host for Simulation {
     fn with_play(&self, work: &mut dyn FnMut(&mut Play)) {
-        if let Ok(mut play) = self.play.try_borrow_mut()
-            && let Some(play) = play.as_mut()
-        {
+        let play = self.play.try_borrow_mut();
+        debug_assert!(play.is_ok(), "the simulation is used inside another use of it");
+        if let Some(play) = play.ok().as_deref_mut().and_then(Option::as_mut) {
             work(play);
         }
     }

@@ -118,7 +118,7 @@ pub struct News {
 impl News {
     /// News for an announcement of the simulation.
     pub fn of_play(play: &Play, announcement: &Announcement) -> Self {
-        let spoken = play.announcement_text(announcement);
+        let spoken = announcement.text(play.basis(), play.time_line());
         let undo = play.undo_number().filter(|_| announcement.can_be_undone());
         let message = Message::new(announcement.prominence(), &spoken);
         Self { message: message.map(|message| message.undone_by(undo)), spoken }
@@ -146,7 +146,7 @@ pub struct Changes {
     /// Visibility and zoom of plots; content added to plots and scene.
     pub plots: Signal<u64>,
     /// Results of the author's claims.
-    pub checks: Signal<u64>,
+    pub claims: Signal<u64>,
     /// Time shown. Raised in every frame in which it has changed, for values that must stay in step with the curves.
     pub frame: Signal<u64>,
     /// Time shown and rows recorded. Raised at most ten times a second while the run is playing.
@@ -216,7 +216,7 @@ impl App {
                 transport: counter(),
                 runs: counter(),
                 plots: counter(),
-                checks: counter(),
+                claims: counter(),
                 frame: counter(),
                 values: counter(),
             },
@@ -265,7 +265,7 @@ impl App {
     /// Present state of a plot; tracks the visibility of plots.
     pub fn plot(self, id: PlotId) -> Option<PlotView> {
         self.changes.plots.track();
-        self.read(|play| play.plots().into_iter().nth(id.place()))
+        self.read(|play| play.plots().list().into_iter().nth(id.place()))
     }
 
     /// Performs an action on the simulation, notifies the views and redraws.
@@ -283,7 +283,7 @@ impl App {
 
     /// As [`App::act`], for actions that can be refused. Returns the text of the refusal.
     pub fn attempt(self, act: impl FnOnce(&mut Play) -> Result<(), Refusal>) -> Option<String> {
-        self.act(|play| act(play).err().map(|refusal| play.refusal_text(&refusal)))
+        self.act(|play| act(play).err().map(|refusal| play.basis().refusal_text(&refusal)))
     }
 
     /// Notifies the views of an action and redraws.
@@ -322,7 +322,7 @@ impl App {
             (before.transport != now.transport, changes.transport),
             (before.runs != now.runs, changes.runs),
             (before.plots != now.plots, changes.plots),
-            (before.checks != now.checks, changes.checks),
+            (before.claims != now.claims, changes.claims),
             (moved, changes.frame),
             ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
         ];

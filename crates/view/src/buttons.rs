@@ -7,14 +7,14 @@ use play::ButtonView;
 /// A row with the document's buttons; empty if there are none.
 pub fn view(app: App) -> View {
     let words = app.words();
-    let buttons = app.read(|play| play.buttons());
+    let buttons = app.read(|play| play.basis().buttons());
     if buttons.is_empty() {
         return View::new();
     }
     let refusal = create_signal(None::<String>);
     let usable = memo(move || {
         app.changes.transport.track();
-        app.read(|play| play.can_press())
+        app.read(|play| play.time_line().can_press())
     });
     let one = move |view: ButtonView| {
         let index = view.index;

@@ -10,7 +10,7 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
     let index = first.index;
     let now = memo(move || {
         app.changes.parameters.track();
-        app.read(|play| play.parameter(index))
+        app.read(|play| play.basis().parameter(play.course(), index))
     });
     let value = move || now.with(|view| view.as_ref().map_or(0.0, |view| view.value));
     let error = create_signal(None::<String>);

@@ -24,8 +24,10 @@ pub fn view(app: App) -> HtmlSection {
     let parameters = div()
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
-        .each(app.read(|play| play.sizes()), |size| sizes::control(app, size))
-        .each(app.read(|play| play.parameter_groups()).into_iter().enumerate(), |group| parameter_group(app, group));
+        .each(app.read(|play| play.basis().sizes()), |size| sizes::control(app, size))
+        .each(app.read(|play| play.basis().parameter_groups(play.course())).into_iter().enumerate(), |group| {
+            parameter_group(app, group)
+        });
     let controls = part("controls", "controls card", words.controls).child(buttons::view(app));
     let values = View::from((parameters, drawings::view(app), presets(app)));
     controls.child(seat::view(app)).child(lockable(app, values))
@@ -77,7 +79,7 @@ fn presets(app: App) -> View {
     let words = app.words();
     let now = memo(move || {
         app.changes.parameters.track();
-        app.read(|play| play.presets())
+        app.read(|play| play.controls().presets(play.basis(), play.course()))
     });
     let groups = now.get_clone_untracked();
     if groups.is_empty() {
@@ -114,12 +116,12 @@ fn presets(app: App) -> View {
 /// Fields of the state, editable while the run is paused.
 fn states(app: App) -> View {
     let words = app.words();
-    let states = app.read(|play| play.state_lines());
+    let states = app.read(|play| play.values().state_lines());
     if states.is_empty() {
         return View::new();
     }
     let mut block = div().class("block");
-    let now = followed(app, &block.node(), |play| play.state_lines());
+    let now = followed(app, &block.node(), |play| play.values().state_lines());
     let field = |(line, state): (usize, StateView)| {
         let id = format!("state-{line}");
         let view = move || now.with(|states| states.get(line).cloned());
@@ -163,7 +165,7 @@ fn numerics(app: App) -> HtmlDetails {
     let error = create_signal(None::<String>);
     let chosen = move |name: &'static str| {
         app.changes.parameters.track();
-        app.read(|play| play.methods().iter().any(|method| method.name == name && method.selected))
+        app.read(|play| play.basis().methods(play.course()).iter().any(|method| method.name == name && method.selected))
     };
     let method = |method: MethodView| {
         option()
@@ -175,7 +177,7 @@ fn numerics(app: App) -> HtmlDetails {
     };
     let step = move || {
         app.changes.parameters.track();
-        app.read(|play| play.step_text())
+        app.read(|play| play.basis().step_text(play.course()))
     };
     let field = parameters::Field {
         id: "step-size".to_owned(),
@@ -188,7 +190,9 @@ fn numerics(app: App) -> HtmlDetails {
     };
     let now = move || {
         app.changes.parameters.track();
-        app.read(|play| play.methods().iter().find(|method| method.selected).map_or("", |method| method.name))
+        app.read(|play| {
+            play.basis().methods(play.course()).iter().find(|method| method.selected).map_or("", |method| method.name)
+        })
     };
     // After a selection by the reader, only the property changes the value shown; the attribute of an option does not.
     let choose = select()
@@ -198,7 +202,7 @@ fn numerics(app: App) -> HtmlDetails {
             let name = value_of(&event);
             refusal.set(app.attempt(|play| play.set_method(&name)));
         })
-        .each(app.read(|play| play.methods()), method);
+        .each(app.read(|play| play.basis().methods(play.course())), method);
     let method = div()
         .class("parameter")
         .child(label().r#for("method").child(span().child(words.method)))

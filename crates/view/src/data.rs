@@ -10,12 +10,12 @@ const ROWS: usize = 20;
 /// The table and its tools. While they are folded or another tab is open, they are not updated.
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
-    let head = app.read(|play| play.table_header());
+    let head = app.read(|play| play.values().table_header());
     let start = create_signal(0_usize);
     let follow = create_signal(true);
     let length = move || {
         app.changes.values.track();
-        app.read(|play| play.table_length())
+        app.read(|play| play.values().table_length())
     };
     let last_start = move || length().saturating_sub(ROWS);
     let open = memo(move || app.tab.get() == tabs::PLAY && app.table_open.get());
@@ -24,12 +24,12 @@ pub fn view(app: App) -> HtmlDiv {
             return View::new();
         }
         app.changes.values.track();
-        let now = app.read(|play| play.table_row_now());
+        let now = app.read(|play| play.values().table_row_now());
         if follow.get() {
             start.set(now.saturating_sub(ROWS - 1));
         }
         let from = start.get().min(last_start());
-        let rows = app.read(|play| play.table_rows(from..from + ROWS));
+        let rows = app.read(|play| play.values().table_rows(from..from + ROWS));
         let row = |(number, cells): (usize, Vec<String>)| {
             let present = from + number == now;
             let mut cells = cells.into_iter();
@@ -77,9 +77,9 @@ pub fn view(app: App) -> HtmlDiv {
 
 /// Copies the text without the byte-order mark, which is meant for files.
 fn copy(app: App) {
-    crate::reading::copy(app, app.read(|play| play.csv()).trim_start_matches('\u{feff}'));
+    crate::reading::copy(app, app.read(|play| play.values().csv()).trim_start_matches('\u{feff}'));
 }
 
 fn save(app: App) {
-    browser::save_text(&format!("{}.csv", app.host().stem()), "text/csv", &app.read(|play| play.csv()));
+    browser::save_text(&format!("{}.csv", app.host().stem()), "text/csv", &app.read(|play| play.values().csv()));
 }

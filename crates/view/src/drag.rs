@@ -51,15 +51,17 @@ impl Handle {
     /// Updates the ARIA attributes with the position. Skipped while the run is playing: a screen reader on the handle
     /// would read continuously.
     pub fn describe(&mut self, play: &mut Play) {
-        if play.is_playing() && !self.shown.is_empty() {
+        if play.time_line().is_playing() && !self.shown.is_empty() {
             return;
         }
         let moved = match self.drag.target {
             Dragged::State(index) => {
-                let state = play.state(index);
+                let state = play.values().state(index);
                 state.map(|state| (state.label, format!("{} {}", state.text, state.unit), state.value))
             }
-            Dragged::Parameter(index) => play.parameter(index).map(|one| (one.label, one.spoken, one.value)),
+            Dragged::Parameter(index) => {
+                play.basis().parameter(play.course(), index).map(|one| (one.label, one.spoken, one.value))
+            }
         };
         let Some((quantity, text, value)) = moved else { return };
         if text != self.shown {
@@ -69,7 +71,7 @@ impl Handle {
                 (None, number) => format!("{quantity} {number}"),
             };
             let _ = self.node.set_attribute("aria-label", &label);
-            if let Some((least, greatest)) = play.drag_range(&self.drag) {
+            if let Some((least, greatest)) = play.grips().range(&self.drag) {
                 let _ = self.node.set_attribute("aria-valuemin", &short(least));
                 let _ = self.node.set_attribute("aria-valuemax", &short(greatest));
             }

@@ -14,7 +14,7 @@ const LARGE: f64 = 1.0 / 10.0;
 
 /// A field for each curve drawn by the reader; empty if there are none.
 pub fn view(app: App) -> View {
-    each(app.read(|play| play.drawn_curves()), |first| field(app, first))
+    each(app.read(|play| play.basis().drawn_curves(play.course())), |first| field(app, first))
 }
 
 /// The curve being drawn, and the point that the keys change.
@@ -102,7 +102,7 @@ fn field(app: App, first: DrawingView) -> HtmlDiv {
     let index = first.index;
     let now = memo(move || {
         app.changes.parameters.track();
-        app.read(|play| play.drawn_curve(index))
+        app.read(|play| play.basis().drawn_curve(play.course(), index))
     });
     let sketch = Sketch {
         app,
@@ -197,7 +197,7 @@ fn pad(
     let spoken = sketch.clone();
     let text = move || {
         let (point, height) = (spoken.point.get(), spoken.height());
-        app.read(|play| play.drawn_text(index, point, height))
+        app.read(|play| play.basis().drawn_text(index, point, height))
     };
     let valued = sketch.clone();
     let mut pad = div();

@@ -83,18 +83,18 @@ fn draw(app: App, now: f64) {
 /// Performs one frame. Returns (true if the run or other work continues, true if changing values are to be updated).
 fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> (bool, bool) {
     let seconds = nodes.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
-    if play.is_playing() && seconds > 0.0 {
+    if play.time_line().is_playing() && seconds > 0.0 {
         play.tick(seconds);
     }
     let working = play.work_on_plots();
-    let playing = play.is_playing();
+    let playing = play.time_line().is_playing();
     nodes.moved = playing.then_some(now);
     let values = !(playing || working) || now - nodes.shown >= 1000.0 / VALUES_PER_SECOND;
     if values {
         nodes.shown = now;
     }
     // Canvases first: after a change of the page, setting the font of a canvas makes the browser recompute all styles.
-    let mut unfinished = play.advance_checks();
+    let mut unfinished = play.advance_claims();
     for (place, plot) in nodes.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
             unfinished |= plot.draw(PlotId::at(place), play, part, &nodes.colours, nodes.font_size);

@@ -99,7 +99,7 @@ fn toggle(app: App, clicked: Option<Element>) {
 }
 
 fn change_speed(play: &mut Play, faster: bool) {
-    let now = play.speed();
+    let now = play.time_line().speed();
     let next = if faster {
         SPEEDS.iter().find(|&&speed| speed > now)
     } else {

@@ -4,8 +4,8 @@
 mod app;
 pub mod browser;
 mod buttons;
-mod checks;
 mod choices;
+mod claims;
 mod colours;
 pub mod controls;
 mod data;

@@ -95,14 +95,14 @@ fn number(app: App, first: ParameterView) -> HtmlDiv {
     let index = first.index;
     let now = memo(move || {
         app.changes.parameters.track();
-        app.read(|play| play.parameter(index))
+        app.read(|play| play.basis().parameter(play.course(), index))
     });
     let get = move |part: fn(&ParameterView) -> String| now.with(|view| view.as_ref().map(part).unwrap_or_default());
     let error = create_signal(None::<String>);
     let (id, range_id) = (format!("parameter-{index}"), format!("range-{index}"));
     let slide_by = move |by: i32| {
         app.slide(|play| {
-            if let Some(slider) = play.parameter(index).and_then(|view| view.slider) {
+            if let Some(slider) = play.basis().parameter(play.course(), index).and_then(|view| view.slider) {
                 play.slide(index, slider.position.saturating_add_signed(by).min(slider.positions));
             }
         });

@@ -13,7 +13,7 @@ pub fn view(app: App, index: usize) -> View {
     let awaited = memo(move || {
         // Questions open in the same frame in which hidden values appear.
         app.changes.frame.track();
-        app.read(|play| play.awaited_questions(index))
+        app.read(|play| play.answers().awaited(play.basis(), index))
     });
     changing(move || {
         let awaited = awaited.get_clone();
@@ -38,8 +38,8 @@ fn open(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
     let asked = app.read(|play| Some(play.program().question_text(language, index).clone())).unwrap_or_default();
-    let unit = app.read(|play| play.question_unit(index));
-    let given = app.read(|play| play.answer(index));
+    let unit = app.read(|play| play.basis().question_unit(index));
+    let given = app.read(|play| play.answers().answer(play.basis(), index));
     let verdict = create_signal(given.verdict);
     let revealed = create_signal(given.revealed.then(|| app.read(|play| play.reveal_answer(index))));
     let (field, number) = (format!("answer-{index}"), index + 1);
@@ -111,7 +111,7 @@ fn setup(app: App, index: usize) -> View {
     let words = app.words();
     let now = memo(move || {
         app.changes.parameters.track();
-        app.read(|play| play.question_setup(index))
+        app.read(|play| play.answers().setup(play.basis(), play.course(), index))
     });
     if now.with_untracked(Option::is_none) {
         return View::new();

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, checks, question};
+use crate::{browser, claims, question};
 use program::{Block, Section};
 
 /// Sections of the document in the language of the page, and the level of their top headings.
@@ -52,7 +52,7 @@ pub fn theory(app: App, besides: View) -> HtmlDiv {
         .child(contents(app, &sections, top))
         .child(prose(app, &sections, top))
         .child(equations(app))
-        .child(checks::view(app))
+        .child(claims::view(app))
         .child(besides)
 }
 

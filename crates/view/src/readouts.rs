@@ -23,12 +23,12 @@ pub fn view(app: App) -> HtmlSection {
             div().class("values").child(h3().child(title)).child(rows)
         })
     };
-    let hides = app.read(|play| play.hides_values());
+    let hides = app.read(|play| play.basis().hides_values());
     let shown = input()
         .r#type("checkbox")
         .prop("checked", move || {
             app.changes.values.track();
-            app.read(|play| play.shows_hidden())
+            app.read(|play| play.answers().shows_hidden())
         })
         .when(events::change, move |event| app.act(|play| play.show_hidden(is_checked(&event))));
     readouts
@@ -49,7 +49,7 @@ pub fn followed<T: Clone + Default + PartialEq>(
     effect(move || {
         app.changes.transport.track();
         app.changes.parameters.track();
-        if !seen.get() && app.read(|play| play.is_playing()) {
+        if !seen.get() && app.read(|play| play.time_line().is_playing()) {
             return;
         }
         app.changes.frame.track();

@@ -26,17 +26,17 @@ pub struct TransportNodes {
 impl TransportNodes {
     /// Updates the clock and the time line.
     pub fn draw(&mut self, play: &mut Play) {
-        let text = play.time_text();
+        let text = play.basis().time_text(play.course());
         if text != self.clock.shown() {
             // Needed only when the user moves the slider, so it is not updated while the run plays.
-            if !play.is_playing() || self.clock.shown().is_empty() {
+            if !play.time_line().is_playing() || self.clock.shown().is_empty() {
                 let _ = self.line.set_attribute("aria-valuetext", &text);
             }
             self.clock.show(&text);
         }
-        let places = if play.is_playing() { MOVING } else { POSITIONS };
-        let part = |time: f64| ((time / play.horizon()).clamp(0.0, 1.0) * places).round() / places;
-        let (fraction, recorded) = (part(play.time()), part(play.end()));
+        let places = if play.time_line().is_playing() { MOVING } else { POSITIONS };
+        let part = |time: f64| ((time / play.basis().horizon(play.course())).clamp(0.0, 1.0) * places).round() / places;
+        let (fraction, recorded) = (part(play.course().time()), part(play.course().front()));
         let position = (fraction * POSITIONS).round();
         // The user may have moved the slider beyond the recording.
         if position != self.line.value_as_number() {
@@ -57,7 +57,7 @@ pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let status = move || {
         app.changes.transport.track();
-        app.read(|play| Some(play.status()))
+        app.read(|play| Some(play.time_line().status(play.basis())))
     };
     let playing = memo(move || status() == Some(Status::Playing));
     let (steady, digits) = Steady::new();
@@ -123,7 +123,7 @@ pub fn view(app: App) -> HtmlSection {
 
 fn scrub(app: App, position: &str) {
     let fraction = position.parse::<f64>().unwrap_or(0.0) / POSITIONS;
-    app.slide(|play| play.scrub(fraction * play.horizon()));
+    app.slide(|play| play.scrub(fraction * play.basis().horizon(play.course())));
 }
 
 /// On the time line, the arrow keys move by grid steps instead of slider positions.
@@ -135,7 +135,7 @@ fn line_key(app: App, event: &web_sys::KeyboardEvent) {
         "ArrowLeft" | "ArrowDown" => app.slide(Play::step_back),
         "ArrowRight" | "ArrowUp" => app.slide(|play| {
             // Only within the recording; beyond its end, the step button is used.
-            if play.is_scrubbed() {
+            if play.course().is_scrubbed() {
                 play.step_forward();
             }
         }),
@@ -149,10 +149,10 @@ fn speed(app: App) -> HtmlLabel {
     let words = app.words();
     let chosen = move || {
         app.changes.transport.track();
-        app.read(|play| play.speed())
+        app.read(|play| play.time_line().speed())
     };
     let choose = |speed: f64| {
-        let name = app.read(|play| play.speed_text(speed));
+        let name = app.read(|play| play.time_line().speed_text(play.basis(), speed));
         option().value(speed.to_string()).selected(move || chosen() == speed).child(name)
     };
     let set = move |event| {
@@ -210,7 +210,7 @@ fn ended(app: App) -> impl Into<View> {
     let words = app.words();
     let ending = memo(move || {
         app.changes.transport.track();
-        app.read(|play| play.ending())
+        app.read(|play| play.time_line().ending(play.basis()))
     });
     // The button disappears when used; the focus stays in the transport.
     let go_on = move |_| {
@@ -232,14 +232,20 @@ fn ended(app: App) -> impl Into<View> {
 /// for the others.
 fn trouble(app: App, announced: bool) -> String {
     let words = app.words();
-    app.read(|play| match play.status() {
-        Status::Failed if announced => {
-            play.problem().map(|problem| format!("{} {}", problem.message, problem.hint)).unwrap_or_default()
-        }
+    app.read(|play| match play.time_line().status(play.basis()) {
+        Status::Failed if announced => play
+            .time_line()
+            .problem(play.basis())
+            .map(|problem| format!("{} {}", problem.message, problem.hint))
+            .unwrap_or_default(),
         Status::Full if announced => words.full.to_owned(),
-        Status::Playing if !announced && play.slippage() > 0.5 => words.slow.to_owned(),
+        Status::Playing if !announced && play.time_line().slippage() > 0.5 => words.slow.to_owned(),
         Status::Failed | Status::Full | Status::Ended => String::new(),
         _ if announced => String::new(),
-        _ => play.notice().map(|notice| format!("{} {}", notice.message, notice.hint)).unwrap_or_default(),
+        _ => play
+            .time_line()
+            .notice(play.basis())
+            .map(|notice| format!("{} {}", notice.message, notice.hint))
+            .unwrap_or_default(),
     })
 }

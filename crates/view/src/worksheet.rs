@@ -68,7 +68,7 @@ fn passage(app: App, section: &Section) -> View {
 /// The scene beside the values of the parameters.
 fn apparatus(app: App) -> HtmlDiv {
     let words = app.words();
-    let parameters = app.read(|play| play.parameters());
+    let parameters = app.read(|play| play.basis().parameters(play.course()));
     let row = |parameter: play::ParameterView| {
         tr().child(row_head(parameter.label).child(" ").child(symbol(&parameter.name)))
             .child(td().child(parameter.spoken))
@@ -94,10 +94,10 @@ fn scene() -> Option<HtmlDiv> {
 fn plots(app: App) -> View {
     let decimal_comma = app.language.get_untracked().style().decimal_comma;
     let settings = Settings { decimal_comma, ..PLOT };
-    let shown = app.read(|play| play.plots());
+    let shown = app.read(|play| play.plots().list());
     let shown = shown.into_iter().filter(|plot| plot.shown && plot.offered && !plot.apart);
     each(shown, |plot| {
-        let svg = app.read(|play| play.plot_svg(plot.id, &settings, &Palette::LIGHT));
+        let svg = app.read(|play| play.plots_to_front().svg(plot.id, &settings, &Palette::LIGHT));
         tags::figure().inner_html(svg)
     })
 }
@@ -107,8 +107,8 @@ fn question(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
     let asked = app.read(|play| Some(play.program().question_text(language, index).clone())).unwrap_or_default();
-    let unit = app.read(|play| play.question_unit(index));
-    let supposed = app.read(|play| play.question_setup(index)).map(|(values, _)| {
+    let unit = app.read(|play| play.basis().question_unit(index));
+    let supposed = app.read(|play| play.answers().setup(play.basis(), play.course(), index)).map(|(values, _)| {
         p().class("supposed").child(words.supposes).child(" ").child(crate::question::supposed(values))
     });
     section()

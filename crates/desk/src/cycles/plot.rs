@@ -50,7 +50,7 @@ impl Desk {
         }
         let now = (self.play.revision().parameters, self.play.course().rows() as u64);
         let plot = &mut self.cycles;
-        if self.play.is_playing() {
+        if self.play.time_line().is_playing() {
             // Cycles of another run must not stay in the plot.
             if plot.seen.is_some_and(|seen| seen.0 != now.0 || now.1 < seen.1) {
                 (plot.of_run, plot.run, plot.seen) = (Vec::new(), Points::default(), None);

@@ -83,7 +83,7 @@ impl Desk {
                 "{typed} no tiene unidad. Escribe una longitud como 10 cm."
             )));
         }
-        Ok(self.play.read_value(typed, &Unit::si(Dimension::LENGTH))?)
+        Ok(self.play.basis().read_value(typed, &Unit::si(Dimension::LENGTH))?)
     }
 
     pub(crate) fn film_refusal(&self, why: &Words) -> Refusal {

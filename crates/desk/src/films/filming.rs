@@ -15,7 +15,7 @@ impl Desk {
     /// [`Refusal::Film`] if the simulation has no scene or no time in seconds.
     pub fn usual_camera(&self) -> Result<CameraSettings, Refusal> {
         let program = self.play.program();
-        if program.scene(self.play.tag()).is_none() {
+        if program.scene(self.play.basis().tag()).is_none() {
             return Err(self.film_refusal(&words(
                 "This document has no scene, so there is nothing to film.",
                 "Este documento no tiene escena, así que no hay nada que filmar.",
@@ -39,10 +39,10 @@ impl Desk {
         self.usual_camera()?;
         settings.check().map_err(|why| self.film_refusal(&why))?;
         Ok(FilmRecipe {
-            document: self.play.program().edition(self.play.tag()).title.clone(),
+            document: self.play.program().edition(self.play.basis().tag()).title.clone(),
             source: hash(&self.document.source),
             state: self.play.from_start().share(),
-            language: self.play.tag().to_owned(),
+            language: self.play.basis().tag().to_owned(),
             settings,
         })
     }

@@ -96,7 +96,7 @@ impl Desk {
             ChoiceView {
                 index,
                 name: parameter.name.clone(),
-                label: self.play.parameter_label(index).to_owned(),
+                label: self.play.basis().parameter_label(index).to_owned(),
                 varied,
                 same,
                 unit: number::unit_text(&parameter.unit.text),
@@ -170,8 +170,13 @@ impl Desk {
         let shown = self.known_views(choice).into_iter().find(|view| view.record == record);
         let value = match typed.trim() {
             "" => None,
-            typed => match self.play.read_field(typed, shown.as_ref().map_or("", |view| &view.text), &unit)? {
-                Some(value) => Some(self.play.admit(choice, value)?),
+            typed => match self.play.basis().read_field(
+                self.play.course(),
+                typed,
+                shown.as_ref().map_or("", |view| &view.text),
+                &unit,
+            )? {
+                Some(value) => Some(self.play.basis().admit(choice, value)?),
                 None => return Ok(()),
             },
         };
@@ -247,7 +252,7 @@ impl Desk {
     pub fn set_fit_window(&mut self, end: usize, typed: &str) -> Result<(), Refusal> {
         let value = match typed.trim() {
             "" => None,
-            typed => Some(self.play.read_value(typed, &self.play.model().independent.unit)?),
+            typed => Some(self.play.basis().read_value(typed, &self.play.model().independent.unit)?),
         };
         if let Some(place) = self.fits.setup.window.get_mut(end) {
             *place = value;
@@ -284,7 +289,7 @@ impl Desk {
     /// Time range of the zoomed plot on the clocks of the records that take part, SI. `None` if no plot is zoomed, or if the
     /// model begins at different readings of these clocks, so that no common range corresponds to the plot.
     fn part_in_plot(&self) -> Option<[f64; 2]> {
-        let part = self.play.zoomed_part()?;
+        let part = self.play.plots().zoomed_part()?;
         let model = self.play.model();
         let taking_part: Vec<u32> =
             self.fit_records().iter().filter(|choice| choice.taking_part).map(|choice| choice.id).collect();

@@ -35,7 +35,7 @@ impl Desk {
             file: file.to_owned(),
             parts: self.parts(&self.document, &varied, true),
             varied,
-            parameters: shown(self.play.model(), self.play.parameter_values()),
+            parameters: shown(self.play.model(), self.play.course().parameters()),
             window: self.fits.setup.window,
             loss: self.fits.setup.loss,
         };
@@ -103,7 +103,7 @@ impl Desk {
     fn next_fit(&mut self) -> Result<(), Refusal> {
         let alone = self.fits.total == 1;
         while let Some(job) = self.fits.queue.pop() {
-            let theory = job.document.program.edition(self.play.tag()).title.clone();
+            let theory = job.document.program.edition(self.play.basis().tag()).title.clone();
             match self.ready(job) {
                 Ok(running) => {
                     self.fits.running = Some(running);
@@ -188,7 +188,7 @@ impl Desk {
     pub fn fit_progress(&self) -> Option<FitProgress> {
         let Running { job, fit, .. } = self.fits.running.as_ref().filter(|running| running.job.found.is_none())?;
         Some(FitProgress {
-            theory: job.document.program.edition(self.play.tag()).title.clone(),
+            theory: job.document.program.edition(self.play.basis().tag()).title.clone(),
             trials: fit.trials(),
             explained: fit.explained(),
             finished: (self.fits.total - self.fits.queue.len() - 1, self.fits.total),

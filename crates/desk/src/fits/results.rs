@@ -165,7 +165,7 @@ impl Desk {
     }
 
     fn title_of(&self, fit: &Fitted) -> String {
-        fit.document.program.edition(self.play.tag()).title.clone()
+        fit.document.program.edition(self.play.basis().tag()).title.clone()
     }
 
     pub(crate) fn is_applicable(&self, fit: &Fitted) -> bool {
@@ -194,8 +194,9 @@ impl Desk {
             sentences.push(words::not_converged(self.play.language()).to_owned());
         }
         sentences.extend(outcome.search_texts(self.play.language()));
-        sentences
-            .extend(outcome.rival_text(self.play.language(), |one, value| self.play.quantity_text(value, &one.unit)));
+        sentences.extend(
+            outcome.rival_text(self.play.language(), |one, value| self.play.basis().quantity_text(value, &one.unit)),
+        );
         sentences.extend(words::given_errors(self.play.language(), &fit.task));
         sentences.extend(self.missing_errors(fit));
         sentences.extend(self.beginnings(fit));
@@ -235,7 +236,7 @@ impl Desk {
     /// Sentences about the clock reading at which the initial values hold, one per record.
     fn beginnings(&self, fit: &Fitted) -> Vec<String> {
         let sentence = |(place, origin): (usize, &f64)| {
-            let at = self.play.quantity_text(*origin, &fit.document.program.model.independent.unit);
+            let at = self.play.basis().quantity_text(*origin, &fit.document.program.model.independent.unit);
             let of_record = fit.outcome.observations.iter().filter(|one| one.record == place);
             let text = words::initial_values_hold(self.play.language(), &at, of_record.map(|one| one.early).sum());
             match fit.definition.parts.get(place).filter(|_| fit.definition.parts.len() > 1) {
@@ -278,7 +279,7 @@ impl Desk {
             stopped.to_owned()
         } else if let Some(value) = self.truth(fit, one) {
             let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
-            let truth = self.play.quantity_text(value, group.unit());
+            let truth = self.play.basis().quantity_text(value, group.unit());
             words::truth_is(
                 self.play.language(),
                 &truth,

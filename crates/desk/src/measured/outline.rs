@@ -41,7 +41,7 @@ impl Desk {
 
     fn make_outline(&self) -> Option<(Outline, Vec<Follows>)> {
         let model = self.play.model();
-        let scene = self.document.program.scene(self.play.tag())?;
+        let scene = self.document.program.scene(self.play.basis().tag())?;
         let roots: Vec<_> = scene.values.iter().map(|value| value.node).collect();
         let (mut columns, mut inputs) = (Vec::new(), Vec::new());
         for (index, measured) in self.data.measured.iter().enumerate() {

@@ -60,7 +60,7 @@ impl Desk {
             for (number, points) in points.iter_mut().enumerate() {
                 points.version = self.data.version_of(number);
             }
-            self.play.set_points(plot, points);
+            self.play.change_plots(|plots| plots.set_points(plot, points));
         }
         self.begin_outline();
         self.begin_residuals();

@@ -31,7 +31,7 @@ impl Desk {
         let (Some(state), independent) = (self.play.model().states.first(), &self.play.model().independent) else {
             return MeasurementForm::default();
         };
-        let greatest = |index: usize| self.play.greatest(index);
+        let greatest = |index: usize| self.play.time_line().greatest(index);
         let start = self.play.course().initial().first().map_or(0.0, |value| value.abs());
         let size = [greatest(0), start].into_iter().filter(|size| size.is_finite()).fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { 1.0 };
@@ -43,7 +43,7 @@ impl Desk {
             quantity: state.name(),
             fields: [
                 shown(independent.unit.to_si(30.0)),
-                shown(independent.unit.from_si(self.play.end().max(duration))),
+                shown(independent.unit.from_si(self.play.course().front().max(duration))),
                 shown(fine(&state.unit).from_si(pixel)),
                 shown(fine(&state.unit).from_si(pixel / 2.0)),
                 shown(0.0),
@@ -69,7 +69,8 @@ impl Desk {
     pub fn measure(&mut self, name: &str, form: &MeasurementForm) -> Result<u32, (usize, Refusal)> {
         let camera = self.camera(form)?;
         let text = self.measured_text(&form.quantity, &camera).map_err(|refusal| (0, refusal))?;
-        let truth = self.play.parameters().into_iter().map(|one| (one.name, one.value)).collect();
+        let truth =
+            self.play.basis().parameters(self.play.course()).into_iter().map(|one| (one.name, one.value)).collect();
         self.insert_record(name, text.as_bytes(), Some(truth)).map_err(|refusal| (0, refusal))
     }
 
@@ -82,7 +83,7 @@ impl Desk {
         let [rate, duration, pixel, noise, jitter, scale, seed] = &form.fields;
         let read = |field: usize, typed: &str, unit: &units::Unit, least: f64| -> Result<f64, (usize, Refusal)> {
             let typed = typed.trim().trim_end_matches('%');
-            let value = self.play.read_value(typed, unit).map_err(|refusal| (field, refusal.into()))?;
+            let value = self.play.basis().read_value(typed, unit).map_err(|refusal| (field, refusal.into()))?;
             if value > least || (field > 1 && value >= 0.0) || field == 5 {
                 Ok(value)
             } else {

@@ -69,7 +69,8 @@ impl Desk {
             theory.play.set_parameter(index, *value)?;
         }
         let text = theory.measured_text("y", camera)?;
-        let truth = theory.play.parameters().into_iter().map(|one| (one.name, one.value)).collect();
+        let play = &theory.play;
+        let truth = play.basis().parameters(play.course()).into_iter().map(|one| (one.name, one.value)).collect();
         self.insert_record(name, text.as_bytes(), Some(truth))
     }
 }

@@ -12,7 +12,7 @@ impl Desk {
             let grade = grade.map(|grade| grade.code().to_owned());
             (name, Item(Content::Answer(format::Answer { typed, grade, revealed })))
         };
-        self.play.saved_answers().into_iter().map(item).collect()
+        self.play.answers().saved(self.play.basis()).into_iter().map(item).collect()
     }
 
     /// Restores the answer to the question of this name. Returns true if the item is an answer and the question exists.

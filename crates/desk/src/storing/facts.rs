@@ -66,15 +66,20 @@ impl Desk {
     fn facts_of_run(&self, facts: &mut Facts) {
         let title = self.document.program.title.clone();
         facts.text(Part::Run, &title, "document", self.document_name());
-        facts.number(Part::Run, &title, self.document.program.model.independent.name.clone(), self.play.time());
-        for state in self.play.states() {
+        facts.number(
+            Part::Run,
+            &title,
+            self.document.program.model.independent.name.clone(),
+            self.play.course().time(),
+        );
+        for state in self.play.values().states() {
             facts.number(Part::Run, &title, state.name, state.value);
         }
     }
 
     fn facts_of_answers(&mut self, facts: &mut Facts) {
         for question in 0..self.document.program.questions.len() {
-            let answer = self.play.answer(question);
+            let answer = self.play.answers().answer(self.play.basis(), question);
             if answer.typed.is_empty() {
                 continue;
             }

@@ -89,28 +89,26 @@ fn perform(desk: &mut Desk, action: Action) {
         Action::Keep => drop(desk.play_mut().keep()),
         Action::Remove(id) => desk.play_mut().remove_kept(id),
         Action::Method(index) => {
-            let name = desk.play().methods()[index].name;
+            let name = desk.play().basis().methods(desk.play().course())[index].name;
             drop(desk.play_mut().set_method(name));
         }
         Action::Step(step) => drop(desk.play_mut().set_step(step)),
         Action::Zoom(at, factor) => {
-            desk.play_mut().zoom_plot(
-                PlotId::at(0),
-                Some(Point { x: at as f32, y: at as f32 }),
-                factor,
-                Direction::Both,
-            );
-            desk.play_mut().pan_plot(PlotId::at(1), at, factor);
+            desk.play_mut().change_plots(|plots| {
+                plots.zoom(PlotId::at(0), Some(Point { x: at as f32, y: at as f32 }), factor, Direction::Both)
+            });
+            desk.play_mut().change_plots(|plots| plots.pan(PlotId::at(1), at, factor));
         }
         Action::Answer(text) => drop(desk.play_mut().check_answer(0, &text)),
         Action::Reopen => {
             let fragment = desk.play().share();
-            let before = (desk.play().csv(), desk.play().time(), desk.play().parameter_values().to_vec());
+            let before =
+                (desk.play().values().csv(), desk.play().course().time(), desk.play().course().parameters().to_vec());
             let changes = fragment.matches("&c=").count();
             desk.play_mut().restore(&fragment).unwrap_or_else(|refusal| panic!("{fragment}: {refusal:?}"));
             assert!(changes < 300);
             assert_eq!(
-                (desk.play().csv(), desk.play().time(), desk.play().parameter_values().to_vec()),
+                (desk.play().values().csv(), desk.play().course().time(), desk.play().course().parameters().to_vec()),
                 before,
                 "{fragment}"
             );
@@ -119,13 +117,13 @@ fn perform(desk: &mut Desk, action: Action) {
 }
 
 fn look(desk: &mut Desk) {
-    assert!(desk.play().time() >= 0.0 && desk.play().time() <= desk.play().end());
-    assert_eq!(desk.play().table_length(), desk.play().csv().lines().count() - 1);
-    assert!(desk.play().table_row_now() < desk.play().table_length());
+    assert!(desk.play().course().time() >= 0.0 && desk.play().course().time() <= desk.play().course().front());
+    assert_eq!(desk.play().values().table_length(), desk.play().values().csv().lines().count() - 1);
+    assert!(desk.play().values().table_row_now() < desk.play().values().table_length());
     desk.play_mut().readouts();
     desk.play_mut().scene_values();
-    desk.play_mut().presets();
-    assert!(desk.play().kept().len() <= play::MOST_KEPT);
+    desk.play().controls().presets(desk.play().basis(), desk.play().course());
+    assert!(desk.play().time_line().kept(desk.play().basis()).len() <= play::MOST_KEPT);
     for plot in 0..3 {
         followed(desk).layout_plot(PlotId::at(plot), &Settings::default());
         followed(desk).move_cursor(PlotId::at(plot), 3);

@@ -78,7 +78,7 @@ fn another_column_is_looked_at_and_a_flat_one_says_why_not() {
     desk.choose_cycles(id, 2);
     let view = desk.cycles().unwrap();
     assert!(view.rows.is_empty() && view.sentences[0].contains("does not oscillate"), "{view:?}");
-    assert!(!desk.play().plots()[desk.cycle_plot().place()].offered);
+    assert!(!desk.play().plots().list()[desk.cycle_plot().place()].offered);
     // Without the record there are no cycles; then another record replaces it.
     desk.remove_record(id);
     assert_eq!(desk.cycles(), None);
@@ -112,11 +112,11 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
     desk.add_record("film.txt", slow.join("\n").as_bytes()).unwrap();
     desk.open_cycles(true);
     let index = desk.cycle_plot();
-    assert_eq!(desk.play().plots()[index.place()].title, "Period against time");
+    assert_eq!(desk.play().plots().list()[index.place()].title, "Period against time");
     let (names, _) = desk.cycle_quantities();
     let frequency = names.iter().position(|name| name == "Angular frequency").unwrap();
     desk.show_cycles(frequency, false);
-    assert_eq!(desk.play().plots()[index.place()].title, "Angular frequency against time");
+    assert_eq!(desk.play().plots().list()[index.place()].title, "Angular frequency against time");
     let measured = read(&mut desk, 10.0);
     assert!(measured.iter().any(|text| text.starts_with("ω = (1.9") && text.contains(" ± ")), "{measured:?}");
     assert!(!measured.iter().any(|text| text.starts_with("simulation")), "{measured:?}");
@@ -143,7 +143,7 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
     }
     // Against the amplitude the points are not ordered in time.
     desk.show_cycles(frequency, true);
-    assert_eq!(desk.play().plots()[index.place()].title, "Angular frequency against amplitude");
+    assert_eq!(desk.play().plots().list()[index.place()].title, "Angular frequency against amplitude");
     assert!(followed(&mut desk).layout_plot(index, &Settings::default()).is_some());
 }
 

@@ -73,7 +73,7 @@ fn residuals_of_a_long_record_follow_in_slices() {
     }
     desk.play_mut().pause();
     let settings = figure::Settings::default();
-    let plots = desk.play().plots().len();
+    let plots = desk.play().plots().list().len();
     let mut frames = 0;
     while desk.lags() {
         let before = desk.revision();

@@ -32,7 +32,7 @@ fn readouts_have_values_units_and_words() {
     assert_eq!(readout(&mut desk, "omega_d"), "–");
     assert_eq!(readout(&mut desk, "regime"), "sobreamortiguado");
     play(&mut desk, [1.0]);
-    assert!((desk.play().time() - 1.0).abs() < 1e-9);
+    assert!((desk.play().course().time() - 1.0).abs() < 1e-9);
 }
 
 #[test]
@@ -66,23 +66,23 @@ fn the_scene_has_numbers_for_attributes_and_words_for_texts() {
 fn the_table_has_every_row_and_its_file_reads_back() {
     let mut desk = utube();
     play(&mut desk, [2.0]);
-    assert_eq!(desk.play().table_length(), 41);
-    assert_eq!(desk.play().table_header()[..3], ["t [s]", "y [m]", "y′ [m/s]"]);
-    let rows = desk.play().table_rows(38..1000);
+    assert_eq!(desk.play().values().table_length(), 41);
+    assert_eq!(desk.play().values().table_header()[..3], ["t [s]", "y [m]", "y′ [m/s]"]);
+    let rows = desk.play().values().table_rows(38..1000);
     assert_eq!(rows.len(), 3);
     assert_eq!(rows[2][0], "2.00", "times have the decimals of the step");
-    assert_eq!(desk.play().table_row_now(), 40);
-    assert!(desk.play().table_rows(100..200).is_empty());
-    let csv = desk.play().csv();
+    assert_eq!(desk.play().values().table_row_now(), 40);
+    assert!(desk.play().values().table_rows(100..200).is_empty());
+    let csv = desk.play().values().csv();
     let mut lines = csv.lines();
     assert!(lines.next().unwrap().starts_with("t [s],y [m],y' [m/s],"));
     let last: Vec<f64> = lines.last().unwrap().split(',').take(3).map(|cell| cell.parse().unwrap()).collect();
     assert_eq!(last, [2.0, crate::support::state(&desk)[0], crate::support::state(&desk)[1]]);
     assert_eq!(csv.lines().count(), 42);
     desk.set_language("es");
-    assert_eq!(desk.play().table_rows(1..2)[0][0], "0,05");
+    assert_eq!(desk.play().values().table_rows(1..2)[0][0], "0,05");
     // The same numbers for a spreadsheet with decimal commas.
-    let spanish = desk.play().csv();
+    let spanish = desk.play().values().csv();
     assert!(spanish.starts_with("\u{feff}t [s];y [m];y' [m/s];"), "{spanish}");
     let read = |text: &str| analysis::import::text(text.as_bytes()).unwrap().table;
     let bits = |text: &str| -> Vec<Vec<u64>> {
@@ -102,7 +102,7 @@ fn the_file_is_that_of_a_run_without_a_session() {
 
     let model = desk.play().model();
     let mut setup = Setup::defaults(model);
-    setup.parameters.clone_from_slice(desk.play().parameter_values());
+    setup.parameters.clone_from_slice(desk.play().course().parameters());
     let mut run = Run::start(model, setup).unwrap();
     for _ in 0..40 {
         run.advance().unwrap();
@@ -113,7 +113,7 @@ fn the_file_is_that_of_a_run_without_a_session() {
     for row in 0..=40 {
         table.write_row(Dialect::Lines, run.history(), row, &mut expected).unwrap();
     }
-    assert_eq!(desk.play().csv(), expected);
+    assert_eq!(desk.play().values().csv(), expected);
 }
 
 /// The points of all lines of a figure.
@@ -126,7 +126,7 @@ fn points(desk: &mut Desk, index: usize) -> usize {
 fn plots_grow_with_the_run_and_end_at_the_moment_shown() {
     let mut desk = utube();
     let titles: Vec<String> =
-        desk.play().plots().into_iter().filter(|plot| plot.offered).map(|plot| plot.title).collect();
+        desk.play().plots().list().into_iter().filter(|plot| plot.offered).map(|plot| plot.title).collect();
     assert_eq!(titles, ["Motion", "Phase portrait", "Energies"]);
     let empty = points(&mut desk, 0);
     desk.play_mut().play();
@@ -178,7 +178,7 @@ fn plots_are_read_by_pointer_and_by_keyboard() {
     let row = hovered.samples[0].row;
     let next = followed(&mut desk).move_cursor(PlotId::at(0), 1).unwrap();
     assert_eq!(next.samples[0].row, row + 1);
-    let apart = desk.play().plot_difference(PlotId::at(0), &hovered, &next);
+    let apart = desk.play().plots().difference(PlotId::at(0), &hovered, &next);
     assert!(apart[0].starts_with("Δt = 0.0") && apart[1].starts_with("Δy = ") && apart.len() == 3, "{apart:?}");
     assert!(followed(&mut desk).hover_plot(PlotId::at(0), Point { x: -1.0, y: 0.0 }).is_none());
     assert!(
@@ -193,7 +193,7 @@ fn kept_runs_are_read_by_their_names_and_ghosts_not_at_all() {
     play(&mut desk, [5.0]);
     desk.play_mut().keep().unwrap();
     set(&mut desk, "h_l", 4.0);
-    assert!(desk.play().has_ghost());
+    assert!(desk.play().time_line().has_ghost());
     play(&mut desk, [5.0]);
     for plot in [0, 1] {
         followed(&mut desk).layout_plot(PlotId::at(plot), &Settings::default());
@@ -214,21 +214,21 @@ fn zoom_and_pan_hold_until_reset() {
     let mut desk = utube();
     play(&mut desk, [5.0]);
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    assert!(desk.play().plots()[1].automatic);
-    desk.play_mut().zoom_plot(PlotId::at(1), None, 2.0, Direction::Both);
+    assert!(desk.play().plots().list()[1].automatic);
+    desk.play_mut().change_plots(|plots| plots.zoom(PlotId::at(1), None, 2.0, Direction::Both));
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    desk.play_mut().pan_plot(PlotId::at(1), 10.0, 0.0);
-    assert!(!desk.play().plots()[1].automatic && desk.play().plots()[0].automatic);
-    let before = desk.play().plot_figure(PlotId::at(1)).unwrap().x_scale().copied();
+    desk.play_mut().change_plots(|plots| plots.pan(PlotId::at(1), 10.0, 0.0));
+    assert!(!desk.play().plots().list()[1].automatic && desk.play().plots().list()[0].automatic);
+    let before = desk.play().plots().figure(PlotId::at(1)).unwrap().x_scale().copied();
     play(&mut desk, [1.0]);
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    desk.play_mut().reset_plot(PlotId::at(1));
+    desk.play_mut().change_plots(|plots| plots.reset(PlotId::at(1)));
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    assert!(desk.play().plots()[1].automatic);
-    assert_ne!(desk.play().plot_figure(PlotId::at(1)).unwrap().x_scale().copied(), before);
-    desk.play_mut().zoom_plot(PlotId::at(1), None, f64::NAN, Direction::Both);
-    desk.play_mut().zoom_plot(PlotId::at(9), None, 2.0, Direction::Both);
-    assert!(desk.play().plots()[1].automatic);
+    assert!(desk.play().plots().list()[1].automatic);
+    assert_ne!(desk.play().plots().figure(PlotId::at(1)).unwrap().x_scale().copied(), before);
+    desk.play_mut().change_plots(|plots| plots.zoom(PlotId::at(1), None, f64::NAN, Direction::Both));
+    desk.play_mut().change_plots(|plots| plots.zoom(PlotId::at(9), None, 2.0, Direction::Both));
+    assert!(desk.play().plots().list()[1].automatic);
 }
 
 #[test]
@@ -236,9 +236,9 @@ fn figures_are_files_too() {
     let mut desk = utube();
     play(&mut desk, [5.0]);
     desk.set_language("es");
-    let svg = followed(&mut desk).plot_svg(PlotId::at(1), &Settings::default(), &Palette::LIGHT);
+    let svg = followed(&mut desk).plots_to_front().svg(PlotId::at(1), &Settings::default(), &Palette::LIGHT);
     assert!(svg.starts_with("<svg") && svg.contains("Retrato de fase"), "{}", &svg[..200.min(svg.len())]);
-    assert_eq!(followed(&mut desk).plot_svg(PlotId::at(9), &Settings::default(), &Palette::LIGHT), "");
+    assert_eq!(followed(&mut desk).plots_to_front().svg(PlotId::at(9), &Settings::default(), &Palette::LIGHT), "");
 }
 
 #[test]
@@ -264,7 +264,10 @@ fn answers_are_judged() {
         desk.play_mut().check_answer(0, "3.76 m").text,
         "m measures something else; a unit such as s is needed."
     );
-    assert_eq!((desk.play_mut().reveal_answer(0).as_str(), desk.play().question_unit(0).as_str()), ("3.758 s", "s"));
+    assert_eq!(
+        (desk.play_mut().reveal_answer(0).as_str(), desk.play().basis().question_unit(0).as_str()),
+        ("3.758 s", "s")
+    );
     set(&mut desk, "b", 5000.0);
     assert_eq!(desk.play_mut().check_answer(0, "3.76").grade, Grade::Unanswerable);
     assert_eq!(desk.play_mut().reveal_answer(0), "–");
@@ -274,14 +277,17 @@ fn answers_are_judged() {
 #[test]
 fn a_question_may_suppose_other_parameters() {
     let mut desk = utube();
-    assert_eq!(desk.play_mut().question_setup(0), None);
+    assert_eq!(desk.play().answers().setup(desk.play().basis(), desk.play().course(), 0), None);
     let supposed = [("b", "0 kg/s"), ("h_l", "4 m")].map(|(name, value)| (name.to_owned(), value.to_owned())).to_vec();
-    assert_eq!(desk.play_mut().question_setup(1), Some((supposed, false)));
+    assert_eq!(desk.play().answers().setup(desk.play().basis(), desk.play().course(), 1), Some((supposed, false)));
     assert_eq!(desk.play_mut().check_answer(1, "1").grade, Grade::Correct);
     assert_eq!(desk.play_mut().reveal_answer(1), "1 m");
     desk.play_mut().apply_question_setup(1).unwrap();
     assert_eq!(crate::support::state(&desk), [1.0, 0.0]);
-    assert_eq!(desk.play_mut().question_setup(1).map(|(_, set)| set), Some(true));
+    assert_eq!(
+        desk.play().answers().setup(desk.play().basis(), desk.play().course(), 1).map(|(_, set)| set),
+        Some(true)
+    );
     assert!(desk.play_mut().apply_question_setup(9).is_err());
 }
 
@@ -307,11 +313,20 @@ fn units_other_than_si_are_shown_everywhere() {
     let source = "---\ntitle: Spring\n---\n```model\nparameter k = 4 [N/cm] in 1..100 \"Stiffness\"\nparameter m = 250 [g] in 100..500 step 10\nm*x'' = -k*x\nx(0) = 5 [cm] in [cm]\nx'(0) = 0 in [cm/s]\n```\n```plots\n\"Motion\": x against t\n```\n";
     let mut desk = open(source, &[]);
     assert_eq!(readout(&mut desk, "x"), "5.000");
-    assert_eq!(desk.play().table_header(), ["t [s]", "x [cm]", "x′ [cm/s]"]);
-    assert_eq!(desk.play().parameter(1).unwrap().text, "250");
-    assert_eq!(desk.play().parameter(1).unwrap().slider.map(|slider| slider.position), Some(15));
+    assert_eq!(desk.play().values().table_header(), ["t [s]", "x [cm]", "x′ [cm/s]"]);
+    assert_eq!(desk.play().basis().parameter(desk.play().course(), 1).unwrap().text, "250");
+    assert_eq!(
+        desk.play().basis().parameter(desk.play().course(), 1).unwrap().slider.map(|slider| slider.position),
+        Some(15)
+    );
     desk.play_mut().slide(1, 16);
-    assert_eq!((desk.play().parameter(1).unwrap().text.as_str(), desk.play().parameter_values()[1]), ("260", 0.26));
+    assert_eq!(
+        (
+            desk.play().basis().parameter(desk.play().course(), 1).unwrap().text.as_str(),
+            desk.play().course().parameters()[1]
+        ),
+        ("260", 0.26)
+    );
     followed(&mut desk).layout_plot(PlotId::at(0), &Settings::default());
     let readout = followed(&mut desk).move_cursor(PlotId::at(0), 0).unwrap();
     assert_eq!(readout.samples[0].y, 5.0);

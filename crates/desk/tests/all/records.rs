@@ -35,7 +35,7 @@ fn records_in_one_plot_have_colours_of_their_own() {
         desk.add_record(name, [row, "0.2 0.33\n0.3 0.24\n"].concat().as_bytes()).unwrap();
     }
     let colours = |desk: &Desk, plot: PlotId, label: &str| {
-        let legend = desk.play().plot_legend(plot);
+        let legend = desk.play().plots().legend(plot);
         let own: Vec<u8> = legend.iter().filter(|one| one.label.starts_with(label)).map(|one| one.colour).collect();
         own
     };
@@ -159,14 +159,14 @@ fn a_measurement_without_errors_leaves_nothing_over() {
         record.findings
     );
     let residuals = desk.document().program.plots.len();
-    assert!(desk.play().plots()[residuals].offered);
+    assert!(desk.play().plots().list()[residuals].offered);
     desk.play_mut().play();
     (0..40).for_each(|_| assert!(desk.play_mut().tick(0.05)));
     desk.play_mut().pause();
     let plot = dots(&mut desk, residuals);
     // Residuals exist up to the front of the run. The position is exact to the step of the run.
     let (zero, finite): (Vec<_>, Vec<_>) = plot.iter().partition(|(_, left)| left.abs() < 1e-4);
-    assert!(zero.len() > 50 && zero.iter().all(|(time, _)| *time <= desk.play().time() + 1e-6), "{plot:?}");
+    assert!(zero.len() > 50 && zero.iter().all(|(time, _)| *time <= desk.play().course().time() + 1e-6), "{plot:?}");
     assert!(finite.iter().all(|(_, left)| left.abs() < 0.01), "{finite:?}");
     desk.play_mut().back_to_start();
     assert!(dots(&mut desk, residuals).len() <= 2);
@@ -262,9 +262,9 @@ fn samples_are_made_and_fitted() {
     assert!(length.value.starts_with("0.24") || length.value.starts_with("0.23"), "{length:?}");
     assert!(length.remark.starts_with("truth: 0.24 m; off by "), "{length:?}");
     // The fit is applied to the sliders, and the run covers the whole record.
-    assert!((desk.play().parameter_values()[0] - 0.24).abs() < 0.001);
-    assert!((desk.play().end() - 8.0).abs() < 0.05, "{}", desk.play().end());
-    assert_eq!(desk.play().time(), 0.0);
+    assert!((desk.play().course().parameters()[0] - 0.24).abs() < 0.001);
+    assert!((desk.play().course().front() - 8.0).abs() < 0.05, "{}", desk.play().course().front());
+    assert_eq!(desk.play().course().time(), 0.0);
 }
 
 #[test]
@@ -287,7 +287,7 @@ fn theories_are_ranked() {
     opened.adopt_records(&mut desk);
     assert!(opened.fits()[0].applicable);
     opened.apply_fit(fits[0].id);
-    assert!((opened.play().parameter_values()[0] - 0.18).abs() < 0.003);
+    assert!((opened.play().course().parameters()[0] - 0.18).abs() < 0.003);
     // A fit can be cancelled.
     opened.begin_fit("theories/linear.md").unwrap();
     opened.cancel_fit();

@@ -149,14 +149,14 @@ fn answers_come_back() {
     }
     assert_eq!(later.saved_answers(), saved);
     assert_eq!(
-        [0, 1].map(|question| later.play().answer(question)),
-        [0, 1].map(|question| desk.play().answer(question))
+        [0, 1].map(|question| later.play().answers().answer(later.play().basis(), question)),
+        [0, 1].map(|question| desk.play().answers().answer(desk.play().basis(), question))
     );
     let text = r#"{"meniscus":3,"since":7,"item":{"answer":{"typed":"9.81 m/s²","grade":"scale","revealed":true}}}"#;
     let (since, item) = Item::read(text).unwrap();
     assert_eq!(since, 7);
     assert!(later.restore_answer(&saved[0].0, &item));
-    let answer = later.play().answer(0);
+    let answer = later.play().answers().answer(later.play().basis(), 0);
     assert_eq!((answer.typed.as_str(), answer.revealed), ("9.81 m/s²", true));
     assert_eq!(answer.verdict.map(|verdict| verdict.grade), Some(Grade::WrongScale));
     assert_eq!(later.saved_answers()[0].1.write(7), text);

@@ -12,9 +12,15 @@ fn told(desk: &mut Desk) -> Vec<Announcement> {
 
 /// Text of the state that removals can change.
 fn everything(desk: &mut Desk) -> String {
-    let parameters: Vec<f64> = desk.play().parameters().iter().map(|parameter| parameter.value).collect();
+    let parameters: Vec<f64> =
+        desk.play().basis().parameters(desk.play().course()).iter().map(|parameter| parameter.value).collect();
     let records: Vec<String> = desk.records().into_iter().map(|record| format!("{record:?}")).collect();
-    format!("{parameters:?} {records:?} {:?} {:?} {}", desk.play().kept(), desk.fits(), desk.play().has_ghost())
+    format!(
+        "{parameters:?} {records:?} {:?} {:?} {}",
+        desk.play().time_line().kept(desk.play().basis()),
+        desk.fits(),
+        desk.play().time_line().has_ghost()
+    )
 }
 
 fn laboratory() -> Desk {
@@ -31,7 +37,7 @@ fn laboratory() -> Desk {
     play(&mut desk, [1.0]);
     desk.play_mut().scrub(0.5);
     play(&mut desk, [0.2]);
-    assert!(desk.play().has_ghost());
+    assert!(desk.play().time_line().has_ghost());
     told(&mut desk);
     desk
 }
@@ -42,7 +48,7 @@ fn each_removal_is_announced_and_undone() {
     let removals: [Removal; 6] = [
         ("a record", |desk| desk.remove_record(desk.records()[1].id)),
         ("a kept run", |desk| {
-            let id = desk.play().kept()[1].id;
+            let id = desk.play().time_line().kept(desk.play().basis())[1].id;
             desk.play_mut().remove_kept(id);
         }),
         ("the previous run", |desk| desk.play_mut().remove_ghost()),
@@ -90,14 +96,14 @@ fn only_the_last_removal_is_undone() {
 #[test]
 fn a_run_that_comes_back_keeps_an_id_of_its_own() {
     let mut desk = laboratory();
-    let last = desk.play().kept().pop().unwrap().id;
+    let last = desk.play().time_line().kept(desk.play().basis()).pop().unwrap().id;
     desk.play_mut().remove_kept(last);
     desk.play_mut().keep().unwrap();
     desk.undo(desk.undo_number().unwrap());
-    let mut ids: Vec<u32> = desk.play().kept().iter().map(|run| run.id).collect();
+    let mut ids: Vec<u32> = desk.play().time_line().kept(desk.play().basis()).iter().map(|run| run.id).collect();
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), desk.play().kept().len());
+    assert_eq!(ids.len(), desk.play().time_line().kept(desk.play().basis()).len());
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn every_template_is_without_faults_and_the_same_model_in_both_languages() {
         // It runs for a second without a problem.
         let mut desk = open(template.text(Language::English), &[]);
         play(&mut desk, [0.01; 100]);
-        assert_eq!(desk.play().problem(), None, "{}", template.name);
+        assert_eq!(desk.play().time_line().problem(desk.play().basis()), None, "{}", template.name);
     }
 }
 
@@ -39,15 +39,15 @@ fn every_template_is_without_faults_and_the_same_model_in_both_languages() {
 fn another_default_replaces_the_program_and_the_time_stays() {
     let mut desk = writing();
     play(&mut desk, [0.05; 20]);
-    let (time, before) = (desk.play().time(), state(&desk));
+    let (time, before) = (desk.play().course().time(), state(&desk));
     let density = UTUBE.replace("parameter b   = 50 ", "parameter b   = 500");
     assert_ne!(density, UTUBE);
     assert!(desk.write(0, density.clone()));
     assert!(desk.writing().runs() && desk.writing().findings().is_empty());
-    assert_eq!(desk.play().time(), time);
+    assert_eq!(desk.play().course().time(), time);
     assert_ne!(state(&desk), before);
     let damping = parameter(&desk, "b");
-    assert_eq!(desk.play().parameters()[damping].value, 500.0);
+    assert_eq!(desk.play().basis().parameters(desk.play().course())[damping].value, 500.0);
     assert_eq!(desk.document().source, density);
     // The same text again changes nothing.
     let revision = desk.revision();
@@ -96,7 +96,7 @@ fn parameters_that_were_set_stay_by_name_also_where_others_come_before_them() {
     let translation = UTUBE_ES.replace("```translations\n", "```translations\n\"Further\" = \"Otro\"\n");
     assert!(desk.write_all(vec![text, translation]), "{:#?}", desk.writing().findings());
     let damping = parameter(&desk, "b");
-    assert_eq!(desk.play().parameters()[damping].value, 400.0);
+    assert_eq!(desk.play().basis().parameters(desk.play().course())[damping].value, 400.0);
     assert_eq!(parameter(&desk, "extra"), 0);
 }
 
@@ -109,7 +109,7 @@ fn another_plot_leaves_residuals_and_cycles_behind_those_of_the_document() {
     assert!(desk.write_all(vec![text, translation]), "{:#?}", desk.writing().findings());
     assert_eq!(desk.document().program.plots.len(), own + 1);
     assert_eq!((desk.residual_plot().place(), desk.cycle_plot().place()), (own + 1, own + 2));
-    let plots = desk.play().plots();
+    let plots = desk.play().plots().list();
     assert_eq!(plots.len(), own + 3);
     assert!(plots[own + 2].apart);
 }
@@ -175,7 +175,7 @@ proptest! {
     ) {
         let mut desk = writing();
         play(&mut desk, [0.05; 4]);
-        let before = (state(&desk), desk.play().time());
+        let before = (state(&desk), desk.play().course().time());
         let mut letters: Vec<char> = UTUBE.chars().collect();
         for (place, removed, typed) in typing {
             let from = (place * letters.len() as f64) as usize;
@@ -191,7 +191,7 @@ proptest! {
         desk.write_all(vec![UTUBE.to_owned(), UTUBE_ES.to_owned()]);
         prop_assert!(desk.writing().runs() && desk.writing().findings().is_empty());
         prop_assert_eq!(&desk.document().source, UTUBE);
-        if desk.play().time() == before.1 {
+        if desk.play().course().time() == before.1 {
             prop_assert_eq!(state(&desk), before.0);
         }
     }

@@ -1,6 +1,6 @@
 //! Buttons of the document. A press is an event at the moment shown and becomes part of the run.
 
-use crate::{Announcement, Play, Refusal};
+use crate::Basis;
 use engine::Press;
 use program::Button;
 use units::number::compact;
@@ -17,72 +17,18 @@ pub struct ButtonView {
     pub title: String,
 }
 
-impl Play {
+impl Basis {
     /// The buttons of the document, in the order of the text.
     pub fn buttons(&self) -> Vec<ButtonView> {
         let buttons = self.model().buttons.iter().enumerate();
         buttons.map(|(index, button)| ButtonView { index, title: self.text(&button.title).to_owned() }).collect()
     }
+}
 
-    /// True if a button can be pressed now. False if the run has failed, an event has ended it, or the recording is
-    /// full, unless an earlier moment is shown.
-    pub fn can_press(&self) -> bool {
-        let course = &self.course;
-        course.history().is_some() && (course.is_scrubbed() || (course.error().is_none() && !self.full))
-    }
-
-    /// Presses a button at the moment shown. If an earlier moment is shown, the run continues from there and the later
-    /// rows become the ghost.
-    pub fn press(&mut self, index: usize) -> Result<(), Refusal> {
-        if index >= self.model().buttons.len() {
-            return Err(Refusal::Unknown { name: index.to_string() });
-        }
-        if !self.can_press() {
-            return Err(Refusal::RunEnded);
-        }
-        let time = self.course.time();
-        let before = |press: &&Press| press.time <= time;
-        if self.course.begun().presses.iter().filter(before).count() >= MOST_PRESSES {
-            return Err(Refusal::TooManyPresses { most: MOST_PRESSES });
-        }
-        self.hold = None;
-        self.branch();
-        self.course.press(index);
-        self.note_rewritten(time);
-        self.revision.transport += 1;
-        self.revision.parameters += 1;
-        self.frame_changed();
-        self.announce(Announcement::Pressed(index, time));
-        if self.course.error().is_some() && self.playing {
-            self.stop();
-            self.announce(Announcement::Failed);
-        }
-        Ok(())
-    }
-
-    /// Texts such as `Kick 3.20 s` for the presses of a run up to the time `until` (SI). If there are many presses, one
-    /// count per button instead.
-    pub(crate) fn press_texts(&self, presses: &[Press], until: f64) -> Vec<String> {
-        /// Up to this number, presses are listed individually.
-        const FEW: usize = 3;
-        let presses: Vec<&Press> = presses.iter().filter(|press| press.time <= until).collect();
-        let title = |button: &Button| self.text(&button.title).to_owned();
-        let buttons = &self.model().buttons;
-        if presses.len() <= FEW {
-            let one =
-                |press: &&Press| Some(format!("{} {}", title(buttons.get(press.button)?), self.time_words(press.time)));
-            return presses.iter().filter_map(one).collect();
-        }
-        let counted = buttons
-            .iter()
-            .enumerate()
-            .map(|(index, button)| (presses.iter().filter(|press| press.button == index).count(), button));
-        counted.filter(|(count, _)| *count > 0).map(|(count, button)| format!("{} × {count}", title(button))).collect()
-    }
-
+impl Basis {
     /// Maps the presses of a run of the former program to the buttons of this one. Adds the names of lost presses to
     /// `lost`.
-    pub(crate) fn presses_from(&self, presses: &[Press], before: &Play, lost: &mut Vec<String>) -> Vec<Press> {
+    pub(crate) fn presses_from(&self, presses: &[Press], before: &Basis, lost: &mut Vec<String>) -> Vec<Press> {
         let same = |old: &Button, new: &Button| match (&old.name, &new.name) {
             (Some(old), Some(new)) => old == new,
             _ => old.title == new.title,

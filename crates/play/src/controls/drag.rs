@@ -4,23 +4,24 @@
 //! dragged initial value, as little as possible ([`Start::solve`]); the other initial values stay those of the
 //! document. If no parameter determines it, if a range ends, or at any later time, the state itself becomes the start
 //! of the run, and the dragged quantity is at rest. It remains the start until another one is set or
-//! [`Play::restore_defaults`] is called.
+//! [`crate::Play::restore_defaults`] is called.
 //!
 //! A part may also set a parameter, like a slider; the run then continues during the drag.
 
-use crate::controls::hold::{Hold, Holding};
+use crate::controls::hold::Hold;
 use crate::controls::start::Start;
-use crate::{Announcement, Play, number};
-use engine::Setup;
+use crate::number;
 use program::{Child, Drag, Dragged, Element, Piece, Program};
 use units::{Dimension, Unit};
 
+use super::Grips;
+
 /// Start of the run that results from a drag.
-struct Pulled {
-    parameters: Vec<f64>,
-    state: Vec<f64>,
+pub(crate) struct Pulled {
+    pub parameters: Vec<f64>,
+    pub state: Vec<f64>,
     /// True if the state differs from the one that the parameters determine.
-    by_hand: bool,
+    pub by_hand: bool,
 }
 
 /// Number of bisections used to find the position at which the drawing stops following.
@@ -29,32 +30,13 @@ const HALVINGS: u32 = 40;
 /// Significant digits of a length in the drawing, as on a ruler.
 const LENGTH_DIGITS: usize = 3;
 
-impl Play {
-    /// Starts dragging a part of the scene. A part that moves a state pauses the run.
-    pub fn drag_begin(&mut self, drag: &Drag) {
-        if self.hold.is_some() {
-            self.drag_end();
-        }
-        match drag.target {
-            Dragged::State(held) => {
-                let Some(hold) = self.grip(drag, held) else { return };
-                self.pause();
-                self.hold = Some(Holding::State(Box::new(hold)));
-            }
-            Dragged::Parameter(parameter) => {
-                let Some(&from) = self.course.parameters().get(parameter) else { return };
-                let (right, up) = self.drag_factors(drag);
-                self.hold = Some(Holding::Parameter { parameter, from, right, up, moved: false });
-            }
-        }
-    }
-
+impl Grips<'_> {
     /// Least and greatest value (SI) that dragging this part can give its state from the present value, limited by how
     /// far the drawing follows. For a parameter, its range.
-    pub fn drag_range(&mut self, drag: &Drag) -> Option<(f64, f64)> {
+    pub fn range(&mut self, drag: &Drag) -> Option<(f64, f64)> {
         let held = match drag.target {
             Dragged::State(held) => held,
-            Dragged::Parameter(index) => return self.model().parameters.get(index)?.range,
+            Dragged::Parameter(index) => return self.basis.model().parameters.get(index)?.range,
         };
         let mut hold = self.grip(drag, held)?;
         let now = *hold.from.get(hold.state)?;
@@ -65,138 +47,70 @@ impl Play {
     }
 
     /// Text of a length given in scene units; `None` if the drawing has no scale.
-    pub fn scene_length(&mut self, units: f64) -> Option<String> {
-        let (metres, unit) = self.scene_scale()?;
-        let text = number::plain(unit.from_si(units * metres), LENGTH_DIGITS, self.style);
+    pub fn length(&mut self, units: f64) -> Option<String> {
+        let (metres, unit) = self.scale()?;
+        let text = number::plain(unit.from_si(units * metres), LENGTH_DIGITS, self.basis.style());
         Some(format!("{text} {}", number::unit_text(&unit.text)))
     }
 
     /// Scale of the drawing at the time shown, in metres per scene unit, and the unit in which lengths are displayed.
     /// Taken from a handle that changes a length, otherwise from a frame of lengths; `None` if there is neither.
-    pub fn scene_scale(&mut self) -> Option<(f64, Unit)> {
-        let scene = self.program.scene(&self.tag)?;
+    pub fn scale(&mut self) -> Option<(f64, Unit)> {
+        let scene = self.basis.scene()?;
         let mut drags = Vec::new();
         collect_drags(&scene.root, &mut drags);
         let lengths = drags.into_iter().filter_map(|drag| {
             let unit = match drag.target {
-                Dragged::State(index) => &self.program.model.states.get(index)?.unit,
-                Dragged::Parameter(index) => &self.program.model.parameters.get(index)?.unit,
+                Dragged::State(index) => &self.basis.model().states.get(index)?.unit,
+                Dragged::Parameter(index) => &self.basis.model().parameters.get(index)?.unit,
             };
             (unit.dimension == Dimension::LENGTH).then_some((drag.up.or(drag.right)?, unit.clone()))
         });
         let framed = scene.length.map(|index| (index, Unit::si(Dimension::LENGTH)));
         let (factor, unit) = lengths.collect::<Vec<_>>().into_iter().next().or(framed)?;
-        let factor = self.scene_values().get(factor).copied().filter(|factor| factor.is_finite() && *factor != 0.0)?;
+        let factor = self
+            .values
+            .scene_values(self.line.course())
+            .get(factor)
+            .copied()
+            .filter(|factor| factor.is_finite() && *factor != 0.0)?;
         Some((factor.abs(), unit))
     }
 
     /// Data for dragging a part that moves a state; `None` if the state cannot be dragged.
-    fn grip(&mut self, drag: &Drag, held: usize) -> Option<Hold> {
-        let (right, up) = self.drag_factors(drag);
-        let mut from = self.course.state().to_vec();
+    pub(crate) fn grip(&mut self, drag: &Drag, held: usize) -> Option<Hold> {
+        let (right, up) = self.factors(drag);
+        let mut from = self.line.course().state().to_vec();
         if held >= from.len() || from.iter().any(|value| !value.is_finite()) {
             return None;
         }
-        let at_start = self.course.time() == 0.0 && !self.is_started_by_hand();
+        let at_start = self.line.course().time() == 0.0 && self.line.course().begun().start.is_none();
         if !at_start {
             self.rest(held, &mut from);
         }
-        let start = if at_start { Start::of(&self.program.model, held) } else { None };
-        let parameters = self.course.parameters().to_vec();
-        let reach = extent(&self.program, &self.tag);
+        let start = if at_start { Start::of(self.basis.model(), held) } else { None };
+        let parameters = self.line.course().parameters().to_vec();
+        let reach = extent(self.basis.program(), self.basis.tag());
         let mut shaping = Vec::new();
-        if let Some(scene) = self.program.scene(&self.tag) {
+        if let Some(scene) = self.basis.scene() {
             collect_shaping(&scene.root, &mut shaping);
         }
-        let playing = self.playing;
+        let playing = self.line.is_playing();
         Some(Hold { state: held, from, parameters, start, right, up, reach, shaping, moved: false, playing })
     }
 
     /// Change of the dragged value (SI) per scene unit to the right and upwards, at the moment shown.
-    fn drag_factors(&mut self, drag: &Drag) -> (f64, f64) {
-        let values = self.scene_values();
+    pub(crate) fn factors(&mut self, drag: &Drag) -> (f64, f64) {
+        let values = self.values.scene_values(self.line.course());
         let factor = |index: Option<usize>| {
             index.and_then(|index| values.get(index).copied()).filter(|value| value.is_finite()).unwrap_or(0.0)
         };
         (factor(drag.right), factor(drag.up))
     }
 
-    /// Moves the pointer to `right` and `up` scene units from the start of the drag (up is positive). The state follows
-    /// only as far as the drawing does: within the extent of the scene, while all values of the drawing are finite, and
-    /// until an author's limit (`min(sum, sum/2 + y)`) stops the motion.
-    pub fn drag_move(&mut self, right: f64, up: f64) {
-        let mut hold = match self.hold.take() {
-            Some(Holding::State(hold)) => hold,
-            Some(Holding::Parameter { parameter, from, right: by_right, up: by_up, moved }) => {
-                let moved = self.drag_parameter(parameter, from + right * by_right + up * by_up) || moved;
-                self.hold = Some(Holding::Parameter { parameter, from, right: by_right, up: by_up, moved });
-                return;
-            }
-            None => return,
-        };
-        if right.is_finite() && up.is_finite() {
-            let right = right.clamp(-hold.reach.0, hold.reach.0);
-            let up = up.clamp(-hold.reach.1, hold.reach.1);
-            let way = right * hold.right + up * hold.up;
-            if let Some(Pulled { parameters, state, by_hand }) = self.followed(&mut hold, way) {
-                let start = by_hand.then_some(state);
-                self.restart(Setup { parameters, start, ..self.course.begun().clone() });
-                hold.moved = true;
-            }
-        }
-        self.hold = Some(Holding::State(hold));
-    }
-
-    /// Sets a dragged parameter (SI), clamped to its range. Returns true if it has the new value.
-    fn drag_parameter(&mut self, parameter: usize, value: f64) -> bool {
-        if !value.is_finite() {
-            return false;
-        }
-        let range = self.model().parameters.get(parameter).and_then(|parameter| parameter.range);
-        let value = range.map_or(value, |(least, greatest)| value.max(least).min(greatest));
-        let Ok(value) = self.admit(parameter, value) else { return false };
-        let mut parameters = self.course.parameters().to_vec();
-        if let Some(old) = parameters.get_mut(parameter)
-            && old.to_bits() != value.to_bits()
-        {
-            *old = value;
-            self.change_parameters(parameters);
-        }
-        true
-    }
-
-    /// Ends the drag. The run continues from there if it was playing before.
-    pub fn drag_end(&mut self) {
-        let hold = match self.hold.take() {
-            Some(Holding::State(hold)) => hold,
-            Some(Holding::Parameter { parameter, moved, .. }) => {
-                if let (true, Some(&value)) = (moved, self.course.parameters().get(parameter)) {
-                    self.announce(Announcement::ParameterSet(parameter, value));
-                }
-                return;
-            }
-            None => return,
-        };
-        if let (true, Some(&value)) = (hold.moved, self.course.state().get(hold.state)) {
-            self.announce(if self.is_started_by_hand() {
-                Announcement::StateSet(hold.state, value)
-            } else {
-                Announcement::StartSet { state: hold.state, value, before: hold.parameters }
-            });
-        }
-        if hold.playing {
-            self.play();
-        }
-    }
-
-    /// True while a part of the scene is being dragged.
-    pub fn is_dragging(&self) -> bool {
-        self.hold.is_some()
-    }
-
     /// Sets the higher derivatives of the dragged variable to 0.
     fn rest(&self, held: usize, state: &mut [f64]) {
-        let states = &self.program.model.states;
+        let states = &self.basis.model().states;
         let Some(held) = states.get(held) else { return };
         for (other, value) in states.iter().zip(state) {
             if other.variable == held.variable && other.order > held.order {
@@ -214,7 +128,7 @@ impl Play {
         *value += way;
         match hold.start.as_mut().and_then(|start| start.solve(&hold.parameters, *value)) {
             Some(parameters) => {
-                let state = self.initial_for(&parameters);
+                let state = self.initial(&parameters);
                 Pulled { parameters, state, by_hand: false }
             }
             None => Pulled { parameters: hold.parameters.clone(), state, by_hand: true },
@@ -223,7 +137,7 @@ impl Play {
 
     /// Start of the run at the furthest point along `way` (SI) to which the drawing follows; `None` if it cannot be
     /// drawn.
-    fn followed(&mut self, hold: &mut Hold, way: f64) -> Option<Pulled> {
+    pub(crate) fn followed(&mut self, hold: &mut Hold, way: f64) -> Option<Pulled> {
         let there = self.pulled(hold, way);
         let here = self.pulled(hold, 0.0);
         let (here, drawn) = (self.drawing(hold, &here), self.drawing(hold, &there));
@@ -249,8 +163,14 @@ impl Play {
 
     /// Values that determine the drawing for a run with this start.
     fn drawing(&mut self, hold: &Hold, Pulled { parameters, state, .. }: &Pulled) -> Vec<f64> {
-        let values = self.evaluators.scene.at(parameters, state, 0.0, state);
+        let values = self.values.scene_at_start(parameters, state);
         hold.shaping.iter().filter_map(|&index| values.get(index).copied()).collect()
+    }
+
+    /// Initial state (SI) for given parameters (SI).
+    fn initial(&mut self, parameters: &[f64]) -> Vec<f64> {
+        let nothing = vec![0.0; self.basis.model().states.len()];
+        self.controls.initial.at(parameters, &nothing, 0.0, &nothing).to_vec()
     }
 }
 

@@ -1,12 +1,8 @@
 //! Curves drawn by the reader: tables of the model whose points are set in the page. Changing a curve restarts the run.
 
-use crate::controls::input::DIGITS;
-use crate::play::Evaluators;
-use crate::plots::plot::PlotState;
-use crate::plots::traces::Columns;
-use crate::removed::Removed;
+use crate::basis::input::DIGITS;
 use crate::values::symbol::symbol;
-use crate::{Announcement, Play, Refusal, number};
+use crate::{Basis, Course, Refusal, number};
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use engine::Setup;
@@ -42,16 +38,16 @@ pub struct DrawingView {
     pub is_default: bool,
 }
 
-impl Play {
+impl Basis {
     /// All curves drawn by the reader, in the order of the text.
-    pub fn drawn_curves(&self) -> Vec<DrawingView> {
-        (0..self.course.begun().drawings.len()).filter_map(|index| self.drawn_curve(index)).collect()
+    pub fn drawn_curves(&self, at: &Course) -> Vec<DrawingView> {
+        (0..at.begun().drawings.len()).filter_map(|index| self.drawn_curve(at, index)).collect()
     }
 
     /// One drawn curve; `None` for an unknown index.
-    pub fn drawn_curve(&self, index: usize) -> Option<DrawingView> {
+    pub fn drawn_curve(&self, at: &Course, index: usize) -> Option<DrawingView> {
         let (table, drawn) = table(self.model(), index)?;
-        let values = self.course.begun().drawings.get(index)?;
+        let values = at.begun().drawings.get(index)?;
         let curve = drawn.curve(values)?;
         let lines = (Drawn::POINTS - 1) * SMOOTH;
         let line = (0..=lines).map(|part| {
@@ -59,87 +55,36 @@ impl Play {
             let argument = drawn.from + place * (drawn.until - drawn.from);
             (place, height(drawn, curve.value(argument, curve.piece(argument))))
         });
-        let symbol = format!("{}({})", symbol(&table.name), symbol(&table.argument));
-        let text =
-            |value: f64, unit: &Unit| self.with_unit(number::plain(unit.from_si(value), DIGITS, self.style), unit);
+        let text = |value: f64, unit: &Unit| {
+            number::with_unit(&number::plain(unit.from_si(value), DIGITS, self.style()), unit)
+        };
         Some(DrawingView {
             index,
-            label: table.label.as_deref().map_or_else(|| symbol.clone(), |label| self.text(label).to_owned()),
-            symbol,
+            label: self.label_of(table),
+            symbol: symbol_of(table),
             heights: values.iter().map(|&value| height(drawn, value)).collect(),
             line: line.collect(),
             zero: Some(height(drawn, 0.0)).filter(|zero| (0.0..=1.0).contains(zero)),
             values: [drawn.low, drawn.high].map(|value| text(value, &table.unit)),
             arguments: [drawn.from, drawn.until].map(|value| text(value, &table.argument_unit)),
-            is_default: self.defaults.drawings.get(index) == Some(values),
+            is_default: self.defaults().drawings.get(index) == Some(values),
         })
     }
 
     /// Text for a point of a curve at a height: `t = 2 s: 1.5 m/s²`.
     pub fn drawn_text(&self, index: usize, point: usize, height: f64) -> String {
         let Some((table, drawn)) = table(self.model(), index) else { return String::new() };
-        let shown = |value: f64, unit: &Unit| self.with_unit(number::plain(unit.from_si(value), 4, self.style), unit);
+        let shown =
+            |value: f64, unit: &Unit| number::with_unit(&number::plain(unit.from_si(value), 4, self.style()), unit);
         let argument = shown(drawn.argument(point), &table.argument_unit);
         format!("{} = {argument}: {}", symbol(&table.argument), shown(value(drawn, level(height)), &table.unit))
     }
 
-    /// Replaces a curve by one through points at these heights (0 to 1); the run restarts.
-    pub fn draw(&mut self, index: usize, heights: &[f64]) -> Result<(), Refusal> {
-        let unknown = || Refusal::Unknown { name: index.to_string() };
-        let (_, drawn) = table(self.model(), index).ok_or_else(unknown)?;
-        if heights.len() != Drawn::POINTS || heights.iter().any(|height| !height.is_finite()) {
-            return Err(unknown());
-        }
-        let values: Vec<f64> = heights.iter().map(|&height| value(drawn, level(height))).collect();
-        if self.course.begun().drawings.get(index) != Some(&values) {
-            self.redraw(index, values);
-            self.announce(Announcement::Drawn(index));
-        }
-        Ok(())
-    }
-
-    /// Restores the document's own curve; the run restarts.
-    pub fn clear_drawing(&mut self, index: usize) {
-        let Some(values) = self.defaults.drawings.get(index).cloned() else { return };
-        if self.course.begun().drawings.get(index) != Some(&values) {
-            let before = Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() };
-            self.redraw(index, values);
-            self.can_undo(Removed::Start(before));
-            self.announce(Announcement::DrawingCleared(index));
-        }
-    }
-
-    fn redraw(&mut self, index: usize, values: Vec<f64>) {
-        let parameters = self.course.parameters().to_vec();
-        let mut setup = Setup { parameters, ..self.course.begun().clone() };
-        if let Some(own) = setup.drawings.get_mut(index) {
-            *own = values;
-        }
-        self.restart(setup);
-    }
-
-    /// Replaces the drawn curves of the model. Does nothing if they are unchanged.
-    pub(crate) fn adopt_drawings(&mut self, drawings: &[Vec<f64>]) {
-        let Some(model) = self.program.model.with_drawings(drawings) else { return };
-        self.program.model = model;
-        self.columns = Columns::new(&self.program.model, &self.program.plots);
-        self.evaluators = Evaluators::new(&self.program, &self.tag);
-        for (own, new) in self.plots.iter_mut().zip(PlotState::of(&self.program, &self.columns)) {
-            own.content = new.content;
-        }
-        self.revision.parameters += 1;
-    }
-
-    /// Label of a drawn curve in the chosen language.
-    pub(crate) fn drawing_label(&self, index: usize) -> String {
-        self.drawn_curve(index).map(|view| view.label).unwrap_or_default()
-    }
-
     /// Maps the drawn curves of a run of the former program to this one. Adds the names of lost curves to `lost`.
-    pub(crate) fn drawings_from(&self, former: &Setup, before: &Play, lost: &mut Vec<String>) -> Vec<Vec<f64>> {
-        let mut drawings = self.defaults.drawings.clone();
+    pub(crate) fn drawings_from(&self, former: &Setup, before: &Basis, lost: &mut Vec<String>) -> Vec<Vec<f64>> {
+        let mut drawings = self.defaults().drawings.clone();
         for (index, values) in former.drawings.iter().enumerate() {
-            if before.defaults.drawings.get(index) == Some(values) {
+            if before.defaults().drawings.get(index) == Some(values) {
                 continue;
             }
             let Some((old, old_drawn)) = table(before.model(), index) else { continue };
@@ -159,6 +104,30 @@ impl Play {
         }
         drawings
     }
+}
+
+impl Basis {
+    /// Values (SI) of a curve through points at these heights (0 to 1).
+    pub(crate) fn drawn_values(&self, index: usize, heights: &[f64]) -> Result<Vec<f64>, Refusal> {
+        let drawn = table(self.model(), index).map(|(_, drawn)| drawn);
+        let fits = heights.len() == Drawn::POINTS && heights.iter().all(|height| height.is_finite());
+        let drawn = drawn.filter(|_| fits).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
+        Ok(heights.iter().map(|&height| value(drawn, level(height))).collect())
+    }
+
+    /// Label of a drawn curve in the chosen language.
+    pub(crate) fn drawing_label(&self, index: usize) -> String {
+        table(self.model(), index).map_or_else(String::new, |(table, _)| self.label_of(table))
+    }
+
+    fn label_of(&self, table: &Table) -> String {
+        table.label.as_deref().map_or_else(|| symbol_of(table), |label| self.text(label).to_owned())
+    }
+}
+
+/// Symbol of a table with its argument: `a(t)`.
+fn symbol_of(table: &Table) -> String {
+    format!("{}({})", symbol(&table.name), symbol(&table.argument))
 }
 
 /// Drawn curve with this index, and its table.

@@ -1,6 +1,6 @@
 //! Integration method and step.
 
-use crate::{Announcement, Play, Refusal, number, words};
+use crate::{Basis, Course, Refusal, number, words};
 use engine::{Cause, Method, Run, RunError, Setup};
 
 /// A method in the list.
@@ -16,74 +16,35 @@ pub struct MethodView {
     pub refused: String,
 }
 
-impl Play {
+impl Basis {
+    /// Reason why a method cannot integrate the model; `None` if it can, or if the run fails for another reason.
+    pub(crate) fn method_refusal(&self, method: Method) -> Option<Refusal> {
+        let setup = Setup { method, ..self.defaults().clone() };
+        match Run::start(&self.program().model, setup) {
+            Err(RunError { cause: Cause::NotSecondOrder(_), .. }) => Some(Refusal::Method { method }),
+            _ => None,
+        }
+    }
+}
+
+impl Basis {
     /// All integration methods.
-    pub fn methods(&self) -> Vec<MethodView> {
+    pub fn methods(&self, at: &Course) -> Vec<MethodView> {
         let view = |method: Method| MethodView {
             name: method.name(),
-            label: words::method_name(self.language, method).to_owned(),
-            selected: method == self.course.begun().method,
+            label: words::method_name(self.language(), method).to_owned(),
+            selected: method == at.begun().method,
             refused: self.method_refusal(method).map(|refusal| self.refusal_text(&refusal)).unwrap_or_default(),
         };
         Method::ALL.into_iter().map(view).collect()
     }
 
-    /// Selects a method by its name; the run restarts from its start.
-    pub fn set_method(&mut self, name: &str) -> Result<(), Refusal> {
-        let method: Method = name.parse().map_err(|_| Refusal::Unknown { name: name.to_owned() })?;
-        if let Some(refusal) = self.method_refusal(method) {
-            return Err(refusal);
-        }
-        if method != self.course.begun().method || self.course.history().is_none() {
-            let parameters = self.course.parameters().to_vec();
-            self.restart(Setup { method, parameters, ..self.course.begun().clone() });
-            self.announce(Announcement::Method(method));
-        }
-        Ok(())
-    }
-
-    /// Step (SI); for adaptive methods, the spacing of the rows.
-    pub fn step(&self) -> f64 {
-        self.course.begun().step
-    }
-
     /// Step in the unit of the independent variable, and the text of that unit.
-    pub fn step_text(&self) -> (String, String) {
+    pub fn step_text(&self, at: &Course) -> (String, String) {
         let unit = &self.model().independent.unit;
         (
-            number::plain(unit.from_si(self.step()), crate::controls::input::DIGITS, self.style),
+            number::plain(unit.from_si(at.begun().step), crate::basis::input::DIGITS, self.style()),
             number::unit_text(&unit.text),
         )
-    }
-
-    /// Sets the step from typed text; the run restarts from its start.
-    pub fn set_step_text(&mut self, text: &str) -> Result<(), Refusal> {
-        if text.trim() == self.step_text().0 {
-            return Ok(());
-        }
-        let step = self.read_value(text, &self.model().independent.unit)?;
-        self.set_step(step)
-    }
-
-    /// Sets the step (SI); the run restarts from its start.
-    pub fn set_step(&mut self, step: f64) -> Result<(), Refusal> {
-        if !(step.is_finite() && step > 0.0) {
-            return Err(Refusal::NotPositive);
-        }
-        if step != self.step() {
-            let parameters = self.course.parameters().to_vec();
-            self.restart(Setup { step, parameters, ..self.course.begun().clone() });
-            self.announce(Announcement::Step(step));
-        }
-        Ok(())
-    }
-
-    /// Reason why a method cannot integrate the model; `None` if it can, or if the run fails for another reason.
-    pub(crate) fn method_refusal(&self, method: Method) -> Option<Refusal> {
-        let setup = Setup { method, ..self.defaults.clone() };
-        match Run::start(&self.program.model, setup) {
-            Err(RunError { cause: Cause::NotSecondOrder(_), .. }) => Some(Refusal::Method { method }),
-            _ => None,
-        }
     }
 }

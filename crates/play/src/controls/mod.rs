@@ -2,27 +2,80 @@
 //! typed.
 
 pub(crate) mod button;
-pub(crate) mod calculator;
-mod drag;
+pub(crate) mod drag;
 pub(crate) mod drawing;
 pub(crate) mod hold;
-pub(crate) mod input;
-mod member;
 mod method;
 mod parameter;
 pub(crate) mod preset;
 mod size;
-mod slider;
+pub(crate) mod slider;
 mod start;
-mod state;
-pub(crate) mod typed;
 
 pub use button::ButtonView;
 pub use drawing::DrawingView;
-pub use input::DIGITS;
 pub use method::MethodView;
 pub use parameter::{ChoiceView, ParameterGroup, ParameterView};
 pub use preset::{PresetGroup, PresetView};
 pub use size::SizeView;
 pub use slider::Slider;
-pub use state::StateView;
+
+use crate::{Basis, TimeLine, Values};
+use engine::Readings;
+use hold::Holding;
+use program::Program;
+
+/// Presets, and the part of the scene that is being dragged.
+#[derive(Debug)]
+pub struct Controls {
+    hold: Option<Holding>,
+    /// Initial values of the states.
+    initial: Readings,
+    /// All assignments of all presets.
+    presets: Readings,
+}
+
+/// The parts of the scene that can be dragged, at the moment shown.
+#[derive(Debug)]
+pub struct Grips<'a> {
+    basis: &'a Basis,
+    line: &'a TimeLine,
+    values: &'a mut Values,
+    controls: &'a mut Controls,
+}
+
+impl Controls {
+    /// Controls of the program; nothing is dragged.
+    pub(crate) fn new(program: &Program) -> Self {
+        let initial: Vec<_> = program.model.states.iter().map(|state| state.initial).collect();
+        let presets = program.presets.iter().flat_map(|preset| &preset.values);
+        let presets: Vec<_> = presets.map(|assignment| assignment.value.node).collect();
+        let [initial, presets] = [&initial, &presets].map(|nodes| Readings::new(&program.model, nodes));
+        Self { hold: None, initial, presets }
+    }
+
+    /// Must be called when the model has changed.
+    pub(crate) fn model_changed(&mut self, program: &Program) {
+        *self = Self { hold: self.hold.take(), ..Self::new(program) };
+    }
+
+    /// True while a part of the scene is dragged.
+    pub fn is_dragging(&self) -> bool {
+        self.hold.is_some()
+    }
+
+    /// Sets the part that is dragged.
+    pub(crate) fn hold(&mut self, hold: Option<Holding>) {
+        self.hold = hold;
+    }
+
+    /// Releases the part that is dragged and returns it.
+    pub(crate) fn release(&mut self) -> Option<Holding> {
+        self.hold.take()
+    }
+
+    /// The parts of the scene that can be dragged.
+    pub(crate) fn grips<'a>(&'a mut self, basis: &'a Basis, line: &'a TimeLine, values: &'a mut Values) -> Grips<'a> {
+        Grips { basis, line, values, controls: self }
+    }
+}

@@ -1,7 +1,8 @@
 //! Presets: named sets of parameter values.
 
+use super::Controls;
 use crate::values::symbol::symbol;
-use crate::{Announcement, Play, Refusal};
+use crate::{Basis, Course};
 use engine::Readings;
 use program::Assignment;
 
@@ -30,80 +31,6 @@ pub struct PresetView {
 /// Relative tolerance for equal values: values of expressions are rounded.
 const SAME: f64 = 1e-9;
 
-impl Play {
-    /// Presets by group, in the order of the text.
-    pub fn presets(&mut self) -> Vec<PresetGroup> {
-        let mut groups: Vec<(Option<String>, PresetGroup)> = Vec::new();
-        for index in 0..self.program.presets.len() {
-            let now = self.course.parameters().to_vec();
-            let then = self.preset_parameters(index);
-            let Some(preset) = self.program.presets.get(index) else {
-                continue;
-            };
-            let near = |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
-            let assigned = self.assigned(&preset.values, &then);
-            let assigned: Vec<String> =
-                assigned.iter().map(|(name, value)| format!("{} = {value}", symbol(name))).collect();
-            let view = PresetView {
-                index,
-                name: self.text(&preset.name).to_owned(),
-                description: assigned.join(", "),
-                selected: now.iter().zip(&then).all(near),
-            };
-            match groups.last_mut() {
-                Some((group, last)) if *group == preset.group => last.presets.push(view),
-                _ => {
-                    let name = preset.group.as_deref().map_or("", |group| self.text(group)).to_owned();
-                    groups.push((preset.group.clone(), PresetGroup { name, presets: vec![view] }));
-                }
-            }
-        }
-        groups.into_iter().map(|(_, group)| group).collect()
-    }
-
-    /// Sets the parameters of a preset; each value may depend on those assigned before it. If one is refused, none is
-    /// changed.
-    pub fn apply_preset(&mut self, index: usize) -> Result<(), Refusal> {
-        let parameters = self.preset_parameters(index);
-        let preset = self.program.presets.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
-        let parameters = self.admit_assignments(&preset.values, parameters)?;
-        self.overwrite_parameters(parameters);
-        self.announce(Announcement::Preset(index));
-        Ok(())
-    }
-
-    fn preset_parameters(&mut self, index: usize) -> Vec<f64> {
-        let presets = &self.program.presets;
-        let first = presets.iter().take(index).map(|preset| preset.values.len()).sum();
-        let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
-        assign(&mut self.evaluators.presets, first, values, self.course.parameters(), self.course.initial())
-    }
-
-    /// Name and displayed value of each assigned parameter: `rho` and `13534 kg/m³`.
-    pub(crate) fn assigned(&self, assignments: &[Assignment], parameters: &[f64]) -> Vec<(String, String)> {
-        let assigned = |assignment: &Assignment| {
-            let parameter = self.model().parameters.get(assignment.parameter)?;
-            let value = parameters.get(assignment.parameter)?;
-            Some((parameter.name.clone(), self.parameter_value_text(assignment.parameter, *value)))
-        };
-        assignments.iter().filter_map(assigned).collect()
-    }
-
-    /// Returns the parameters if every assigned value is allowed.
-    pub(crate) fn admit_assignments(
-        &self,
-        assignments: &[Assignment],
-        mut parameters: Vec<f64>,
-    ) -> Result<Vec<f64>, Refusal> {
-        for assignment in assignments {
-            if let Some(value) = parameters.get_mut(assignment.parameter) {
-                *value = self.admit(assignment.parameter, *value)?;
-            }
-        }
-        Ok(parameters)
-    }
-}
-
 /// Parameters (SI) after `assignments`, whose values are the readings from index `first` on. Each is evaluated with the
 /// parameters left by the previous ones.
 pub(crate) fn assign(
@@ -122,4 +49,44 @@ pub(crate) fn assign(
         }
     }
     parameters
+}
+
+impl Controls {
+    /// Presets by group, in the order of the text.
+    pub fn presets(&self, basis: &Basis, at: &Course) -> Vec<PresetGroup> {
+        let mut groups: Vec<(Option<String>, PresetGroup)> = Vec::new();
+        for index in 0..basis.program().presets.len() {
+            let now = at.parameters().to_vec();
+            let then = self.preset_parameters(basis, at, index);
+            let Some(preset) = basis.program().presets.get(index) else {
+                continue;
+            };
+            let near = |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
+            let assigned = basis.assigned(&preset.values, &then);
+            let assigned: Vec<String> =
+                assigned.iter().map(|(name, value)| format!("{} = {value}", symbol(name))).collect();
+            let view = PresetView {
+                index,
+                name: basis.text(&preset.name).to_owned(),
+                description: assigned.join(", "),
+                selected: now.iter().zip(&then).all(near),
+            };
+            match groups.last_mut() {
+                Some((group, last)) if *group == preset.group => last.presets.push(view),
+                _ => {
+                    let name = preset.group.as_deref().map_or("", |group| basis.text(group)).to_owned();
+                    groups.push((preset.group.clone(), PresetGroup { name, presets: vec![view] }));
+                }
+            }
+        }
+        groups.into_iter().map(|(_, group)| group).collect()
+    }
+
+    /// Present parameters (SI), with those of a preset.
+    pub(crate) fn preset_parameters(&self, basis: &Basis, at: &Course, index: usize) -> Vec<f64> {
+        let presets = &basis.program().presets;
+        let first = presets.iter().take(index).map(|preset| preset.values.len()).sum();
+        let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
+        assign(&mut self.presets.clone(), first, values, at.parameters(), at.initial())
+    }
 }

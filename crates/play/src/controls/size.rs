@@ -1,6 +1,6 @@
 //! Sizes of families. Another size requires another model, which only a page that contains the parser can build.
 
-use crate::Play;
+use crate::Basis;
 
 /// The size of families, for its control.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub struct SizeView {
     pub is_default: bool,
 }
 
-impl Play {
+impl Basis {
     /// All sizes, in the order of the text.
     pub fn sizes(&self) -> Vec<SizeView> {
         let view = |size: &program::Size| SizeView {
@@ -30,7 +30,7 @@ impl Play {
         self.model().sizes.iter().map(view).collect()
     }
 
-    /// Sizes, by name, with which the program must be built before restoring a state written by [`Play::share`]. Empty
+    /// Sizes, by name, with which the program must be built before restoring a state written by [`crate::Play::share`]. Empty
     /// if they are those of this program.
     pub fn sizes_for(&self, fragment: &str) -> Vec<(String, u32)> {
         let field = fragment.split('&').find_map(|field| field.strip_prefix("n=")).unwrap_or_default();

@@ -3,19 +3,18 @@
 use super::added::AddedPlot;
 use super::histogram::Histogram;
 use super::members::Snapshot;
-use super::plot::{Content, PlotId};
 use super::section::Section;
 use super::sweep::Swept;
 use super::traces::CurveColumns;
-use crate::{Play, words};
+use super::{Content, Figures};
+use crate::words;
 use figure::{Axis, Interval, Plot, Series, Style, View};
 use program::{Curve, Drawing};
-use units::Unit;
 
-impl Play {
+impl Figures<'_> {
     /// Figure of a plot; `None` for an unknown index.
     pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
-        let state = self.plots.get(index)?;
+        let state = self.plots.states.get(index)?;
         if let Some(added) = &state.added {
             return Some(self.added_figure(added, &state.view));
         }
@@ -31,12 +30,11 @@ impl Play {
     /// Series from back to front: points, the ghost, the kept runs, the present run; curves keep their colours in all
     /// runs.
     fn figure_plot(&self, index: usize) -> Option<Plot<'_>> {
-        let state = self.plots.get(index)?;
-        let columns = self.columns.plot(index)?;
+        let state = self.plots.states.get(index)?;
+        let columns = self.line.columns().plot(index)?;
         let labels = &state.labels;
-        let ghosts = self.ghost.iter().map(|ghost| (&ghost.traces, Style::Ghost));
-        let kept = self.kept.iter().filter(|kept| kept.shown);
-        let kept = kept.map(|kept| (&kept.traces, Style::Run(kept.pattern)));
+        let ghosts = self.line.ghost_traces().map(|traces| (traces, Style::Ghost)).into_iter();
+        let kept = self.line.kept_traces().map(|(traces, pattern)| (traces, Style::Run(pattern)));
         let points = state.points.iter().filter_map(|points| {
             let axis = columns.curves.get(points.curve)?.axis;
             let (colour, style) = (points.colour, Style::Points);
@@ -45,14 +43,14 @@ impl Play {
             Some(Series { label, axis, colour, style, x, y, spread, version, ..Series::default() })
         });
         let mut series: Vec<Series<'_>> = points.collect();
-        for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
+        for (traces, style) in ghosts.chain(kept).chain([(self.line.traces(), Style::Line)]) {
             let present_run = style == Style::Line;
             for (number, &CurveColumns { x, y, axis }) in columns.curves.iter().enumerate() {
-                let present = self.present.get(x).copied().zip(self.present.get(y).copied());
+                let present = self.line.present().get(x).copied().zip(self.line.present().get(y).copied());
                 let label = match style {
                     Style::Line => labels.curves.get(number).map_or("", String::as_str),
                     // One legend entry stands for all curves of a kept run.
-                    Style::Ghost if number == 0 => words::previous_run(self.language),
+                    Style::Ghost if number == 0 => words::previous_run(self.basis.language()),
                     _ => "",
                 };
                 let (x, y) = (traces.column(x), traces.column(y));
@@ -64,15 +62,15 @@ impl Play {
             }
         }
         let independent = self.is_against_independent(index);
-        let unit = &self.model().independent.unit;
-        let first = Interval::new(0.0, unit.from_si(self.first_part()));
+        let unit = &self.basis.model().independent.unit;
+        let first = Interval::new(0.0, unit.from_si(self.basis.first_part(self.line.course())));
         Some(Plot {
             title: &labels.title,
             description: &labels.description,
             x: Axis { label: &labels.x.0, unit: &labels.x.1, include: independent.then_some(first) },
             y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
             series,
-            marker: if independent { self.present.get(columns.x).copied() } else { None },
+            marker: if independent { self.line.present().get(columns.x).copied() } else { None },
             view: state.view.clone(),
             ordered: independent,
             steady: false,
@@ -82,7 +80,7 @@ impl Play {
 
     /// A plot of the document without series.
     fn empty_figure(&self, index: usize) -> Option<Plot<'_>> {
-        let state = self.plots.get(index)?;
+        let state = self.plots.states.get(index)?;
         let labels = &state.labels;
         Some(Plot {
             title: &labels.title,
@@ -97,16 +95,16 @@ impl Play {
 
     /// Series of one curve of a plot that is not drawn along the run.
     fn curve_alone<'a>(&'a self, index: usize, number: usize, x: &'a [f64], y: &'a [f64]) -> Option<Series<'a>> {
-        let labels = &self.plots.get(index)?.labels;
+        let labels = &self.plots.states.get(index)?.labels;
         let text = |list: &'a [String]| list.get(number).map_or("", String::as_str);
-        let axis = self.columns.plot(index)?.curves.get(number)?.axis;
+        let axis = self.line.columns().plot(index)?.curves.get(number)?.axis;
         let (label, across, colour) = (text(&labels.curves), text(&labels.across), number as u8);
         Some(Series { label, across, axis, colour, x, y, ..Series::default() })
     }
 
     /// Points of the run at multiples of a period, or at the firings of an event.
     fn section_figure<'a>(&'a self, index: usize, section: &'a Section) -> Option<Plot<'a>> {
-        let curves = self.columns.plot(index)?.curves.len();
+        let curves = self.line.columns().plot(index)?.curves.len();
         let series = (0..curves).filter_map(|number| {
             let (x, y) = section.curve(number);
             Some(Series { style: Style::Dots, ..self.curve_alone(index, number, x, y)? })
@@ -128,7 +126,7 @@ impl Play {
         plot.series = series.collect();
         // The axis ends with the sweep: no values are computed beyond it.
         plot.view.x.get_or_insert(swept.range());
-        plot.marker = swept.present(&self.course);
+        plot.marker = swept.present(self.line.course());
         plot.ordered = style == Style::Line;
         Some(plot)
     }
@@ -136,7 +134,7 @@ impl Play {
     /// Members of families at the moment shown.
     fn profile_figure<'a>(&'a self, index: usize, profile: &'a Snapshot, style: Style) -> Option<Plot<'a>> {
         let mut plot = self.empty_figure(index)?;
-        let curves = self.columns.plot(index)?.curves.len();
+        let curves = self.line.columns().plot(index)?.curves.len();
         let series = (0..curves).filter_map(|number| {
             let (x, y) = (profile.column(2 * number), profile.column(2 * number + 1));
             Some(Series { style, ..self.curve_alone(index, number, x, y)? })
@@ -167,7 +165,7 @@ impl Play {
     /// for profiles by default: displacements of members against their places would be flattened.
     pub(super) fn has_equal_axes(&self, index: usize) -> bool {
         let is_length = |curve: &Curve| curve.value.unit.dimension == units::Dimension::LENGTH;
-        self.program.plots.get(index).is_some_and(|plot| match plot.drawing {
+        self.basis.program().plots.get(index).is_some_and(|plot| match plot.drawing {
             Drawing::Histogram(_) => false,
             Drawing::Profile(_) => plot.equal,
             _ => plot.equal || plot.expressions().all(is_length),
@@ -177,27 +175,19 @@ impl Play {
     /// Horizontal interval of the first zoomed plot of the document against the independent variable; `None` if none is
     /// zoomed.
     pub fn zoomed_part(&self) -> Option<Interval> {
-        let against = (0..self.program.plots.len()).filter(|index| self.is_against_independent(*index));
-        against.filter_map(|index| self.plots.get(index)?.view.x).next()
+        let against = (0..self.basis.program().plots.len()).filter(|index| self.is_against_independent(*index));
+        against.filter_map(|index| self.plots.states.get(index)?.view.x).next()
     }
 
-    /// Unit of the horizontal axis of a plot that shows points against the independent variable; `None` for other
-    /// plots.
-    pub fn unit_of_time_axis(&self, PlotId(index): PlotId) -> Option<&Unit> {
-        let has_points = self.plots.get(index).is_some_and(|plot| !plot.points.is_empty());
-        let plot = self.program.plots.get(index).filter(|_| has_points && self.is_against_independent(index));
-        plot.map(|plot| &plot.x.value.unit)
-    }
-
-    fn is_against_independent(&self, index: usize) -> bool {
-        let independent = |x: &Curve| self.model().is_independent(x.value.node);
-        self.program.plots.get(index).is_some_and(|plot| plot.abscissas().all(independent))
+    pub(super) fn is_against_independent(&self, index: usize) -> bool {
+        let independent = |x: &Curve| self.basis.model().is_independent(x.value.node);
+        self.basis.program().plots.get(index).is_some_and(|plot| plot.abscissas().all(independent))
     }
 
     /// Figure of an added plot.
     fn added_figure<'a>(&'a self, added: &'a AddedPlot, view: &View) -> Plot<'a> {
         let labels = &added.labels;
-        let unit = &self.model().independent.unit;
+        let unit = &self.basis.model().independent.unit;
         let series = added.series.iter().enumerate().map(|(number, series)| Series {
             label: labels.curves.get(number).filter(|_| series.in_legend).map_or("", String::as_str),
             axis: series.axis,
@@ -217,7 +207,7 @@ impl Play {
             x: Axis { label: &labels.x.0, unit: &labels.x.1, include: added.x_includes },
             y: labels.axes.iter().map(axis).collect(),
             series: series.collect(),
-            marker: added.marks_time.then(|| unit.from_si(self.course.time())),
+            marker: added.marks_time.then(|| unit.from_si(self.line.course().time())),
             view: View { x: view.x, y: limits.map_or_else(|| view.y.clone(), |limits| vec![limits]) },
             ordered: added.ordered,
             steady: false,
@@ -232,17 +222,17 @@ impl Play {
 
     /// Number of series of points, which are drawn behind all lines.
     pub(super) fn points_behind(&self, index: usize) -> usize {
-        let along = self.plots.get(index).filter(|plot| matches!(plot.content, Content::Run));
+        let along = self.plots.states.get(index).filter(|plot| matches!(plot.content, Content::Run));
         along.map_or(0, |plot| plot.points.len())
     }
 
     fn runs_behind(&self, index: usize) -> usize {
-        let state = self.plots.get(index);
+        let state = self.plots.states.get(index);
         if state.is_none_or(|state| !matches!(state.content, Content::Run)) {
             return 0;
         }
-        let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());
-        let behind = usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
+        let curves = self.line.columns().plot(index).map_or(0, |plot| plot.curves.len());
+        let behind = usize::from(self.line.has_ghost()) + self.line.kept_traces().count();
         curves * behind
     }
 }

@@ -1,24 +1,12 @@
 //! Builds the texts of the plots.
 
 use super::labels::Labels;
+use super::traces::Columns;
 use crate::values::symbol::symbol;
-use crate::{Play, number, words};
+use crate::{Basis, number, words};
 use program::{Curve, Drawing, Plot};
 
-impl Play {
-    /// Updates the texts of all plots to the chosen language.
-    pub(crate) fn label_plots(&mut self) {
-        for index in 0..self.plots.len() {
-            let Some(labels) = self.labels_of(index) else {
-                continue;
-            };
-            if let Some(state) = self.plots.get_mut(index) {
-                state.labels = labels;
-            }
-        }
-        self.revision.plots += 1;
-    }
-
+impl Basis {
     /// Title of an axis from the names of its curves. For a single expression that is not a plain name, its label. For
     /// several curves that all have labels, and not all plain names, the title is empty: the legend shows the labels,
     /// the axis only its unit.
@@ -38,9 +26,10 @@ impl Play {
         }
     }
 
-    fn labels_of(&self, index: usize) -> Option<Labels> {
-        let plot = self.program.plots.get(index)?;
-        let columns = self.columns.plot(index)?;
+    /// Texts of a plot of the document; `None` for an unknown index.
+    pub(super) fn labels_of(&self, columns: &Columns, index: usize) -> Option<Labels> {
+        let plot = self.program().plots.get(index)?;
+        let columns = columns.plot(index)?;
         let title = self.text(&plot.title).to_owned();
         if let Drawing::Histogram(members) = &plot.drawing {
             return Some(self.labels_of_histogram(plot, title, members.is_empty()));
@@ -86,8 +75,8 @@ impl Play {
         let name = symbol(&plot.x.expression);
         let described =
             plot.x.label.as_ref().map_or_else(|| name.clone(), |label| format!("{} ({name})", self.text(label)));
-        let description = format!("{title}: {}", words::counted(self.language, &described, over_run));
-        let count = words::count(self.language).to_owned();
+        let description = format!("{title}: {}", words::counted(self.language(), &described, over_run));
+        let count = words::count(self.language()).to_owned();
         let x = (name, number::unit_text(&plot.x.value.unit.text));
         let axes = vec![(count.clone(), String::new())];
         Labels { title, description, x, axes, curves: vec![count], ..Labels::default() }
@@ -103,7 +92,7 @@ impl Play {
                 _ => groups.push((x, vec![name])),
             }
         }
-        let sentences = groups.iter().map(|(x, curves)| words::against(self.language, &curves.join(", "), x));
+        let sentences = groups.iter().map(|(x, curves)| words::against(self.language(), &curves.join(", "), x));
         sentences.collect::<Vec<_>>().join(" ")
     }
 }

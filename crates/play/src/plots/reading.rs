@@ -1,14 +1,15 @@
 //! Adds measured points to the read-outs of a plot by pointer or keyboard.
 
+use super::Figures;
 use super::added::AddedPlot;
 use super::plot::PlotId;
-use crate::{Play, number};
+use crate::number;
 use figure::{Plot, Point, Readout, Sample, Series, Style};
 
 /// Maximum distance of a point from the cursor, in pixels.
 const REACH: f32 = 24.0;
 
-impl Play {
+impl Figures<'_> {
     /// Adds the measured points nearest to a pixel to a read-out: one per column if the abscissa is the independent
     /// variable, otherwise only the nearest point of all.
     pub(crate) fn with_points(&self, index: usize, at: Point, readout: Option<Readout>) -> Option<Readout> {
@@ -26,17 +27,17 @@ impl Play {
             let Some(series) = added.series.get(sample.series) else { continue };
             let Some(error) = series.errors.get(sample.row).copied() else { continue };
             let Some((name, unit)) = added.labels.axes.get(series.axis) else { continue };
-            let value = number::with_error(sample.y, Some(error), self.style);
+            let value = number::with_error(sample.y, Some(error), self.basis.style());
             sample.text = format!("{name} = {}", number::error_with_unit(&value, unit));
         }
         readout
     }
 
     fn points_near(&self, index: usize, at: Point) -> Vec<Sample> {
-        let (Some(figure), Some(plot)) = (self.plot_figure(PlotId(index)), self.figure_of(index)) else {
+        let (Some(figure), Some(plot)) = (self.figure(PlotId(index)), self.figure_of(index)) else {
             return Vec::new();
         };
-        let Some(state) = self.plots.get(index) else { return Vec::new() };
+        let Some(state) = self.plots.states.get(index) else { return Vec::new() };
         let curves = &state.labels.curves;
         let mut found: Vec<Sample> = Vec::new();
         for (number, points) in state.points.iter().enumerate() {

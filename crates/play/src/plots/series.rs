@@ -1,7 +1,8 @@
 //! Series of a plot by name: legend, export as CSV, differences between read-outs.
 
+use super::Figures;
 use super::plot::PlotId;
-use crate::{Play, words};
+use crate::words;
 use engine::csv::Dialect;
 use figure::{Plot, Readout, Series, Style};
 
@@ -25,9 +26,9 @@ pub(crate) struct SeriesName {
     pub run: Option<String>,
 }
 
-impl Play {
+impl Figures<'_> {
     /// Legend of a plot; empty if it has fewer than two entries.
-    pub fn plot_legend(&self, PlotId(index): PlotId) -> Vec<LegendEntry> {
+    pub fn legend(&self, PlotId(index): PlotId) -> Vec<LegendEntry> {
         let names = self.series_names(index);
         let Some(plot) = self.figure_of(index) else { return Vec::new() };
         let entry = |(series, name): (&Series<'_>, SeriesName)| {
@@ -44,7 +45,7 @@ impl Play {
 
     /// Legend label of a series: the label that the plot gives its curve, otherwise its name.
     pub(super) fn legend_name<'a>(&'a self, index: usize, series: &Series<'a>) -> &'a str {
-        let labels = self.plots.get(index).map(|plot| &plot.labels);
+        let labels = self.plots.states.get(index).map(|plot| &plot.labels);
         let number = usize::from(series.colour);
         let own = labels.filter(|labels| labels.curves.get(number).is_some_and(|name| name == series.label));
         own.and_then(|labels| labels.legend.get(number)).map_or(series.label, String::as_str)
@@ -52,11 +53,10 @@ impl Play {
 
     /// All series of a plot as CSV. Each series has its own columns of abscissas and ordinates, because row counts
     /// differ.
-    pub fn plot_csv(&mut self, PlotId(index): PlotId) -> String {
-        self.follow();
+    pub fn csv(&self, PlotId(index): PlotId) -> String {
         let names = self.series_names(index);
         let Some(plot) = self.figure_of(index) else { return String::new() };
-        let dialect = if self.style.decimal_comma { Dialect::Semicolons } else { Dialect::Commas };
+        let dialect = if self.basis.style().decimal_comma { Dialect::Semicolons } else { Dialect::Commas };
         let mut out = dialect.start().to_owned();
         let head = |label: &str, unit: &str| {
             if unit.is_empty() { label.to_owned() } else { format!("{label} [{unit}]") }
@@ -113,9 +113,9 @@ impl Play {
     }
 
     /// Difference between two read-outs of a plot: `Δt = 0.5 s`, `Δy = 0.1 m`.
-    pub fn plot_difference(&self, PlotId(index): PlotId, from: &Readout, to: &Readout) -> Vec<String> {
+    pub fn difference(&self, PlotId(index): PlotId, from: &Readout, to: &Readout) -> Vec<String> {
         let difference = |figure: &figure::Figure, plot: Plot<'_>| figure.difference(&plot, from, to);
-        self.plot_figure(PlotId(index))
+        self.figure(PlotId(index))
             .zip(self.figure_of(index))
             .map(|(figure, plot)| difference(figure, plot))
             .unwrap_or_default()
@@ -124,13 +124,13 @@ impl Play {
     /// Descriptions of the series of a plot, in their order.
     pub(crate) fn series_names(&self, index: usize) -> Vec<SeriesName> {
         let Some(plot) = self.figure_of(index) else { return Vec::new() };
-        let kept = self.kept();
-        let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
+        let kept = self.line.kept(self.basis);
+        let curves = self.plots.states.get(index).map_or(&[][..], |plot| &plot.labels.curves);
         let moment = self.moment_of(index);
         let name = |series: &Series<'_>| {
             let run = match series.style {
                 Style::Run(pattern) => kept.iter().find(|kept| kept.pattern == pattern).map(|kept| kept.name.clone()),
-                Style::Ghost => Some(words::previous_run(self.language).to_owned()),
+                Style::Ghost => Some(words::previous_run(self.basis.language()).to_owned()),
                 _ => moment.clone(),
             };
             let curve = match run {

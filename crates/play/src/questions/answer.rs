@@ -1,9 +1,9 @@
 //! Parsing of answers: a number or arithmetic with units, optionally with an error.
 
-use crate::controls::calculator::names;
-use crate::controls::input::shortened;
-use crate::controls::typed::candidates;
-use crate::{Play, Refusal, number};
+use crate::basis::calculator::names;
+use crate::basis::input::shortened;
+use crate::basis::typed::candidates;
+use crate::{Basis, Course, Refusal, number};
 use units::Unit;
 
 /// A parsed answer, SI.
@@ -17,13 +17,13 @@ pub(crate) struct Answer {
 /// Separators between a value and its error.
 const PLUS_MINUS: [&str; 4] = ["±", "+/-", "+-", "+−"];
 
-impl Play {
+impl Basis {
     /// Parses an answer: `3.76`, `15/4 s`, `2*pi/(1.672 1/s)`, `3.76 ± 0.02 s`, `(3.76 ± 0.02) s`, `3.76 s ± 1 %`.
     /// Names of the document are refused; otherwise `T_d` would answer the question for T_d.
-    pub(crate) fn read_answer(&self, typed: &str, unit: &Unit) -> Result<Answer, Refusal> {
+    pub(crate) fn read_answer(&self, at: &Course, typed: &str, unit: &Unit) -> Result<Answer, Refusal> {
         let parts = PLUS_MINUS.iter().find_map(|sign| typed.split_once(sign));
         let Some((value, error)) = parts else {
-            return Ok(Answer { value: self.read_number(typed, unit)?, error: None });
+            return Ok(Answer { value: self.read_number(at, typed, unit)?, error: None });
         };
         let (mut value, mut error) = (value.trim().to_owned(), error.trim().to_owned());
         // `(3.76 ± 0.02) s`: the unit applies to both.
@@ -32,37 +32,37 @@ impl Play {
         {
             let [own, its] = [inner, amount].map(|part| [part.trim(), " ", after.trim()].concat());
             (value, error) = (own, its);
-        } else if let Some((_, after)) = number::parse(&error, self.style).filter(|(_, after)| !after.is_empty()) {
+        } else if let Some((_, after)) = number::parse(&error, self.style()).filter(|(_, after)| !after.is_empty()) {
             // `3.76 ± 0.02 s`, but not `3.76 s ± 0.02 s`.
-            let bare = number::parse(&value, self.style).is_some_and(|(_, after)| after.is_empty());
+            let bare = number::parse(&value, self.style()).is_some_and(|(_, after)| after.is_empty());
             if bare && (after != "%" || unit.text == "%") {
                 value = [&value, " ", after].concat();
             }
         }
-        let value = self.read_number(&value, unit)?;
+        let value = self.read_number(at, &value, unit)?;
         let percent = error.strip_suffix('%').filter(|_| unit.text != "%").and_then(|amount| {
-            number::parse(amount, self.style).filter(|(_, after)| after.is_empty()).map(|(amount, _)| amount)
+            number::parse(amount, self.style()).filter(|(_, after)| after.is_empty()).map(|(amount, _)| amount)
         });
         let error = match percent {
             Some(percent) => value.abs() * percent / 100.0,
-            None => self.read_number(&error, unit)?,
+            None => self.read_number(at, &error, unit)?,
         };
         Ok(Answer { value, error: Some(error.abs()) })
     }
 
     /// Parses a number or arithmetic and returns its value, SI.
-    fn read_number(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
+    fn read_number(&self, at: &Course, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
         let refusal = match self.read_value(typed, unit) {
             Ok(value) => return Ok(value),
             Err(refusal @ Refusal::OtherFrequency { .. }) => return Err(refusal),
             Err(refusal) => refusal,
         };
-        for candidate in candidates(typed, self.style) {
+        for candidate in candidates(typed, self.style()) {
             let names = names(self.model(), &candidate.expression);
             if let Some(name) = names.iter().find(|name| self.model().lookup(name, 0).is_some()) {
                 return Err(Refusal::NameInAnswer { name: shortened(name) });
             }
         }
-        self.read_expression(typed, unit).map_err(|why| why.unwrap_or(refusal))
+        self.read_expression(at, typed, unit).map_err(|why| why.unwrap_or(refusal))
     }
 }

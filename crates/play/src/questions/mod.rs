@@ -4,8 +4,7 @@ mod answer;
 mod answered;
 pub(crate) mod given;
 mod grade;
-mod question;
 
-pub use answered::AnswerView;
+pub use answered::{AnswerView, Answers};
 pub use given::Answer;
 pub use grade::{Grade, Verdict};

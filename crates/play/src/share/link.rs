@@ -26,7 +26,7 @@ pub const LONGEST_UNPACKED: usize = 256 << 10;
 const LONGEST_NAME: usize = 200;
 
 /// First field of the fragment: the version of the format.
-pub(super) const VERSION: &str = "1";
+pub(crate) const VERSION: &str = "1";
 
 /// Document that a link refers to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -92,7 +92,7 @@ pub fn packed_length(bytes: usize) -> usize {
 }
 
 /// Percent-encodes a name for a fragment.
-pub(super) fn encode(name: &str) -> String {
+pub(crate) fn encode(name: &str) -> String {
     let mut text = String::new();
     for byte in name.bytes().take(LONGEST_NAME) {
         if byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte) {
@@ -106,7 +106,7 @@ pub(super) fn encode(name: &str) -> String {
 }
 
 /// Decodes the output of [`encode`]; `None` for an invalid name.
-pub(super) fn decode(text: &str) -> Option<String> {
+pub(crate) fn decode(text: &str) -> Option<String> {
     let mut bytes = Vec::new();
     let mut rest = text.bytes();
     while let Some(byte) = rest.next() {

@@ -1,6 +1,7 @@
 //! Texts for a run that cannot start or continue.
 
-use crate::{Play, Status};
+use super::TimeLine;
+use crate::{Basis, Status};
 use engine::Subject;
 use units::number;
 
@@ -18,48 +19,47 @@ pub struct Problem {
     pub hint: String,
 }
 
-impl Play {
+impl TimeLine {
     /// Reason why the run cannot continue; `None` unless the moment at which it stopped is shown.
-    pub fn problem(&self) -> Option<Problem> {
+    pub fn problem(&self, basis: &Basis) -> Option<Problem> {
         let error = self.course.error().filter(|_| !self.course.is_scrubbed())?;
-        let message = error.message_in(self.model(), |title| self.text(title).to_owned());
+        let message = error.message_in(basis.model(), |title| basis.text(title).to_owned());
         Some(Problem {
             code: error.code(),
-            message: sentence(message.text(self.language), error.code() == "not-finite"),
-            hint: sentence(error.hint().text(self.language), false),
+            message: sentence(message.text(basis.language()), error.code() == "not-finite"),
+            hint: sentence(error.hint().text(basis.language()), false),
         })
     }
-}
 
-impl Play {
     /// Text for a run that has reached the end set by the document or an event: the time and the event; `None` in any
     /// other status.
-    pub fn ending(&self) -> Option<String> {
-        if self.status() != Status::Ended {
+    pub fn ending(&self, basis: &Basis) -> Option<String> {
+        if self.status(basis) != Status::Ended {
             return None;
         }
-        let independent = &self.model().independent;
-        let unit = self.small_times().map_or_else(|| independent.unit.clone(), |group| group.unit().clone());
-        let time = number::plain(unit.from_si(self.time()), DIGITS, self.style);
+        let independent = &basis.model().independent;
+        let unit =
+            basis.small_times(&self.course).map_or_else(|| independent.unit.clone(), |group| group.unit().clone());
+        let time = number::plain(unit.from_si(self.course.time()), DIGITS, basis.style());
         let moment = format!("{} = {}", independent.name, number::with_unit(&time, &unit));
         let title = self.course.error().and_then(|error| match error.subject() {
-            Some(Subject::Event(event)) => self.model().events.get(event)?.title.as_deref(),
+            Some(Subject::Event(event)) => basis.model().events.get(event)?.title.as_deref(),
             _ => None,
         });
-        let ends = self.language.pick("The run ends at", "La serie termina en");
+        let ends = basis.language().pick("The run ends at", "La serie termina en");
         Some(match title {
-            Some(title) => sentence(&format!("{ends} {moment}: {}", self.text(title)), false),
+            Some(title) => sentence(&format!("{ends} {moment}: {}", basis.text(title)), false),
             None => sentence(&format!("{ends} {moment}"), false),
         })
     }
 
     /// First warning of the run up to the front, if any; the run continues.
-    pub fn notice(&self) -> Option<Problem> {
+    pub fn notice(&self, basis: &Basis) -> Option<Problem> {
         let notice = self.course.notices().into_iter().find(|notice| notice.time <= self.course.front())?;
         Some(Problem {
             code: notice.code(),
-            message: sentence(notice.message(self.model()).text(self.language), false),
-            hint: sentence(notice.hint().text(self.language), false),
+            message: sentence(notice.message(basis.model()).text(basis.language()), false),
+            hint: sentence(notice.hint().text(basis.language()), false),
         })
     }
 }

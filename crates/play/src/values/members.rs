@@ -18,7 +18,7 @@ pub enum ReadoutKind {
 /// A family in a line, and the member shown.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Members {
-    /// Name of the family with its primes, `x'`: the argument of [`Play::choose_member`].
+    /// Name of the family with its primes, `x'`: the argument of [`crate::Play::choose_member`].
     pub name: String,
     /// Indices of the member shown; at least one.
     pub indices: Vec<Index>,
@@ -43,7 +43,7 @@ pub(crate) struct Lines {
     /// Lines of the states, which are set individually.
     pub states: Vec<Line<usize>>,
     /// Selected indices by the name of the family without primes: x[3] and x[3]' belong to one body.
-    pub chosen: BTreeMap<String, Vec<i64>>,
+    chosen: BTreeMap<String, Vec<i64>>,
 }
 
 impl Lines {
@@ -65,6 +65,20 @@ impl Lines {
         self.chosen = former.chosen;
     }
 
+    /// Selects the member of a family whose index at position `place` is `value`, or the next one in the direction of the
+    /// change. Returns false if there is none.
+    pub fn choose(&mut self, family: &str, place: usize, value: i64) -> bool {
+        let readout = self.readouts.iter().find(|line| line.is_family() && line.name() == family);
+        let state = || self.states.iter().find(|line| line.is_family() && line.name() == family);
+        let found = match readout {
+            Some(line) => self.moved(line, place, value).map(|indices| (line.stem.clone(), indices)),
+            None => state().and_then(|line| Some((line.stem.clone(), self.moved(line, place, value)?))),
+        };
+        let Some((stem, indices)) = found else { return false };
+        self.chosen.insert(stem, indices);
+        true
+    }
+
     /// Selected indices for the family of a line; `None` if nothing has been selected.
     pub fn chosen_of<T>(&self, line: &Line<T>) -> Option<&[i64]> {
         self.chosen.get(&line.stem).map(Vec::as_slice)
@@ -81,7 +95,7 @@ impl Lines {
     }
 
     /// Indices of the member shown after setting the index at position `place` of the present one to `value`.
-    pub fn moved<T>(&self, line: &Line<T>, place: usize, value: i64) -> Option<Vec<i64>> {
+    fn moved<T>(&self, line: &Line<T>, place: usize, value: i64) -> Option<Vec<i64>> {
         let member = line.member(self.chosen_of(line))?;
         line.moved(&member.indices, place, value)
     }

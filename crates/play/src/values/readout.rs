@@ -1,8 +1,9 @@
 //! Readouts: time, states and quantities with their units; and the pitch.
 
+use super::Shown;
 use super::lines::{Line, Member};
 use super::members::{Members, ReadoutKind};
-use crate::{Play, number, words};
+use crate::{number, words};
 use program::{Compiled, Kind, Node, NodeId, Role};
 use units::Unit;
 use units::mathml::{self, typeset_name};
@@ -33,10 +34,7 @@ pub struct Readout {
 }
 
 /// Significant digits of a changing value.
-pub(crate) const MOVING_DIGITS: usize = 4;
-
-/// Maximum digits of a count; beyond these it is not exact in double precision.
-const COUNT_DIGITS: usize = 15;
+pub(super) const MOVING_DIGITS: usize = 4;
 
 /// One value of a line, before formatting.
 struct Part<'a> {
@@ -53,23 +51,25 @@ struct Part<'a> {
     word: Option<&'a Compiled>,
 }
 
-impl Play {
+impl Shown<'_> {
     /// All readouts at the time shown: the independent variable, the states, the quantities. A vector is one readout; a
-    /// family shows the selected member ([`Play::choose_member`]).
-    pub fn readouts(&mut self) -> Vec<Readout> {
-        let values = self.quantity_values();
+    /// family shows the selected member ([`crate::Play::choose_member`]). `values` are those of the quantities, SI.
+    pub(crate) fn readouts(&self, values: &[f64]) -> Vec<Readout> {
         let mut readouts = vec![self.time_readout()];
-        let lines = self.lines.readouts.iter().filter_map(|line| self.line_readout(line, &values));
+        let lines = self.values.lines.readouts.iter().filter_map(|line| self.line_readout(line, values));
         readouts.extend(lines);
         readouts.extend(self.friction_readouts());
         readouts
     }
 
     fn time_readout(&self) -> Readout {
-        let independent = &self.program.model.independent;
-        let (value, unit) = match self.small_times() {
-            Some(group) => (group.number(self.course.time()), group.unit_text()),
-            None => (self.time_number(self.course.time()), number::unit_text(&independent.unit.text)),
+        let independent = &self.basis.model().independent;
+        let (value, unit) = match self.basis.small_times(self.line.course()) {
+            Some(group) => (group.number(self.line.course().time()), group.unit_text()),
+            None => (
+                self.basis.time_number(self.line.course(), self.line.course().time()),
+                number::unit_text(&independent.unit.text),
+            ),
         };
         Readout {
             kind: ReadoutKind::Independent,
@@ -85,18 +85,18 @@ impl Play {
     }
 
     fn line_readout(&self, line: &Line<ReadoutKind>, values: &[f64]) -> Option<Readout> {
-        let member = line.member(self.lines.chosen_of(line))?;
+        let member = line.member(self.values.lines.chosen_of(line))?;
         let parts: Vec<Part> = member.parts.iter().filter_map(|&kind| self.part(kind, values)).collect();
         let first = parts.first()?;
         let hidden = parts.iter().any(|part| part.hidden);
         let (value, unit) = match (first.word, parts.as_slice()) {
-            _ if hidden => (words::hidden(self.language).to_owned(), String::new()),
-            (Some(word), _) => (self.word_value(word, first.value), number::unit_text(&first.unit.text)),
+            _ if hidden => (words::hidden(self.basis.language()).to_owned(), String::new()),
+            (Some(word), _) => (self.basis.word_value(word, first.value), number::unit_text(&first.unit.text)),
             (None, [one]) if !member.is_vector && one.varies => self.moving(one.value, one.scale, one.node, one.unit),
             (None, [one]) if !member.is_vector => self.constant(one.value, one.node, one.unit),
             _ => self.vector(&parts, first.unit),
         };
-        let members = self.lines.family(line);
+        let members = self.values.lines.family(line);
         let label_of = |member: &Member<ReadoutKind>| self.line_label(&member.parts, member.is_vector);
         // The first labelled member names the family.
         let label = label_of(member).or_else(|| line.members.iter().find_map(label_of)).unwrap_or_default();
@@ -117,14 +117,14 @@ impl Play {
 
     /// A value with the data needed to format it.
     fn part(&self, kind: ReadoutKind, values: &[f64]) -> Option<Part<'_>> {
-        let model = &self.program.model;
+        let model = self.basis.model();
         Some(match kind {
             ReadoutKind::Independent => return None,
             ReadoutKind::State(index) => {
                 let state = model.states.get(index)?;
                 Part {
-                    value: self.course.state().get(index).copied().unwrap_or(f64::NAN),
-                    scale: self.scales.get(index).copied().unwrap_or_default(),
+                    value: self.line.course().state().get(index).copied().unwrap_or(f64::NAN),
+                    scale: self.line.greatest(index),
                     node: model.graph.find(Node::State(index as u32)),
                     unit: &state.unit,
                     name: state.name(),
@@ -138,13 +138,13 @@ impl Play {
                 let quantity = model.quantities.get(index)?;
                 Part {
                     value: values.get(index).copied().unwrap_or(f64::NAN),
-                    scale: self.scales.get(model.states.len() + index).copied().unwrap_or_default(),
+                    scale: self.values.quantity_scales.get(index).copied().unwrap_or_default(),
                     node: Some(quantity.value.node),
                     unit: &quantity.value.unit,
                     name: quantity.name.clone(),
                     label: quantity.label.as_deref(),
                     varies: quantity.varies,
-                    hidden: self.is_hidden(index),
+                    hidden: self.answers.hide(self.basis, index),
                     word: Some(&quantity.value).filter(|value| value.kind != Kind::Number),
                 }
             }
@@ -153,20 +153,22 @@ impl Play {
 
     fn varies(&self, kind: ReadoutKind) -> bool {
         match kind {
-            ReadoutKind::Quantity(index) => self.model().quantities.get(index).is_some_and(|quantity| quantity.varies),
+            ReadoutKind::Quantity(index) => {
+                self.basis.model().quantities.get(index).is_some_and(|quantity| quantity.varies)
+            }
             _ => true,
         }
     }
 
     /// Label of a line in the chosen language; for a vector, the words common to the labels of its components.
     fn line_label(&self, parts: &[ReadoutKind], is_vector: bool) -> Option<String> {
-        let model = &self.program.model;
+        let model = self.basis.model();
         let label = |kind: &ReadoutKind| match *kind {
             ReadoutKind::Independent => None,
             ReadoutKind::State(index) => model.states.get(index)?.label.as_deref(),
             ReadoutKind::Quantity(index) => model.quantities.get(index)?.label.as_deref(),
         };
-        let mut labels = parts.iter().filter_map(label).map(|label| self.text(label));
+        let mut labels = parts.iter().filter_map(label).map(|label| self.basis.text(label));
         let first = labels.next()?;
         let second = labels.next().filter(|_| is_vector);
         Some(second.map_or_else(|| first.to_owned(), |second| common_words(first, second)))
@@ -174,15 +176,15 @@ impl Play {
 
     /// Formats the components of a vector in one unit with equal decimals: (text, unit).
     fn vector(&self, parts: &[Part], unit: &Unit) -> (String, String) {
-        let style = self.style;
+        let style = self.basis.style();
         let greatest =
             |size: fn(&Part) -> f64| parts.iter().map(size).filter(|size| size.is_finite()).fold(0.0_f64, f64::max);
         let written = |write: &dyn Fn(f64) -> String| {
             let components: Vec<String> = parts.iter().map(|part| write(part.value)).collect();
             format!("({})", components.join(if style.decimal_comma { "; " } else { ", " }))
         };
-        if parts.iter().all(|part| part.node.is_some_and(|node| self.is_count(node, unit))) {
-            return (written(&|value| self.count(value)), number::unit_text(&unit.text));
+        if parts.iter().all(|part| part.node.is_some_and(|node| self.basis.is_count(node, unit))) {
+            return (written(&|value| self.basis.count(value)), number::unit_text(&unit.text));
         }
         if parts.iter().any(|part| part.varies) {
             let group = Group::of_scale(unit, greatest(|part| part.scale.max(part.value.abs())), MOVING_DIGITS, style);
@@ -195,18 +197,18 @@ impl Play {
 
     /// Readouts that show whether each dry friction sticks or slips.
     fn friction_readouts(&self) -> impl Iterator<Item = Readout> {
-        let states = self.program.model.states.iter().zip(self.course.state()).enumerate();
+        let states = self.basis.model().states.iter().zip(self.line.course().state()).enumerate();
         let frictions = states.filter(|(_, (state, _))| state.role == Role::Friction);
         let several = frictions.clone().nth(1).is_some();
         frictions.map(move |(index, (state, &motion))| {
-            let label = words::dry_friction(self.language);
+            let label = words::dry_friction(self.basis.language());
             Readout {
                 kind: ReadoutKind::State(index),
                 name: state.name(),
                 label: if several { format!("{label}: {}", state.name()) } else { label.to_owned() },
                 symbol: String::new(),
                 members: None,
-                value: words::sticks(self.language, motion == 0.0).to_owned(),
+                value: words::sticks(self.basis.language(), motion == 0.0).to_owned(),
                 unit: String::new(),
                 varies: true,
                 hidden: false,
@@ -217,64 +219,20 @@ impl Play {
     /// Number and unit of a changing value; `scale` is its greatest magnitude in this run, both SI. A value negligible
     /// relative to the scale is shown as zero.
     fn moving(&self, value: f64, scale: f64, node: Option<NodeId>, unit: &Unit) -> (String, String) {
-        if node.is_some_and(|node| self.is_count(node, unit)) {
-            return (self.count(value), number::unit_text(&unit.text));
+        if node.is_some_and(|node| self.basis.is_count(node, unit)) {
+            return (self.basis.count(value), number::unit_text(&unit.text));
         }
-        let group = Group::of_scale(unit, scale.max(value.abs()), MOVING_DIGITS, self.style);
+        let group = Group::of_scale(unit, scale.max(value.abs()), MOVING_DIGITS, self.basis.style());
         (group.number(value), group.unit_text())
     }
 
     /// Number and unit of a constant value (SI).
     fn constant(&self, value: f64, node: Option<NodeId>, unit: &Unit) -> (String, String) {
-        if node.is_some_and(|node| self.is_count(node, unit)) {
-            return (self.count(value), number::unit_text(&unit.text));
+        if node.is_some_and(|node| self.basis.is_count(node, unit)) {
+            return (self.basis.count(value), number::unit_text(&unit.text));
         }
         let unit = unit.for_size(unit.from_si(value).abs());
-        (number::plain(unit.from_si(value), MOVING_DIGITS, self.style), number::unit_text(&unit.text))
-    }
-
-    /// Pitch in hertz of the first state while the run is playing or a part is dragged: 440 Hz at 0, one octave up or
-    /// down at its greatest magnitude in this run. `None` if there is nothing to hear.
-    pub fn pitch(&self) -> Option<f64> {
-        let (&value, &scale) = (self.course.state().first()?, self.scales.first()?);
-        let sounding = (self.playing || self.hold.is_some()) && value.is_finite() && scale > 0.0;
-        sounding.then(|| 440.0 * libm::exp2((value / scale).clamp(-1.0, 1.0)))
-    }
-
-    fn quantity_values(&mut self) -> Vec<f64> {
-        let course = &self.course;
-        let values =
-            self.evaluators.quantities.at(course.parameters(), course.initial(), course.time(), course.state());
-        let states = self.program.model.states.len();
-        for (scale, value) in self.scales.iter_mut().skip(states).zip(values) {
-            if value.is_finite() {
-                *scale = scale.max(value.abs());
-            }
-        }
-        values.to_vec()
-    }
-
-    /// True if a value is an integer and displayed as such.
-    pub(crate) fn is_count(&self, node: NodeId, unit: &Unit) -> bool {
-        unit.text.is_empty() && self.whole.get(node.0 as usize).is_some_and(|whole| *whole)
-    }
-
-    /// An integer with all its digits.
-    pub(crate) fn count(&self, value: f64) -> String {
-        number::plain(value, COUNT_DIGITS, self.style)
-    }
-
-    /// A text or truth value in the chosen language.
-    pub(super) fn word_value(&self, compiled: &Compiled, value: f64) -> String {
-        if !value.is_finite() {
-            return number::DASH.to_owned();
-        }
-        match compiled.kind {
-            Kind::Text => {
-                self.model().texts.get(value as usize).map_or(number::DASH, |text| self.text(text)).to_owned()
-            }
-            _ => words::truth(self.language, value != 0.0).to_owned(),
-        }
+        (number::plain(unit.from_si(value), MOVING_DIGITS, self.basis.style()), number::unit_text(&unit.text))
     }
 }
 

@@ -169,12 +169,12 @@ fn fields_take_arithmetic_and_tell_frequencies_apart() {
     ] {
         let index = crate::support::parameter(&play, name);
         assert_eq!(play.set_parameter_text(index, typed), Ok(()), "{typed}");
-        let value = play.parameter_values()[index];
+        let value = play.course().parameters()[index];
         assert!((value - expected).abs() < 1e-12, "{typed}: {value}");
     }
     let index = crate::support::parameter(&play, "w");
     let refusal = play.set_parameter_text(index, "1.4 Hz").unwrap_err();
-    assert_eq!(play.refusal_text(&refusal), "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s.");
+    assert_eq!(play.basis().refusal_text(&refusal), "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s.");
 }
 
 #[test]
@@ -186,18 +186,18 @@ fn values_are_hidden_until_their_questions_are_answered() {
         assert!(!found.hidden || found.unit.is_empty(), "{found:?}");
         found.value
     };
-    assert!(play.hides_values());
+    assert!(play.basis().hides_values());
     let all = |play: &mut Play| ["T_0", "f_0", "omega_0"].map(|name| value(play, name));
     assert_eq!(all(&mut play), ["hidden", "hidden", "hidden"]);
     // Its column in the table is hidden, too.
-    let place = play.table_header().iter().position(|head| head.starts_with("E ")).unwrap();
-    assert_eq!(play.table_rows(0..1)[0][place], "hidden");
+    let place = play.values().table_header().iter().position(|head| head.starts_with("E ")).unwrap();
+    assert_eq!(play.values().table_rows(0..1)[0][place], "hidden");
     // A wrong answer reveals no value. A right answer reveals the values that no other open question hides.
     play.check_answer(0, "1");
     assert_eq!(all(&mut play), ["hidden", "hidden", "hidden"]);
     play.check_answer(0, "3.755 s");
     assert_eq!(all(&mut play), ["3.755", "hidden", "hidden"]);
-    assert_ne!(play.table_rows(0..1)[0][place], "hidden");
+    assert_ne!(play.values().table_rows(0..1)[0][place], "hidden");
     let link = play.share();
     // In the teacher's view all values are shown, and the link contains this choice.
     play.show_hidden(true);
@@ -210,7 +210,7 @@ fn values_are_hidden_until_their_questions_are_answered() {
     assert_eq!(value(&mut play, "f_0"), "oculto");
     let mut other = crate::support::open(DOCUMENT, &[]);
     other.restore(&open).unwrap();
-    assert!(other.shows_hidden());
+    assert!(other.answers().shows_hidden());
     assert_eq!(value(&mut other, "omega_0"), "1.673");
     // Showing the right answer reveals the value.
     play.reveal_answer(1);
@@ -239,7 +239,7 @@ fn questions_appear_when_those_before_are_answered() {
                 ```question\nTwo\nafter: previous\nanswer: 2*a within 1 %\n```\n\n\
                 ```question\nThree\nafter: 1, 2\nanswer: 3*a within 1 %\n```\n";
     let open = || crate::support::open(text, &[]);
-    let awaited = |play: &Play| [0, 1, 2, 3].map(|question| play.awaited_questions(question));
+    let awaited = |play: &Play| [0, 1, 2, 3].map(|question| play.answers().awaited(play.basis(), question));
     let mut play = open();
     assert_eq!(awaited(&play), [vec![], vec![0], vec![0, 1], vec![]]);
     play.check_answer(0, "3");
@@ -251,7 +251,7 @@ fn questions_appear_when_those_before_are_answered() {
     assert!(awaited(&play)[1].is_empty());
     play.check_answer(0, "2");
     let mut later = open();
-    for (name, answer) in play.saved_answers() {
+    for (name, answer) in play.answers().saved(play.basis()) {
         assert!(later.restore_answer(&name, &answer));
     }
     assert_eq!(awaited(&later), awaited(&play));
@@ -267,11 +267,11 @@ fn answers_stay_with_their_questions() {
     play.check_answer(1, "1");
     play.reveal_answer(1);
     play.check_answer(99, "1");
-    let saved = play.saved_answers();
+    let saved = play.answers().saved(play.basis());
     assert_eq!(saved.len(), 2);
     play.set_language("es");
-    assert_eq!(play.saved_answers(), saved, "the same in both languages");
-    let answer = play.answer(0);
+    assert_eq!(play.answers().saved(play.basis()), saved, "the same in both languages");
+    let answer = play.answers().answer(play.basis(), 0);
     assert_eq!(answer.verdict.map(|verdict| verdict.text).as_deref(), Some("Todavía no."));
     assert_eq!((answer.typed.as_str(), answer.revealed), ("123456", false));
     // Another question is inserted before them, and the next visit is in Spanish.
@@ -283,18 +283,27 @@ fn answers_stay_with_their_questions() {
         assert_eq!(Answer::of_lines(&answer.lines()).as_ref(), Some(answer));
         assert!(later.restore_answer(name, answer));
     }
-    assert_eq!((later.answer(0), later.answer(1)), (play::AnswerView::default(), play.answer(0)));
-    assert_eq!(later.answer(2), play.answer(1));
-    assert_eq!(later.answer(2).verdict.map(|verdict| verdict.grade), Some(play::Grade::Correct));
-    assert!(later.answer(2).revealed);
+    assert_eq!(
+        (later.answers().answer(later.basis(), 0), later.answers().answer(later.basis(), 1)),
+        (play::AnswerView::default(), play.answers().answer(play.basis(), 0))
+    );
+    assert_eq!(later.answers().answer(later.basis(), 2), play.answers().answer(play.basis(), 1));
+    assert_eq!(
+        later.answers().answer(later.basis(), 2).verdict.map(|verdict| verdict.grade),
+        Some(play::Grade::Correct)
+    );
+    assert!(later.answers().answer(later.basis(), 2).revealed);
     // Typing removes the verdict. Invalid stored data change nothing.
     later.type_answer(2, "2\n3");
-    assert_eq!((later.answer(2).typed.as_str(), later.answer(2).verdict), ("2 3", None));
-    let before = later.saved_answers();
+    assert_eq!(
+        (later.answers().answer(later.basis(), 2).typed.as_str(), later.answers().answer(later.basis(), 2).verdict),
+        ("2 3", None)
+    );
+    let before = later.answers().saved(later.basis());
     for name in ["", "0000000000000000"] {
         assert!(!later.restore_answer(name, &saved[0].1));
     }
-    assert_eq!(later.saved_answers(), before);
+    assert_eq!(later.answers().saved(later.basis()), before);
     assert_eq!(Answer::of_lines("one line"), None);
     let unknown = Answer { typed: "1".into(), grade: None, revealed: false };
     assert_eq!(Answer::of_lines("1\nright\n"), Some(unknown));

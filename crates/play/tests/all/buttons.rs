@@ -64,17 +64,17 @@ fn a_press_acts_at_the_moment_shown() {
     let mut play = kicked();
     go_on(&mut play, [1.015, 0.008]);
     let before = state(&play);
-    assert!(play.can_press());
+    assert!(play.time_line().can_press());
     play.press(0).unwrap();
-    assert_eq!(play.time(), 1.023, "no time passes");
+    assert_eq!(play.course().time(), 1.023, "no time passes");
     let after = state(&play);
     assert!((after[0] - before[0]).abs() < 1e-6 && (after[1] - before[1] - 1.0).abs() < 1e-6, "{before:?} {after:?}");
     assert_eq!(readout(&mut play, "n"), "1");
     let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
     assert_eq!(told, Announcement::Pressed(0, 1.023));
-    assert_eq!(play.announcement_text(&told), "Kick, 1.02 s");
+    assert_eq!(told.text(play.basis(), play.time_line()), "Kick, 1.02 s");
     go_on(&mut play, [2.0]);
-    assert!((state(&play)[0] - x(&[1.023], play.time())).abs() < 1e-4);
+    assert!((state(&play)[0] - x(&[1.023], play.course().time())).abs() < 1e-4);
     by_link(&play);
 }
 
@@ -87,7 +87,7 @@ fn while_it_plays_a_run_goes_on() {
     play.tick(0.51);
     play.press(0).unwrap();
     play.press(0).unwrap();
-    assert!(play.is_playing());
+    assert!(play.time_line().is_playing());
     play.tick(0.98);
     play.pause();
     assert!((state(&play)[0] - x(&[0.51, 1.02, 1.02], 2.0)).abs() < 1e-4);
@@ -99,7 +99,7 @@ fn while_it_plays_a_run_goes_on() {
 fn a_press_before_the_first_step() {
     let mut play = kicked();
     play.press(0).unwrap();
-    assert_eq!((play.time(), state(&play)), (0.0, vec![0.3, 1.0]));
+    assert_eq!((play.course().time(), state(&play)), (0.0, vec![0.3, 1.0]));
     by_link(&play);
     play.press(0).unwrap();
     assert_eq!(state(&play), [0.3, 2.0]);
@@ -121,7 +121,7 @@ fn going_back_and_on_again_repeats_what_was_pressed() {
         go_on(&mut play, [1.0]);
         play.press(0).unwrap();
         go_on(&mut play, [3.0]);
-        let (run, time) = (bits(&play), play.time());
+        let (run, time) = (bits(&play), play.course().time());
         for back in [0.0, 0.7, 1.23, 2.0] {
             play.scrub(back);
             go_on(&mut play, [time - back]);
@@ -139,10 +139,10 @@ fn a_press_in_the_past_gives_up_what_followed() {
     play.press(0).unwrap();
     go_on(&mut play, [3.0]);
     play.scrub(0.52);
-    assert!(!play.has_ghost());
+    assert!(!play.time_line().has_ghost());
     play.press(0).unwrap();
-    assert_eq!((play.time(), play.end()), (0.52, 0.52));
-    assert!(play.has_ghost(), "the rows after it stay behind");
+    assert_eq!((play.course().time(), play.course().front()), (0.52, 0.52));
+    assert!(play.time_line().has_ghost(), "the rows after it stay behind");
     go_on(&mut play, [2.0]);
     assert!((state(&play)[0] - x(&[0.52], 2.52)).abs() < 1e-4, "the later press is gone");
     // A change of a parameter also discards later presses.
@@ -167,7 +167,7 @@ fn parameters_and_presses_in_one_step() {
     set(&mut play, "w", 1.0);
     go_on(&mut play, [1.0]);
     let other = by_link(&play);
-    assert_eq!(other.parameter_values()[0], 1.0);
+    assert_eq!(other.course().parameters()[0], 1.0);
     let sets: Vec<f64> = play.course().history().unwrap().parameter_sets().iter().map(|(_, set)| set[0]).collect();
     assert_eq!(sets, [2.0, 4.0, 1.0]);
 }
@@ -179,18 +179,21 @@ fn kept_runs_and_the_link_keep_theirs() {
     play.press(0).unwrap();
     go_on(&mut play, [1.0]);
     play.keep().unwrap();
-    assert_eq!(play.kept()[0].name, "Kick 1.00 s");
+    assert_eq!(play.time_line().kept(play.basis())[0].name, "Kick 1.00 s");
     play.back_to_start();
     for _ in 0..4 {
         go_on(&mut play, [0.2]);
         play.press(0).unwrap();
     }
     play.keep().unwrap();
-    assert_eq!(play.kept()[1].name, "Kick × 4");
+    assert_eq!(play.time_line().kept(play.basis())[1].name, "Kick × 4");
     set(&mut play, "A", 0.5);
     assert_eq!(play.share().matches("b=").count(), 2, "an initial value has begun another run: {}", play.share());
     let other = by_link(&play);
-    assert_eq!(other.kept().iter().map(|kept| kept.name.clone()).collect::<Vec<_>>(), ["Kick 1.00 s", "Kick × 4"]);
+    assert_eq!(
+        other.time_line().kept(other.basis()).iter().map(|kept| kept.name.clone()).collect::<Vec<_>>(),
+        ["Kick 1.00 s", "Kick × 4"]
+    );
 }
 
 #[test]
@@ -199,15 +202,18 @@ fn nothing_is_pressed_where_an_event_has_ended_the_run() {
     go_on(&mut play, [1.0]);
     play.play();
     play.press(1).unwrap();
-    assert_eq!((play.status(), play.is_playing(), play.time()), (Status::Ended, false, 1.0));
-    assert!(!play.can_press());
+    assert_eq!(
+        (play.time_line().status(play.basis()), play.time_line().is_playing(), play.course().time()),
+        (Status::Ended, false, 1.0)
+    );
+    assert!(!play.time_line().can_press());
     assert_eq!(play.press(0), Err(Refusal::RunEnded));
     by_link(&play);
     play.scrub(0.5);
-    assert!(play.can_press(), "before its end");
+    assert!(play.time_line().can_press(), "before its end");
     play.scrub(1.0);
     play.play();
-    assert!(play.can_press(), "gone on beyond");
+    assert!(play.time_line().can_press(), "gone on beyond");
     play.press(0).unwrap();
     play.tick(0.5);
     play.pause();
@@ -239,12 +245,12 @@ fn a_run_has_room_for_so_many_presses() {
 fn titles_are_translated() {
     let mut play = open(KICKED, &[KICKED_ES]);
     play.set_language("es");
-    let titles: Vec<String> = play.buttons().into_iter().map(|button| button.title).collect();
+    let titles: Vec<String> = play.basis().buttons().into_iter().map(|button| button.title).collect();
     assert_eq!(titles, ["Patada", "Parar"]);
     play.press(0).unwrap();
     play.press(1).unwrap();
     assert_eq!(
-        play.problem().map(|problem| problem.message).as_deref(),
+        play.time_line().problem(play.basis()).map(|problem| problem.message).as_deref(),
         Some("La simulación termina en t = 0 s: Parar.")
     );
 }

@@ -15,7 +15,7 @@ fn controls_show_words() {
         \"On a moon, far away\" = \"En una luna lejana\"\n\"Drag\" = \"Rozamiento\"\n\"Place\" = \"Lugar\"\n\"Moon\" = \"Luna\"\n```\n";
     let mut play = open(&document(MODEL), &[translation]);
     let texts = |play: &play::Play, name: &str| {
-        let view = play.parameter(parameter(play, name)).unwrap();
+        let view = play.basis().parameter(play.course(), parameter(play, name)).unwrap();
         let choices: Vec<String> = view.choices.iter().map(|choice| choice.text.clone()).collect();
         (view.spoken, choices, view.is_switch, view.slider.is_some())
     };
@@ -51,8 +51,8 @@ fn a_link_has_the_words_and_brings_them_back() {
     other.restore(&link).unwrap();
     assert_eq!(other.share(), link);
     assert_eq!(
-        (readout(&mut other, "g"), other.parameter_values()),
-        (readout(&mut play, "g"), play.parameter_values())
+        (readout(&mut other, "g"), other.course().parameters()),
+        (readout(&mut play, "g"), play.course().parameters())
     );
     let wrong = link.replace("drag:off", "drag:2").replace("place:On", "place:In");
     assert!(open(&document(MODEL), &[]).restore(&wrong).is_err());
@@ -65,6 +65,6 @@ fn a_text_stays_chosen_where_the_document_changes() {
     let changed = MODEL.replace("{\n\"Earth\"", "{\n\"Mars\": g = 3.7 [m/s^2]\n\"Earth\"");
     let opened = document::open(&document(&changed), &[]);
     play.replace_program(opened.document.unwrap().program);
-    let view = play.parameter(parameter(&play, "place")).unwrap();
+    let view = play.basis().parameter(play.course(), parameter(&play, "place")).unwrap();
     assert_eq!((view.value, view.spoken.as_str()), (2.0, "On a moon, far away"));
 }

@@ -33,7 +33,7 @@ fn model_time_is_wall_time_at_any_frame_rate() {
     for frames in [frames(30.0, 10.0), frames(60.0, 10.0), frames(144.0, 10.0), irregular()] {
         let mut play = utube();
         go_on(&mut play, frames);
-        assert!((play.time() - 10.0).abs() < 1e-9, "{}", play.time());
+        assert!((play.course().time() - 10.0).abs() < 1e-9, "{}", play.course().time());
         // The rows are bit-identical. The moment shown deviates by the rounding of the sum of the frames.
         play.scrub(9.99);
         let mut other = utube();
@@ -57,9 +57,9 @@ fn the_drawing_moves_between_steps() {
     assert!(shown.windows(2).all(|pair| pair[1] < pair[0]), "{shown:?}");
     // y'' = -2 g y / L at the start: y(0.05) = 0.5 - 0.5 * 1.4 * 0.05 * 0.05 in the first approximation.
     assert!((shown[11] - (0.5 - 0.00175)).abs() < 2e-5, "{shown:?}");
-    assert_eq!(play.table_length(), 1, "the row ahead of the moment shown is not there yet");
+    assert_eq!(play.values().table_length(), 1, "the row ahead of the moment shown is not there yet");
     play.tick(1.0 / 240.0);
-    assert_eq!(play.table_length(), 2);
+    assert_eq!(play.values().table_length(), 2);
 }
 
 #[test]
@@ -67,19 +67,19 @@ fn speeds_multiply() {
     for speed in SPEEDS {
         let mut play = utube();
         play.set_speed(speed);
-        assert_eq!(play.speed(), speed);
+        assert_eq!(play.time_line().speed(), speed);
         go_on(&mut play, frames(60.0, 2.0));
-        assert!((play.time() - 2.0 * speed).abs() < 1e-9);
+        assert!((play.course().time() - 2.0 * speed).abs() < 1e-9);
     }
     let mut play = utube();
     for nonsense in [f64::NAN, f64::INFINITY] {
         play.set_speed(nonsense);
-        assert_eq!(play.speed(), 1.0);
+        assert_eq!(play.time_line().speed(), 1.0);
     }
     play.set_speed(-3.0);
-    assert_eq!(play.speed(), 0.125);
+    assert_eq!(play.time_line().speed(), 0.125);
     play.set_speed(100.0);
-    assert_eq!(play.speed(), 8.0);
+    assert_eq!(play.time_line().speed(), 8.0);
 }
 
 /// Days that pass in seconds, and an end at 1 d that is not a multiple of the step.
@@ -95,18 +95,22 @@ fn a_document_says_how_fast_it_is_watched() {
     let day = 86_400.0;
     let mut play = days();
     assert_eq!(
-        (play.speed(), play.speed_text(1.0), play.speed_text(0.25)),
+        (
+            play.time_line().speed(),
+            play.time_line().speed_text(play.basis(), 1.0),
+            play.time_line().speed_text(play.basis(), 0.25)
+        ),
         (1.0, "0.5 d/s".into(), "0.125 d/s".into())
     );
     go_on(&mut play, [1.0]);
-    assert!((play.time() - 0.5 * day).abs() < 1e-6);
+    assert!((play.course().time() - 0.5 * day).abs() < 1e-6);
     play.set_speed(2.0);
     go_on(&mut play, [0.25]);
-    assert!((play.time() - 0.75 * day).abs() < 1e-6);
+    assert!((play.course().time() - 0.75 * day).abs() < 1e-6);
     assert_eq!(play.share(), "1&t=64800&x=2", "a link holds the multiple, as it always did");
     let mut spanish = days();
     spanish.set_language("es");
-    assert_eq!(spanish.speed_text(1.0), "0,5 d/s");
+    assert_eq!(spanish.time_line().speed_text(spanish.basis(), 1.0), "0,5 d/s");
 }
 
 #[test]
@@ -114,26 +118,29 @@ fn a_run_pauses_at_its_end_and_can_be_continued() {
     let day = 86_400.0;
     let mut play = days();
     go_on(&mut play, [1.0, 7.0]);
-    assert_eq!((play.time(), play.status(), play.is_playing()), (day, Status::Ended, false));
+    assert_eq!(
+        (play.course().time(), play.time_line().status(play.basis()), play.time_line().is_playing()),
+        (day, Status::Ended, false)
+    );
     assert!((state(&play)[0] - 1.0).abs() < 1e-12);
-    assert_eq!(play.horizon(), day, "the time line is full");
+    assert_eq!(play.basis().horizon(play.course()), day, "the time line is full");
     let told: Vec<Announcement> = std::iter::from_fn(|| play.take_announcement()).collect();
     assert_eq!(told, [Announcement::Playing, Announcement::Ended(day)]);
-    assert_eq!(play.announcement_text(&told[1]), "The run ends at 1.00 d; press Play to continue");
+    assert_eq!(told[1].text(play.basis(), play.time_line()), "The run ends at 1.00 d; press Play to continue");
     let link = play.share();
     play.play();
     play.tick(1.0);
-    assert_eq!((play.time(), play.is_playing()), (1.5 * day, true));
+    assert_eq!((play.course().time(), play.time_line().is_playing()), (1.5 * day, true));
     // After scrubbing back, the end is ahead again.
     play.scrub(0.5 * day);
-    assert_eq!(play.status(), Status::Paused);
+    assert_eq!(play.time_line().status(play.basis()), Status::Paused);
     go_on(&mut play, [60.0]);
-    assert_eq!((play.time(), play.status()), (day, Status::Ended));
+    assert_eq!((play.course().time(), play.time_line().status(play.basis())), (day, Status::Ended));
     play.step_forward();
-    assert_eq!((play.time(), play.status()), (4.0 * 0.3 * day, Status::Paused));
+    assert_eq!((play.course().time(), play.time_line().status(play.basis())), (4.0 * 0.3 * day, Status::Paused));
     let mut other = days();
     other.restore(&link).unwrap();
-    assert_eq!((other.time(), other.status()), (day, Status::Ended));
+    assert_eq!((other.course().time(), other.time_line().status(other.basis())), (day, Status::Ended));
 }
 
 #[test]
@@ -142,7 +149,7 @@ fn a_step_stops_at_the_end() {
     for _ in 0..4 {
         play.step_forward();
     }
-    assert_eq!((play.time(), play.status()), (86_400.0, Status::Ended));
+    assert_eq!((play.course().time(), play.time_line().status(play.basis())), (86_400.0, Status::Ended));
 }
 
 #[test]
@@ -150,10 +157,10 @@ fn a_hidden_page_goes_on_and_a_sleeping_machine_does_not() {
     let mut play = utube();
     play.play();
     assert!(play.tick(30.0));
-    assert!((play.time() - 30.0).abs() < 1e-9);
+    assert!((play.course().time() - 30.0).abs() < 1e-9);
     assert!(!play.tick(3600.0));
-    assert!((play.time() - 30.0).abs() < 1e-9);
-    assert_eq!(play.slippage(), 0.0);
+    assert!((play.course().time() - 30.0).abs() < 1e-9);
+    assert_eq!(play.time_line().slippage(), 0.0);
     assert!(!play.tick(f64::NAN) && !play.tick(-1.0));
 }
 
@@ -163,12 +170,12 @@ fn what_cannot_be_computed_in_time_is_visible() {
     play.set_step(1e-6).unwrap();
     play.play();
     play.tick(0.1);
-    let computed = play.time();
+    let computed = play.course().time();
     assert!((1e-3..0.05).contains(&computed), "{computed}");
-    assert!((play.slippage() - (0.1 - computed)).abs() < 1e-12);
+    assert!((play.time_line().slippage() - (0.1 - computed)).abs() < 1e-12);
     // The delay is not made up for: the next tick advances by its own duration only.
     play.tick(0.001);
-    assert!((play.time() - computed - 0.001).abs() < 1e-12);
+    assert!((play.course().time() - computed - 0.001).abs() < 1e-12);
 }
 
 #[test]
@@ -176,19 +183,19 @@ fn steps_go_from_grid_time_to_grid_time() {
     let mut play = utube();
     go_on(&mut play, [0.13]);
     play.step_forward();
-    assert_eq!(play.time(), 3.0 * 0.05);
+    assert_eq!(play.course().time(), 3.0 * 0.05);
     play.step_forward();
-    assert_eq!(play.time(), 4.0 * 0.05);
+    assert_eq!(play.course().time(), 4.0 * 0.05);
     play.step_back();
     play.step_back();
-    assert_eq!(play.time(), 2.0 * 0.05);
-    assert!(play.is_scrubbed());
+    assert_eq!(play.course().time(), 2.0 * 0.05);
+    assert!(play.course().is_scrubbed());
     for _ in 0..5 {
         play.step_back();
     }
-    assert_eq!(play.time(), 0.0);
-    assert_eq!(play.end(), 4.0 * 0.05);
-    assert_eq!(play.time_text(), "0.00 s");
+    assert_eq!(play.course().time(), 0.0);
+    assert_eq!(play.course().front(), 4.0 * 0.05);
+    assert_eq!(play.basis().time_text(play.course()), "0.00 s");
 }
 
 #[test]
@@ -196,7 +203,7 @@ fn short_times_are_told_in_a_unit_with_a_prefix() {
     let source = "---\ntitle: A\nstep: 0.01 [ns]\nspeed: 10 [ns]\nuntil: 40 [ns]\n---\n\n```model\nx' = -x/5 [ns]\nx(0) = 1\n```\n";
     let mut play = crate::support::open(source, &[]);
     go_on(&mut play, [0.5]);
-    assert_eq!(play.time_text(), "5.00 ns");
+    assert_eq!(play.basis().time_text(play.course()), "5.00 ns");
     let readout = play.readouts().remove(0);
     assert_eq!((readout.value.as_str(), readout.unit.as_str()), ("5.00", "ns"));
 }
@@ -206,21 +213,24 @@ fn a_run_that_fails_says_so_and_shows_the_last_good_moment() {
     let source = "---\ntitle: Runaway\n---\n```model\nparameter k = 1 [1/s] in 0..100\ny' = k*y^3\ny(0) = 1\n```\n";
     let mut play = open(source, &[]);
     go_on(&mut play, [10.0]);
-    assert_eq!(play.status(), Status::Failed);
-    let problem = play.problem().unwrap();
+    assert_eq!(play.time_line().status(play.basis()), Status::Failed);
+    let problem = play.time_line().problem(play.basis()).unwrap();
     assert_eq!(problem.code, "not-finite");
-    assert!(play.time() < 0.7 && state(&play)[0].is_finite());
+    assert!(play.course().time() < 0.7 && state(&play)[0].is_finite());
     let told: Vec<_> = std::iter::from_fn(|| play.take_announcement()).collect();
     assert!(told.contains(&Announcement::Failed), "{told:?}");
     play.set_language("es");
-    assert_eq!(play.problem().unwrap().message, "y supera el mayor número representable después de t = 0,55 s.");
+    assert_eq!(
+        play.time_line().problem(play.basis()).unwrap().message,
+        "y supera el mayor número representable después de t = 0,55 s."
+    );
     // Scrub back and continue with a value that works.
     play.scrub(0.2);
-    assert_eq!((play.status(), play.problem()), (Status::Paused, None));
+    assert_eq!((play.time_line().status(play.basis()), play.time_line().problem(play.basis())), (Status::Paused, None));
     set(&mut play, "k", 0.0);
     go_on(&mut play, [1.0]);
-    assert_eq!(play.status(), Status::Paused);
-    assert!((play.time() - 1.2).abs() < 1e-9);
+    assert_eq!(play.time_line().status(play.basis()), Status::Paused);
+    assert!((play.course().time() - 1.2).abs() < 1e-9);
 }
 
 #[test]
@@ -238,16 +248,16 @@ fn a_full_history_pauses_the_run() {
     for _ in 0..100 {
         play.tick(1.0);
     }
-    assert_eq!(play.status(), Status::Full);
-    let front = play.end();
+    assert_eq!(play.time_line().status(play.basis()), Status::Full);
+    let front = play.course().front();
     assert!((20.0..40.0).contains(&front), "{front}");
     play.play();
-    assert_eq!((play.status(), play.end()), (Status::Full, front));
+    assert_eq!((play.time_line().status(play.basis()), play.course().front()), (Status::Full, front));
     play.scrub(1.0);
-    assert_eq!(play.status(), Status::Paused);
+    assert_eq!(play.time_line().status(play.basis()), Status::Paused);
     play.play();
     play.tick(0.5);
-    assert!(play.is_playing() && play.end() == 1.5);
+    assert!(play.time_line().is_playing() && play.course().front() == 1.5);
 }
 
 #[test]
@@ -255,7 +265,7 @@ fn a_closed_form_runs_too() {
     let source = "---\ntitle: Theory\n---\n```model\nparameter A = 2 [m] in 0..5\ny = A*cos(t*1 [1/s])\n```\n";
     let mut play: Play = open(source, &[]);
     go_on(&mut play, [1.0]);
-    assert_eq!(play.table_length(), 21);
+    assert_eq!(play.values().table_length(), 21);
     assert!(state(&play).is_empty());
     assert_eq!(play.readouts()[1].value, "1.081");
 }

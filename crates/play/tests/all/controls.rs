@@ -5,10 +5,10 @@ use play::{Announcement, Play, Refusal};
 
 fn refused(play: &mut Play, name: &str, text: &str) -> String {
     let index = parameter(play, name);
-    let before = play.parameter_values().to_vec();
+    let before = play.course().parameters().to_vec();
     let refusal = play.set_parameter_text(index, text).expect_err("this is to be refused");
-    assert_eq!(play.parameter_values(), before);
-    play.refusal_text(&refusal)
+    assert_eq!(play.course().parameters(), before);
+    play.basis().refusal_text(&refusal)
 }
 
 #[test]
@@ -22,11 +22,11 @@ fn expressions_are_taken_as_presets_have_them() {
         ("0,1 t/s", 0.1e3),
     ] {
         play.set_parameter_text(b, text).unwrap();
-        let value = play.parameter(b).unwrap().value;
+        let value = play.basis().parameter(play.course(), b).unwrap().value;
         assert!((value - expected).abs() < 1e-9 * expected, "{text}: {value} and not {expected}");
     }
     play.set_state_text(0, "-y(0)/2").unwrap();
-    assert_eq!(play.state(0).unwrap().value, -0.25);
+    assert_eq!(play.values().state(0).unwrap().value, -0.25);
     for text in ["2*m", "b*t", "y'*m", "2*", "regime", "1/0", "nothing"] {
         assert!(play.set_parameter_text(b, text).is_err(), "{text}");
     }
@@ -47,7 +47,7 @@ fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
     ] {
         let index = parameter(&play, name);
         play.set_parameter_text(index, text).unwrap();
-        assert_eq!(play.parameter_values()[index], expected, "{name} = {text}");
+        assert_eq!(play.course().parameters()[index], expected, "{name} = {text}");
     }
     for (name, text, expected) in [
         ("h_l", "", "Type a number."),
@@ -76,36 +76,36 @@ fn a_field_that_is_left_as_it_is_does_not_round_the_value() {
     let mut play = utube();
     let b = parameter(&play, "b");
     set(&mut play, "b", 1_979.898_987_322_333);
-    let shown = play.parameter(b).unwrap();
+    let shown = play.basis().parameter(play.course(), b).unwrap();
     assert_eq!((shown.text.as_str(), shown.spoken.as_str()), ("1979.9", "1979.9 kg/s"));
     play.set_parameter_text(b, &shown.text).unwrap();
-    assert_eq!(play.parameter_values()[b], 1_979.898_987_322_333);
+    assert_eq!(play.course().parameters()[b], 1_979.898_987_322_333);
 }
 
 #[test]
 fn controls_show_what_they_set() {
     let mut play = utube();
     play.set_language("es");
-    let view = play.parameter(parameter(&play, "S")).unwrap();
+    let view = play.basis().parameter(play.course(), parameter(&play, "S")).unwrap();
     assert_eq!((view.label.as_str(), view.unit.as_str(), view.text.as_str()), ("Sección", "m²", "0,05"));
     assert_eq!(view.range, Some(("0,01".to_owned(), "2".to_owned())));
     assert_eq!(view.slider.map(|slider| (slider.position, slider.positions)), Some((4, 199)));
     assert!(view.is_default && !view.restarts);
     play.slide(view.index, 9);
-    let view = play.parameter(view.index).unwrap();
+    let view = play.basis().parameter(play.course(), view.index).unwrap();
     assert_eq!((view.value, view.is_default), (0.1, false));
     play.restore_defaults();
-    assert!(play.parameters().iter().all(|parameter| parameter.is_default));
+    assert!(play.basis().parameters(play.course()).iter().all(|parameter| parameter.is_default));
 }
 
 #[test]
 fn the_damping_slider_is_fine_near_zero_and_reaches_critical_damping() {
     let mut play = utube();
     let b = parameter(&play, "b");
-    let slider = play.parameter(b).unwrap().slider.unwrap();
+    let slider = play.basis().parameter(play.course(), b).unwrap().slider.unwrap();
     assert!((10..50).contains(&slider.position), "{slider:?}");
     play.slide(b, 1);
-    assert!(play.parameter_values()[b] < 0.1);
+    assert!(play.course().parameters()[b] < 0.1);
     set(&mut play, "rho", 13600.0);
     play.slide(b, slider.positions);
     assert_eq!(crate::support::readout(&mut play, "regime"), "overdamped");
@@ -114,32 +114,32 @@ fn the_damping_slider_is_fine_near_zero_and_reaches_critical_damping() {
 #[test]
 fn presets_are_computed_one_after_the_other() {
     let mut play = utube();
-    let groups = play.presets();
+    let groups = play.controls().presets(play.basis(), play.course());
     let names: Vec<&str> = groups.iter().map(|group| group.name.as_str()).collect();
     assert_eq!(names, ["Liquid", "Regime"]);
     let selected = |play: &mut Play| {
-        let presets = play.presets().into_iter().flat_map(|group| group.presets);
+        let presets = play.controls().presets(play.basis(), play.course()).into_iter().flat_map(|group| group.presets);
         presets.filter(|preset| preset.selected).map(|preset| preset.name).collect::<Vec<_>>()
     };
     assert_eq!(selected(&mut play), ["Water"]);
     play.apply_preset(3).unwrap();
     // 2 m omega_0 = 2 * 350 kg * sqrt(2 * 9.8 / 7) s^-1.
     let b = parameter(&play, "b");
-    assert!((play.parameter_values()[b] - 700.0 * 2.8_f64.sqrt()).abs() < 1e-9);
+    assert!((play.course().parameters()[b] - 700.0 * 2.8_f64.sqrt()).abs() < 1e-9);
     assert_eq!(selected(&mut play), ["Water", "Critical"]);
     assert_eq!(groups[1].presets[1].description, "b = 1171.32 kg/s");
     play.apply_preset(4).unwrap();
     let mercury = 13534.0 * 0.05 * 7.0;
-    assert!((play.parameter_values()[b] - 2.0 * mercury * 2.8_f64.sqrt()).abs() < 1e-6);
+    assert!((play.course().parameters()[b] - 2.0 * mercury * 2.8_f64.sqrt()).abs() < 1e-6);
     assert_eq!(selected(&mut play), ["Mercury", "Critical", "Mercury, critical"]);
     // A value out of the range is refused, and nothing is set.
-    let before = play.parameter_values().to_vec();
+    let before = play.course().parameters().to_vec();
     let refusal = play.apply_preset(5).unwrap_err();
-    assert_eq!(play.refusal_text(&refusal), "Damping: at most 20000 kg/s.");
-    assert_eq!(play.parameter_values(), before);
+    assert_eq!(play.basis().refusal_text(&refusal), "Damping: at most 20000 kg/s.");
+    assert_eq!(play.course().parameters(), before);
     assert!(play.apply_preset(99).is_err());
     play.set_language("es");
-    assert_eq!(play.presets()[0].presets[1].name, "Mercurio");
+    assert_eq!(play.controls().presets(play.basis(), play.course())[0].presets[1].name, "Mercurio");
 }
 
 #[test]
@@ -148,8 +148,8 @@ fn the_state_is_set_by_hand_while_paused() {
     go_on(&mut play, [1.0]);
     let velocity = state(&play)[1];
     play.set_state_text(0, "80 cm").unwrap();
-    assert_eq!((play.time(), state(&play)), (0.0, vec![0.8, velocity]));
-    assert!(play.has_ghost() && play.is_started_by_hand());
+    assert_eq!((play.course().time(), state(&play)), (0.0, vec![0.8, velocity]));
+    assert!(play.time_line().has_ghost() && play.is_started_by_hand());
     play.play();
     assert_eq!(play.set_state(0, 0.1), Err(Refusal::NotPaused));
     play.tick(0.5);
@@ -165,7 +165,7 @@ fn the_state_is_set_by_hand_while_paused() {
 #[test]
 fn methods_and_steps_are_chosen() {
     let mut play = utube();
-    let methods = play.methods();
+    let methods = play.basis().methods(play.course());
     assert_eq!(methods.len(), 6);
     assert!(methods.iter().all(|method| method.refused.is_empty()));
     assert_eq!(methods.iter().find(|method| method.selected).map(|method| method.name), Some("rk4"));
@@ -176,9 +176,9 @@ fn methods_and_steps_are_chosen() {
         assert!((state(&play)[0] - 0.5 * libm::cos(2.8_f64.sqrt())).abs() < 0.06, "{}", method.name);
     }
     assert!(play.set_method("leapfrog").is_err());
-    assert_eq!(play.step_text(), ("0.05".to_owned(), "s".to_owned()));
+    assert_eq!(play.basis().step_text(play.course()), ("0.05".to_owned(), "s".to_owned()));
     play.set_step_text("10 ms").unwrap();
-    assert_eq!((play.step(), play.time()), (0.01, 0.0));
+    assert_eq!((play.course().begun().step, play.course().time()), (0.01, 0.0));
     for text in ["0", "-1", "x", "1 m", "nan"] {
         assert!(play.set_step_text(text).is_err(), "{text}");
     }
@@ -189,8 +189,10 @@ fn verlet_is_refused_for_an_equation_of_first_order() {
     let source = "---\ntitle: Decay\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1\n```\n";
     let mut play = crate::support::open(source, &[]);
     let refusal = play.set_method("velocity-verlet").unwrap_err();
-    assert_eq!(play.refusal_text(&refusal), "velocity Verlet is for equations of second order only.");
-    assert!(play.methods().iter().any(|method| method.refused == play.refusal_text(&refusal)));
+    assert_eq!(play.basis().refusal_text(&refusal), "velocity Verlet is for equations of second order only.");
+    assert!(
+        play.basis().methods(play.course()).iter().any(|method| method.refused == play.basis().refusal_text(&refusal))
+    );
     go_on(&mut play, [1.0]);
     assert!((state(&play)[0] - libm::exp(-1.0)).abs() < 1e-6);
 }
@@ -207,7 +209,7 @@ fn everything_is_announced() {
     play.back_to_start();
     let mut texts = Vec::new();
     while let Some(announcement) = play.take_announcement() {
-        texts.push(play.announcement_text(&announcement));
+        texts.push(announcement.text(play.basis(), play.time_line()));
     }
     assert_eq!(texts, ["Playing", "Paused at 1.00 s", "Speed 1/4 ×", "Mercury", "Step, 1.05 s", "Back at the start"]);
     play.set_language("es");
@@ -219,7 +221,7 @@ fn everything_is_announced() {
         (Announcement::StateSet(0, 0.25), "Desplazamiento: 0,25 m; la serie parte de ahí"),
         (Announcement::ParameterSet(99, 2.5), ": "),
     ] {
-        assert_eq!(play.announcement_text(&announcement), expected);
+        assert_eq!(announcement.text(play.basis(), play.time_line()), expected);
     }
 }
 
@@ -240,7 +242,7 @@ fn parameters_stand_in_the_groups_of_the_document() {
         "---\ntitle: Grupos\nlanguage: es\n---\n```translations\n\"Air\" = \"Aire\"\n\"Spring\" = \"Muelle\"\n```\n";
     let mut play = open(text, &[translation]);
     play.set_language("es");
-    let groups: Vec<(String, Vec<String>)> = (play.parameter_groups().into_iter())
+    let groups: Vec<(String, Vec<String>)> = (play.basis().parameter_groups(play.course()).into_iter())
         .map(|group| (group.name, group.parameters.into_iter().map(|parameter| parameter.name).collect()))
         .collect();
     let expected = [("", vec!["a"]), ("Aire", vec!["on_air", "kind"]), ("Muelle", vec!["k"])];
@@ -253,7 +255,7 @@ fn the_table_shows_what_is_small_beside_the_greatest() {
     let text = "---\ntitle: Decay\nstep: 1 [s]\nuntil: 40 [s]\n---\n```model\nN' = -1 [1/s]*N\nN(0) = 1000\n```\n";
     let mut play = open(text, &[]);
     go_on(&mut play, [30.0]);
-    let rows = play.table_rows(0..play.table_length());
+    let rows = play.values().table_rows(0..play.values().table_length());
     assert_eq!(rows[0][1], "1000.00");
     assert!(
         rows.len() > 20 && rows.iter().all(|row| row[1].contains(|digit: char| ('1'..='9').contains(&digit))),

@@ -21,14 +21,14 @@ fn a_run_takes_5_to_20_seconds_to_watch() {
     }
     let mut play = open(&document("speed: 3\nuntil: 12\n"), &[]);
     go_on(&mut play, [1.0, 0.5]);
-    assert_eq!((play.time(), play.time_text().as_str()), (4.5, "4"), "counts are whole");
+    assert_eq!((play.course().time(), play.basis().time_text(play.course()).as_str()), (4.5, "4"), "counts are whole");
     let at_4 = state(&play);
     play.scrub(4.0);
     assert_eq!(state(&play), at_4, "the value holds from one count to the next");
     play.scrub(3.999);
     assert_ne!(state(&play), at_4);
     go_on(&mut play, [10.0]);
-    assert_eq!((play.time(), play.status()), (12.0, Status::Ended));
+    assert_eq!((play.course().time(), play.time_line().status(play.basis())), (12.0, Status::Ended));
     assert_eq!(bits(&play).lines().count(), 14, "a heading and one row for each count: {}", bits(&play));
 }
 
@@ -42,7 +42,7 @@ fn a_link_repeats_the_run() {
     let link = play.share();
     let mut other = open(&document("speed: 10\n"), &[]);
     other.restore(&link).expect("the link holds");
-    assert_eq!((bits(&other), other.time()), (bits(&play), play.time()));
+    assert_eq!((bits(&other), other.course().time()), (bits(&play), play.course().time()));
     assert!(!link.contains("&h="), "{link}");
 }
 
@@ -57,7 +57,7 @@ fn a_seed_decides_the_run() {
     let index = crate::support::parameter(&play, "seed");
     assert!(play.set_parameter(index, 1.5).is_err() && play.set_parameter(index, 10_000.0).is_err());
     crate::support::set(&mut play, "seed", 2.0);
-    assert_eq!(play.time(), 0.0);
+    assert_eq!(play.course().time(), 0.0);
     go_on(&mut play, [2.0]);
     let second = bits(&play);
     assert_ne!(first, second);

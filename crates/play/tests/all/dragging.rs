@@ -21,9 +21,9 @@ fn the_liquid_follows_the_pointer_and_is_let_go() {
     play.tick(1.0);
     let held = state(&play)[0];
     play.drag_begin(&drag);
-    assert!(!play.is_playing() && play.is_dragging());
+    assert!(!play.time_line().is_playing() && play.controls().is_dragging());
     play.drag_move(500.0, 10.0);
-    assert_eq!(play.time(), 0.0);
+    assert_eq!(play.course().time(), 0.0);
     assert!((state(&play)[0] - (held + 0.25)).abs() < 1e-12);
     assert_eq!(state(&play)[1], 0.0, "what is held is at rest");
     play.drag_move(0.0, -4.0);
@@ -34,11 +34,11 @@ fn the_liquid_follows_the_pointer_and_is_let_go() {
     play.drag_move(f64::NAN, 1.0);
     play.drag_move(0.0, 8.0);
     play.drag_end();
-    assert!(play.is_playing() && !play.is_dragging());
+    assert!(play.time_line().is_playing() && !play.controls().is_dragging());
     let from = state(&play);
     play.tick(0.5);
     assert!(state(&play)[0] < from[0]);
-    assert!(play.has_ghost());
+    assert!(play.time_line().has_ghost());
     play.drag_move(0.0, 5.0);
     play.drag_end();
 }
@@ -66,7 +66,7 @@ fn a_drag_at_the_start_sets_the_parameters_that_decide_it() {
     let source = crate::support::UTUBE.replace("in 2..9", "in 0..9");
     let mut play = crate::support::open(&source, &[]);
     let drag = handle(&play);
-    let heights = |play: &Play| ["h_l", "h_r"].map(|name| play.parameter_values()[parameter(play, name)]);
+    let heights = |play: &Play| ["h_l", "h_r"].map(|name| play.course().parameters()[parameter(play, name)]);
     // One scene unit is 0.025 m.
     for (up, y, h_l, h_r) in
         [(12.0, 0.8, 3.3, 1.7), (-12.0, 0.5, 3.0, 2.0), (-20.0, 0.0, 2.5, 2.5), (-24.0, -0.6, 1.9, 3.1)]
@@ -81,7 +81,7 @@ fn a_drag_at_the_start_sets_the_parameters_that_decide_it() {
         assert!(!play.is_started_by_hand());
     }
     let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
-    let text = play.announcement_text(&told);
+    let text = told.text(play.basis(), play.time_line());
     assert_eq!(text, "Displacement: -0.6 m; Left height: 1.9 m, Right height: 3.1 m".replace('-', "−"));
     // After playing and going back, the run starts there again. The document's values return on request.
     go_on(&mut play, [1.0]);
@@ -118,18 +118,18 @@ fn what_no_parameter_can_follow_is_kept_as_the_start() {
     for source in [crate::support::UTUBE, &literal] {
         let mut play = crate::support::open(source, &[]);
         let drag = handle(&play);
-        let parameters = play.parameter_values().to_vec();
+        let parameters = play.course().parameters().to_vec();
         play.drag_begin(&drag);
         play.drag_move(0.0, 12.0);
         play.drag_end();
         assert!(play.is_started_by_hand(), "the right height is at the end of its range");
-        assert_eq!(play.parameter_values(), parameters);
+        assert_eq!(play.course().parameters(), parameters);
         assert!((state(&play)[0] - 0.8).abs() < 1e-12);
         go_on(&mut play, [1.0]);
         play.back_to_start();
         assert!(play.is_started_by_hand() && (state(&play)[0] - 0.8).abs() < 1e-12);
         let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
-        assert_eq!(play.announcement_text(&told), "Back at the start that was set by hand");
+        assert_eq!(told.text(play.basis(), play.time_line()), "Back at the start that was set by hand");
         let mut other = crate::support::open(source, &[]);
         other.restore(&play.share()).unwrap();
         assert_eq!(state(&other), state(&play));
@@ -162,7 +162,7 @@ fn a_curved_start_is_met_exactly() {
         play.drag_end();
         assert!(!play.is_started_by_hand(), "{up}");
         assert!((state(&play)[0] - (before + up)).abs() < 1e-7 * (before + up).abs(), "{up}: {:?}", state(&play));
-        let [v, c] = play.parameter_values() else { panic!() };
+        let [v, c] = play.course().parameters() else { panic!() };
         assert!((0.0..=20.0).contains(v) && c.is_finite());
     }
 }
@@ -176,7 +176,7 @@ fn a_click_on_the_liquid_changes_nothing() {
     play.drag_begin(&drag);
     play.drag_end();
     assert_eq!(bits(&play), before);
-    assert!(!play.is_playing());
+    assert!(!play.time_line().is_playing());
     play.drag_begin(&play::program::Drag { target: play::program::Dragged::State(9), up: None, right: Some(77) });
     play.drag_move(1.0, 1.0);
     play.drag_end();
@@ -189,20 +189,20 @@ fn a_parameter_is_dragged_within_its_range_while_the_run_goes_on() {
                   viewBox='0 0 100 100'><circle cx='{10*s/(1 [m])}' cy='9' r='3' drag='s' drag-right='0.1 [m]'/></svg>\n```\n";
     let mut play = crate::support::open(source, &[]);
     let drag = handle(&play);
-    assert_eq!(play.drag_range(&drag), Some((0.0, 2.0)));
+    assert_eq!(play.grips().range(&drag), Some((0.0, 2.0)));
     play.play();
     play.drag_begin(&drag);
     play.drag_move(5.0, 7.0);
-    assert!(play.is_playing() && play.is_dragging());
-    assert_eq!(play.parameters()[0].value, 1.5);
+    assert!(play.time_line().is_playing() && play.controls().is_dragging());
+    assert_eq!(play.basis().parameters(play.course())[0].value, 1.5);
     play.tick(0.5);
     assert!(state(&play)[0] > 0.5, "it follows the new value: {:?}", state(&play));
     play.drag_move(1e9, 0.0);
-    assert_eq!(play.parameters()[0].value, 2.0);
+    assert_eq!(play.basis().parameters(play.course())[0].value, 2.0);
     play.drag_move(f64::INFINITY, 0.0);
     play.drag_end();
-    assert_eq!(play.parameters()[0].value, 2.0);
-    assert!(play.is_playing());
+    assert_eq!(play.basis().parameters(play.course())[0].value, 2.0);
+    assert!(play.time_line().is_playing());
     let told = std::iter::from_fn(|| play.take_announcement()).last();
     assert_eq!(told, Some(Announcement::ParameterSet(0, 2.0)));
 }

@@ -41,7 +41,7 @@ fn pushed() -> Play {
 }
 
 fn curve(play: &Play, index: usize) -> DrawingView {
-    play.drawn_curve(index).unwrap()
+    play.basis().drawn_curve(play.course(), index).unwrap()
 }
 
 /// Draws a constant height.
@@ -61,7 +61,7 @@ fn by_link(play: &Play) -> Play {
 #[test]
 fn the_field_shows_range_and_curve() {
     let mut play = open(PUSHED, &[PUSHED_ES]);
-    let views = play.drawn_curves();
+    let views = play.basis().drawn_curves(play.course());
     assert_eq!(views.len(), 2);
     let push = &views[0];
     assert_eq!((push.label.as_str(), push.symbol.as_str(), push.zero), ("Push", "F(t)", Some(0.5)));
@@ -69,9 +69,9 @@ fn the_field_shows_range_and_curve() {
     assert_eq!(push.arguments, ["0 s", "10 s"]);
     assert!(push.is_default && push.heights.iter().all(|height| *height == 0.5));
     assert_eq!(views[1].label, "c(x)");
-    assert_eq!(play.drawn_text(0, 10, 0.75), "t = 2 s: 5 N");
+    assert_eq!(play.basis().drawn_text(0, 10, 0.75), "t = 2 s: 5 N");
     play.set_language("es");
-    assert_eq!(play.drawn_curves()[0].label, "Empujón");
+    assert_eq!(play.basis().drawn_curves(play.course())[0].label, "Empujón");
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn a_constant_push_gives_the_parabola() {
     level(&mut play, 1, 0.0);
     go_on(&mut play, [1.0]);
     level(&mut play, 0, 0.75);
-    assert_eq!(play.time(), 0.0, "the run starts again");
+    assert_eq!(play.course().time(), 0.0, "the run starts again");
     assert_eq!(std::iter::from_fn(|| play.take_announcement()).last(), Some(Announcement::Drawn(0)));
     go_on(&mut play, [4.0]);
     assert!((state(&play)[0] - 2.5 * 16.0 / 2.0).abs() < 1e-9);
@@ -114,17 +114,17 @@ fn kept_runs_and_the_ghost_keep_theirs() {
     level(&mut play, 0, 1.0);
     go_on(&mut play, [2.0]);
     play.keep().unwrap();
-    assert_eq!(play.kept()[0].name, "Push");
-    let kept = play.csv();
+    assert_eq!(play.time_line().kept(play.basis())[0].name, "Push");
+    let kept = play.values().csv();
     level(&mut play, 0, 0.0);
-    assert!(play.has_ghost());
+    assert!(play.time_line().has_ghost());
     go_on(&mut play, [2.0]);
     let other = by_link(&play);
-    assert_eq!(other.kept().len(), 1);
-    assert_ne!(play.csv(), kept);
+    assert_eq!(other.time_line().kept(other.basis()).len(), 1);
+    assert_ne!(play.values().csv(), kept);
     // Both kept runs draw the same curve.
     play.clear_ghost();
-    let drawn = |mut play: Play| play.plot_csv(play::PlotId::at(0));
+    let drawn = |mut play: Play| play.plots_to_front().csv(play::PlotId::at(0));
     assert_eq!(drawn(play), drawn(other));
 }
 

@@ -18,29 +18,35 @@ fn a_run_ends_at_an_event_and_goes_on_when_asked() {
     let names: Vec<String> = play.readouts().into_iter().map(|readout| readout.name).collect();
     assert_eq!(names, ["t", "y", "y'", "T", "h"]);
     go_on(&mut play, [0.5, 0.4, 0.4, 0.4]);
-    assert!((play.time() - 1.0).abs() < 1e-9, "{}", play.time());
-    assert_eq!(play.status(), Status::Ended);
-    let problem = play.problem().expect("a reason");
+    assert!((play.course().time() - 1.0).abs() < 1e-9, "{}", play.course().time());
+    assert_eq!(play.time_line().status(play.basis()), Status::Ended);
+    let problem = play.time_line().problem(play.basis()).expect("a reason");
     assert_eq!(problem.code, "ended");
     assert!(problem.message.ends_with("The stone has landed."), "{}", problem.message);
-    assert_eq!(play.ending().as_deref(), Some("The run ends at t = 1 s: The stone has landed."));
+    assert_eq!(
+        play.time_line().ending(play.basis()).as_deref(),
+        Some("The run ends at t = 1 s: The stone has landed.")
+    );
     play.set_language("es");
-    assert_eq!(play.ending().as_deref(), Some("La serie termina en t = 1 s: The stone has landed."));
+    assert_eq!(
+        play.time_line().ending(play.basis()).as_deref(),
+        Some("La serie termina en t = 1 s: The stone has landed.")
+    );
     play.set_language("en");
     assert!(readout(&mut play, "T").starts_with('1'), "{}", readout(&mut play, "T"));
     // A link restores the time at the end, and also a time beyond it.
     for more in [0.0, 1.0] {
         if more > 0.0 {
             go_on(&mut play, [more]);
-            assert!((play.time() - 1.0 - more).abs() < 1e-9, "{}", play.time());
+            assert!((play.course().time() - 1.0 - more).abs() < 1e-9, "{}", play.course().time());
         }
         let mut other = stone();
         other.restore(&play.share()).expect("the link holds");
-        assert_eq!((other.time(), bits(&other)), (play.time(), bits(&play)));
+        assert_eq!((other.course().time(), bits(&other)), (play.course().time(), bits(&play)));
     }
     // After scrubbing back before the end, the run ends again.
     play.scrub(0.5);
-    assert!(play.problem().is_none() && play.ending().is_none());
+    assert!(play.time_line().problem(play.basis()).is_none() && play.time_line().ending(play.basis()).is_none());
     go_on(&mut play, [2.0]);
-    assert_eq!(play.problem().map(|problem| problem.code), Some("ended"));
+    assert_eq!(play.time_line().problem(play.basis()).map(|problem| problem.code), Some("ended"));
 }

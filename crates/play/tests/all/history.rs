@@ -15,10 +15,10 @@ fn scrubbing_and_going_on_gives_the_same_bits() {
     go_on(&mut scrubbed, [8.0]);
     for moment in [0.0, 3.999, 2.5, 4.0 * 0.05, 0.013] {
         scrubbed.scrub(moment);
-        assert_eq!(scrubbed.time(), moment);
-        assert_eq!(scrubbed.end(), if moment == 0.0 { 8.0 } else { 10.0 });
+        assert_eq!(scrubbed.course().time(), moment);
+        assert_eq!(scrubbed.course().front(), if moment == 0.0 { 8.0 } else { 10.0 });
         go_on(&mut scrubbed, [10.0 - moment]);
-        assert!(scrubbed.has_ghost());
+        assert!(scrubbed.time_line().has_ghost());
         scrubbed.scrub(10.0);
         assert_eq!(bits(&scrubbed), bits(&straight), "after going on from {moment}");
     }
@@ -32,11 +32,11 @@ fn a_scrub_alone_changes_nothing() {
     play.scrub(1.0);
     assert_eq!(bits(&play), before);
     play.scrub(f64::NAN);
-    assert!(!play.is_scrubbed());
+    assert!(!play.course().is_scrubbed());
     play.scrub(-5.0);
-    assert_eq!(play.time(), 0.0);
+    assert_eq!(play.course().time(), 0.0);
     play.scrub(1e300);
-    assert_eq!((play.time(), play.is_scrubbed()), (3.0, false));
+    assert_eq!((play.course().time(), play.course().is_scrubbed()), (3.0, false));
     assert_eq!(bits(&play), before);
 }
 
@@ -47,8 +47,8 @@ fn a_change_of_damping_takes_effect_at_once_without_a_jump() {
     let before = state(&play);
     set(&mut play, "b", 5000.0);
     assert_eq!(state(&play), before);
-    assert!(!play.has_ghost(), "the run goes on");
-    let length = play.table_length();
+    assert!(!play.time_line().has_ghost(), "the run goes on");
+    let length = play.values().table_length();
     // The past is unchanged, and the next steps are those of a strongly damped liquid.
     let mut other = utube();
     go_on(&mut other, [1.025]);
@@ -57,7 +57,7 @@ fn a_change_of_damping_takes_effect_at_once_without_a_jump() {
     go_on(&mut other, [0.3]);
     let (damped, free) = (state(&play)[1], state(&other)[1]);
     assert!(damped.abs() < 0.6 * free.abs(), "{damped} {free}");
-    assert_eq!(play.table_length(), length + 6);
+    assert_eq!(play.values().table_length(), length + 6);
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn parameters_then_in_force_come_back() {
     let straight = bits(&play);
     let at = |play: &mut play::Play, time: f64| {
         play.scrub(time);
-        play.parameter_values()[b]
+        play.course().parameters()[b]
     };
     assert_eq!(at(&mut play, 0.5), 50.0);
     assert_eq!(at(&mut play, 1.5), 300.0);
@@ -82,7 +82,7 @@ fn parameters_then_in_force_come_back() {
     // Continuing from 1.5 s uses b = 300 kg/s.
     play.scrub(1.5);
     go_on(&mut play, [1.5]);
-    assert_eq!(play.parameter_values()[b], 300.0);
+    assert_eq!(play.course().parameters()[b], 300.0);
     let mut other = utube();
     go_on(&mut other, [1.0]);
     set(&mut other, "b", 300.0);
@@ -105,20 +105,20 @@ fn a_change_before_the_first_step_is_as_if_it_had_always_been_so() {
 fn a_parameter_that_decides_an_initial_value_restarts_the_run() {
     let mut play = utube();
     let h_l = parameter(&play, "h_l");
-    assert!(play.parameter(h_l).unwrap().restarts);
+    assert!(play.basis().parameter(play.course(), h_l).unwrap().restarts);
     go_on(&mut play, [2.0]);
     told(&mut play);
     set(&mut play, "h_l", 4.0);
-    assert_eq!((play.time(), play.end()), (0.0, 0.0));
+    assert_eq!((play.course().time(), play.course().front()), (0.0, 0.0));
     assert_eq!(state(&play), [1.0, 0.0]);
-    assert!(play.has_ghost());
+    assert!(play.time_line().has_ghost());
     let expected = [Announcement::Restarted(h_l), Announcement::ParameterSet(h_l, 4.0)];
     assert_eq!(told(&mut play), expected);
     // A playing run continues to play after the restart.
     play.play();
     play.tick(1.0);
     set(&mut play, "v_0", 2.0);
-    assert!(play.is_playing() && play.time() == 0.0);
+    assert!(play.time_line().is_playing() && play.course().time() == 0.0);
     assert_eq!(state(&play), [1.0, 2.0]);
 }
 
@@ -133,11 +133,11 @@ fn moving_a_slider_leaves_the_ghost_of_the_real_run() {
         play.tick(0.016);
     }
     let settings = Default::default();
-    let svg = play.plot_svg(PlotId::at(0), &settings, &play::figure::Palette::LIGHT);
-    assert!(play.has_ghost());
+    let svg = play.plots_to_front().svg(PlotId::at(0), &settings, &play::figure::Palette::LIGHT);
+    assert!(play.time_line().has_ghost());
     assert!(svg.contains("10"), "the axis still has room for the ghost's 10 s");
     play.back_to_start();
-    assert!(!play.has_ghost());
+    assert!(!play.time_line().has_ghost());
 }
 
 #[test]
@@ -147,21 +147,21 @@ fn back_to_start_keeps_parameters_and_start_and_restoring_defaults_neither() {
     set(&mut play, "b", 0.0);
     go_on(&mut play, [1.0]);
     play.back_to_start();
-    assert_eq!((play.time(), state(&play), play.parameter_values()[b]), (0.0, vec![0.5, 0.0], 0.0));
+    assert_eq!((play.course().time(), state(&play), play.course().parameters()[b]), (0.0, vec![0.5, 0.0], 0.0));
     play.set_state(0, 0.75).unwrap();
     go_on(&mut play, [1.0]);
     play.back_to_start();
-    assert!(play.is_started_by_hand() && !play.is_playing());
-    assert_eq!((play.time(), state(&play), play.parameter_values()[b]), (0.0, vec![0.75, 0.0], 0.0));
+    assert!(play.is_started_by_hand() && !play.time_line().is_playing());
+    assert_eq!((play.course().time(), state(&play), play.course().parameters()[b]), (0.0, vec![0.75, 0.0], 0.0));
     go_on(&mut play, [1.0]);
     play.restore_defaults();
     assert!(!play.is_started_by_hand());
-    assert_eq!((play.time(), state(&play), play.parameter_values()[b]), (0.0, vec![0.5, 0.0], 50.0));
+    assert_eq!((play.course().time(), state(&play), play.course().parameters()[b]), (0.0, vec![0.5, 0.0], 50.0));
     // Without a start set by hand, a run in progress continues.
     set(&mut play, "b", 0.0);
     go_on(&mut play, [1.0]);
     play.restore_defaults();
-    assert_eq!((play.time(), play.parameter_values()[b]), (1.0, 50.0));
+    assert_eq!((play.course().time(), play.course().parameters()[b]), (1.0, 50.0));
 }
 
 #[test]
@@ -178,7 +178,8 @@ fn runs_are_kept_by_what_differs() {
     play.set_method("euler").unwrap();
     play.keep().unwrap();
     play.keep().unwrap();
-    let names = |play: &play::Play| play.kept().into_iter().map(|kept| kept.name).collect::<Vec<_>>();
+    let names =
+        |play: &play::Play| play.time_line().kept(play.basis()).into_iter().map(|kept| kept.name).collect::<Vec<_>>();
     assert_eq!(
         names(&play),
         [
@@ -191,15 +192,15 @@ fn runs_are_kept_by_what_differs() {
     play.set_language("es");
     assert_eq!(names(&play)[0], "ajustes iniciales");
     assert!(names(&play)[2].contains("0,3 m"));
-    let patterns: Vec<u8> = play.kept().iter().map(|kept| kept.pattern).collect();
+    let patterns: Vec<u8> = play.time_line().kept(play.basis()).iter().map(|kept| kept.pattern).collect();
     assert_eq!(patterns, [0, 1, 2, 3]);
-    let second = play.kept()[1].id;
+    let second = play.time_line().kept(play.basis())[1].id;
     play.remove_kept(second);
-    play.show_kept(play.kept()[0].id, false);
-    assert!(!play.kept()[0].shown);
+    play.show_kept(play.time_line().kept(play.basis())[0].id, false);
+    assert!(!play.time_line().kept(play.basis())[0].shown);
     play.keep().unwrap();
-    assert_eq!(play.kept().last().unwrap().pattern, 1, "the free pattern is used again");
-    while play.kept().len() < MOST_KEPT {
+    assert_eq!(play.time_line().kept(play.basis()).last().unwrap().pattern, 1, "the free pattern is used again");
+    while play.time_line().kept(play.basis()).len() < MOST_KEPT {
         play.keep().unwrap();
     }
     assert_eq!(play.keep(), Err(Refusal::TooManyRuns { most: MOST_KEPT }));

@@ -10,22 +10,26 @@ fn kept_runs_are_named_in_legend_csv_and_figure_and_left_out_of_pins() {
     go_on(&mut play, [1.0]);
     play.keep().unwrap();
     go_on(&mut play, [1.0]);
-    let legend = play.plot_legend(PlotId::at(0));
+    let legend = play.plots().legend(PlotId::at(0));
     let labels: Vec<&str> = legend.iter().map(|entry| entry.label.as_str()).collect();
     assert_eq!(labels, ["initial settings", "y", "y′"]);
     assert_eq!(legend[0].style, figure::Style::Run(0));
-    let csv = play.plot_csv(PlotId::at(0));
+    let csv = play.plots_to_front().csv(PlotId::at(0));
     let head = csv.lines().next().unwrap();
     assert!(head.starts_with("t (initial settings) [s],y (initial settings) [m],"), "{head}");
     assert!(head.ends_with(",t [s],y [m],t [s],y′ [m/s]"), "{head}");
     // The kept run is shorter: the last row contains the present run alone.
     assert!(csv.trim_end().lines().last().unwrap().starts_with(",,,,"), "{csv}");
-    assert!(play.plot_svg(PlotId::at(0), &Settings::default(), &figure::Palette::LIGHT).contains(">initial settings<"));
+    assert!(
+        play.plots_to_front()
+            .svg(PlotId::at(0), &Settings::default(), &figure::Palette::LIGHT)
+            .contains(">initial settings<")
+    );
     let panel = play.layout_plot(PlotId::at(0), &Settings::default()).unwrap().panel;
     let at = Point { x: panel.x + panel.width / 20.0, y: panel.y + panel.height / 2.0 };
     let hovered = play.hover_plot(PlotId::at(0), at).unwrap();
     assert_eq!(hovered.samples.len(), 4);
-    assert_eq!(play.own_samples(PlotId::at(0), hovered).samples.len(), 2);
+    assert_eq!(play.plots().own_samples(PlotId::at(0), hovered).samples.len(), 2);
 }
 
 #[test]
@@ -35,12 +39,13 @@ fn a_label_that_the_plot_gives_stands_in_the_legend() {
     let spanish = "---\nlanguage: es\n---\n```translations\n\"Distance of the body\" = \"Distancia del cuerpo\"\n\"Motion\" = \"Movimiento\"\n\"Speed\" = \"Velocidad\"\n```\n";
     let mut play = open(source, &[spanish]);
     go_on(&mut play, [1.0]);
-    let labels = |play: &Play| play.plot_legend(PlotId::at(0)).into_iter().map(|entry| entry.label).collect::<Vec<_>>();
+    let labels =
+        |play: &Play| play.plots().legend(PlotId::at(0)).into_iter().map(|entry| entry.label).collect::<Vec<_>>();
     assert_eq!(labels(&play), ["x", "Speed", "2·x"]);
-    let svg = play.plot_svg(PlotId::at(0), &Settings::default(), &figure::Palette::LIGHT);
+    let svg = play.plots_to_front().svg(PlotId::at(0), &Settings::default(), &figure::Palette::LIGHT);
     assert!(svg.contains(">Speed<") && svg.contains(">x<"), "{svg}");
     // Read-outs and columns use the name.
-    assert!(play.plot_csv(PlotId::at(0)).starts_with("t [s],x [m],t [s],x′ [m/s],"));
+    assert!(play.plots_to_front().csv(PlotId::at(0)).starts_with("t [s],x [m],t [s],x′ [m/s],"));
     play.set_language("es");
     assert_eq!(labels(&play), ["x", "Velocidad", "2·x"]);
 }
@@ -48,7 +53,7 @@ fn a_label_that_the_plot_gives_stands_in_the_legend() {
 #[test]
 fn a_length_in_the_drawing_is_that_of_its_handles() {
     // 40 scene units are 1 m.
-    assert_eq!(utube().scene_length(40.0).as_deref(), Some("1 m"));
+    assert_eq!(utube().grips().length(40.0).as_deref(), Some("1 m"));
 }
 
 #[test]
@@ -81,6 +86,6 @@ theta'(0) = 0 [rad/s] "Angular velocity"
     let document = document::open(source, &[]).document.unwrap();
     let mut play = play::Play::open(document.program);
     // 4 m are 200 units wide.
-    assert_eq!(play.scene_length(50.0).as_deref(), Some("1 m"));
-    assert_eq!(play.from_start().scene_scale().map(|(metres, _)| metres), Some(0.02));
+    assert_eq!(play.grips().length(50.0).as_deref(), Some("1 m"));
+    assert_eq!(play.from_start().grips().scale().map(|(metres, _)| metres), Some(0.02));
 }

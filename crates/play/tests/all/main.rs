@@ -4,8 +4,8 @@
 
 mod answers;
 mod buttons;
-mod checks;
 mod choosing;
+mod claims;
 mod clock;
 mod controls;
 mod counting;

@@ -46,7 +46,8 @@ fn each_family_and_each_vector_has_one_line() {
     ];
     let lines: Vec<_> = lines.iter().map(|(a, b, c, d)| (a.as_str(), b.as_str(), c.as_str(), d.as_str())).collect();
     assert_eq!(lines, expected);
-    let states: Vec<(String, String)> = play.state_lines().into_iter().map(|one| (one.name, one.text)).collect();
+    let states: Vec<(String, String)> =
+        play.values().state_lines().into_iter().map(|one| (one.name, one.text)).collect();
     let states: Vec<_> = states.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
     let expected = [
         ("x", "1.000"),
@@ -75,7 +76,7 @@ fn a_member_is_chosen_for_all_lines_of_its_family() {
     assert_ne!(play.revision(), before, "the page shows it");
     assert_eq!(shown(&mut play, "x").value, "3.000");
     assert_eq!(shown(&mut play, "x'").value, "0.3000");
-    assert_eq!(play.state_lines()[0].text, "3.000");
+    assert_eq!(play.values().state_lines()[0].text, "3.000");
     // The walls are members of the family, too. They have no velocity, so the nearest member is shown there.
     play.choose_member("x", 0, 0);
     let wall = shown(&mut play, "x");
@@ -103,10 +104,10 @@ fn the_member_shown_can_be_set_and_the_choice_is_no_part_of_a_link() {
     let mut play = several();
     play.choose_member("x", 0, 2);
     assert_eq!(play.share(), "");
-    let line = play.state_lines().remove(0);
+    let line = play.values().state_lines().remove(0);
     play.set_state_text(line.index, "7.5").unwrap();
     assert_eq!(shown(&mut play, "x").value, "7.500");
-    let second = play.states().into_iter().find(|state| state.name == "x[2]").unwrap();
+    let second = play.values().states().into_iter().find(|state| state.name == "x[2]").unwrap();
     assert_eq!(second.value, 7.5);
     // Another program with this family keeps the selection.
     let program = play.program().clone();
@@ -115,7 +116,7 @@ fn the_member_shown_can_be_set_and_the_choice_is_no_part_of_a_link() {
     go_on(&mut play, [0.1]);
     assert_eq!(shown(&mut play, "x").name, "x[2]");
     // Files have one column per member, also for defined vectors.
-    let head = play.csv().lines().next().unwrap_or_default().to_owned();
+    let head = play.values().csv().lines().next().unwrap_or_default().to_owned();
     for column in ["x[1] [m]", "x[4] [m]", "\"u[1,2]\"", "r[2].y [m]", "c.x [cm]", "E[3]"] {
         assert!(head.split(',').any(|one| one == column) || head.contains(column), "{column} in {head}");
     }

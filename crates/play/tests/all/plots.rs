@@ -20,7 +20,7 @@ const SETTINGS: Settings = Settings { width: 640.0, height: 360.0, font_size: 13
 fn each_curve_is_drawn_against_its_own_abscissa() {
     let mut play = bodies();
     go_on(&mut play, [1.0]);
-    let csv = play.plot_csv(PlotId::at(0));
+    let csv = play.plots_to_front().csv(PlotId::at(0));
     let mut lines = csv.lines();
     assert_eq!(lines.next(), Some("x₁,y₁,x₂,y₂"));
     let mut rows = 0;
@@ -47,7 +47,7 @@ fn equal_axes_keep_a_circle_round_and_readings_name_the_abscissa() {
         .map(|at| play.hover_plot(PlotId::at(0), Point { x: at.x, y: at.y }).unwrap().heading)
         .collect();
     assert!(headings[0].starts_with("x₁ = ") && headings[1].starts_with("x₂ = "), "{headings:?}");
-    let svg = play.plot_svg(PlotId::at(0), &SETTINGS, &figure::Palette::LIGHT);
+    let svg = play.plots_to_front().svg(PlotId::at(0), &SETTINGS, &figure::Palette::LIGHT);
     let described = "Bodies: Height (y₁) against x₁. Height of the second (y₂) against x₂.";
     assert!(svg.contains(described), "{svg}");
     assert!(svg.contains("x₁, x₂"), "the axis names both");
@@ -69,7 +69,7 @@ fn resonance() -> Play {
 
 /// The cells of a plot's CSV without the heading.
 fn cells(play: &mut Play, plot: usize) -> Vec<Vec<f64>> {
-    let csv = play.plot_csv(PlotId::at(plot));
+    let csv = play.plots_to_front().csv(PlotId::at(plot));
     csv.lines().skip(1).map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect()
 }
 
@@ -89,9 +89,9 @@ fn a_definition_is_drawn_over_the_values_of_a_parameter_and_follows_the_others()
             assert!((row[1] - amplitude(row[0], gamma)).abs() < 1e-14, "{row:?}");
         }
     }
-    assert_eq!(play.plot_progress(PlotId::at(0)), None);
+    assert_eq!(play.plots().progress(PlotId::at(0)), None);
     // The axis ends with the sweep, from 1 to 12, and has no tick label beyond.
-    let svg = play.plot_svg(PlotId::at(0), &SETTINGS, &figure::Palette::LIGHT);
+    let svg = play.plots_to_front().svg(PlotId::at(0), &SETTINGS, &figure::Palette::LIGHT);
     assert!(svg.contains(">12<") && !svg.contains(">14<") && !svg.contains(">15<"), "{svg}");
     // The swept parameter moves the mark only.
     let before = cells(&mut play, 0);
@@ -113,7 +113,7 @@ fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
         slices += 1;
         assert!(slices < 1000);
     }
-    assert_eq!(play.plot_progress(PlotId::at(1)), None);
+    assert_eq!(play.plots().progress(PlotId::at(1)), None);
     let rows = cells(&mut play, 1);
     assert_eq!(rows.len(), 61);
     for row in &rows {
@@ -135,12 +135,12 @@ fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
     assert!(!play.work_on_plots());
     set(&mut play, "gamma", 2.0);
     assert!(play.work_on_plots());
-    let (done, all) = play.plot_progress(PlotId::at(1)).unwrap();
+    let (done, all) = play.plots().progress(PlotId::at(1)).unwrap();
     assert!(done < 61 && all == 61);
     while play.work_on_plots() {}
     assert!(cells(&mut play, 1).iter().all(|row| (row[1] / amplitude(row[0], 2.0) - 1.0).abs() < 3e-3));
     // Hidden plots are not computed.
-    play.show_plot(PlotId::at(1), false);
+    play.change_plots(|plots| plots.show(PlotId::at(1), false));
     set(&mut play, "gamma", 1.0);
     assert!(!play.work_on_plots());
 }
@@ -154,7 +154,7 @@ fn points_of_a_map_over_the_values_of_a_parameter() {
         &[],
     );
     while play.work_on_plots() {}
-    assert_eq!(play.plot_progress(PlotId::at(0)), None);
+    assert_eq!(play.plots().progress(PlotId::at(0)), None);
     let rows = cells(&mut play, 0);
     assert_eq!(rows.len(), 11 * 20, "20 points of each run");
     for (number, points) in rows.chunks(20).enumerate() {

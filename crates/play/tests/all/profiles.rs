@@ -26,7 +26,7 @@ fn chain(masses: usize) -> Play {
 
 /// The lines of a plot's CSV as numbers, without the heading.
 fn table(play: &mut Play, plot: usize) -> (String, Vec<Vec<f64>>) {
-    let csv = play.plot_csv(PlotId::at(plot));
+    let csv = play.plots_to_front().csv(PlotId::at(plot));
     let mut lines = csv.lines();
     let head = lines.next().unwrap_or_default().to_owned();
     (head, lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect())
@@ -48,12 +48,12 @@ fn a_profile_shows_all_members_at_the_moment() {
             let expected = 100.0 * libm::sin(PI * i as f64 / 6.0) * libm::cos(omega * time);
             assert!(row[0] == i as f64 && (row[1] - expected).abs() < 1e-6, "{row:?} at {time} s: {expected}");
         }
-        let svg = play.plot_svg(PlotId::at(0), &SETTINGS, &Palette::LIGHT);
+        let svg = play.plots_to_front().svg(PlotId::at(0), &SETTINGS, &Palette::LIGHT);
         assert!(svg.contains(&format!("Shape (t = {shown} s)")), "{svg}");
         assert!(svg.contains("Shape: Displacement (x_i) against i·a."), "{svg}");
     }
     play.set_language("es");
-    let csv = play.plot_csv(PlotId::at(0));
+    let csv = play.plots_to_front().csv(PlotId::at(0));
     assert!(csv.contains("\"i·a (t = 0,40 s) [m]\";\"x_i (t = 0,40 s) [cm]\""), "{csv}");
 }
 
@@ -88,7 +88,7 @@ fn two_curves_and_points_stand_in_profiles_and_are_read() {
     let (head, rows) = table(&mut play, 1);
     assert_eq!(head, "i (t = 0.00 s),x_i (t = 0.00 s) [cm],i (t = 0.00 s),x_i·1 [1/s] (t = 0.00 s) [cm/s]");
     assert!(rows.iter().all(|row| row.len() == 4 && row[1] == row[3]), "{rows:?}");
-    let legend = play.plot_legend(PlotId::at(1));
+    let legend = play.plots().legend(PlotId::at(1));
     assert_eq!(legend.len(), 2);
     play.layout_plot(PlotId::at(1), &SETTINGS);
     let readout = play.move_cursor(PlotId::at(1), 2).unwrap();
@@ -111,7 +111,7 @@ fn histograms_count_every_member_and_every_row() {
     // A sine is most often near its turning points.
     let highest = rows.iter().map(|row| row[1]).fold(0.0, f64::max);
     assert!(rows[0][1] == highest || rows[rows.len() - 1][1] == highest, "{rows:?}");
-    let svg = play.plot_svg(PlotId::at(3), &SETTINGS, &Palette::LIGHT);
+    let svg = play.plots_to_front().svg(PlotId::at(3), &SETTINGS, &Palette::LIGHT);
     assert!(svg.contains("Histogram of Displacement (x_i) at the moment shown.") && svg.contains("Count"), "{svg}");
     let (_, rows) = table(&mut play, 4);
     assert_eq!(rows.iter().map(|row| row[1]).sum::<f64>(), 51.0, "0.5 s in steps of 0.01 s, with both ends");

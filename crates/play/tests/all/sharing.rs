@@ -30,13 +30,13 @@ fn a_link_is_short_and_says_what_differs() {
     set(&mut play, "b", 200.0);
     set(&mut play, "h_l", 3.5);
     play.set_speed(2.0);
-    play.show_plot(PlotId::at(2), false);
+    play.change_plots(|plots| plots.show(PlotId::at(2), false));
     go_on(&mut play, [5.0]);
     assert_eq!(play.share(), "1&p=b:200,h_l:3.5&t=10&x=2&v=2");
     let other = reopened(&play);
     assert_eq!(bits(&other), bits(&play));
-    assert_eq!((other.speed(), other.plots()[2].shown), (2.0, false));
-    assert!(!other.is_playing());
+    assert_eq!((other.time_line().speed(), other.plots().list()[2].shown), (2.0, false));
+    assert!(!other.time_line().is_playing());
 }
 
 #[test]
@@ -47,19 +47,19 @@ fn what_plots_are_zoomed_to_comes_back() {
     for plot in 0..3 {
         play.layout_plot(PlotId::at(plot), &settings);
     }
-    let drawn = |play: &mut Play, plot| play.plot_svg(PlotId::at(plot), &settings, &Palette::LIGHT);
+    let drawn = |play: &mut Play, plot| play.plots_to_front().svg(PlotId::at(plot), &settings, &Palette::LIGHT);
     let everything = drawn(&mut play, 1);
-    play.zoom_plot(PlotId::at(0), None, 2.0, Direction::Horizontal);
-    play.zoom_plot(PlotId::at(1), Some(Point { x: 200.0, y: 90.0 }), 3.0, Direction::Both);
-    play.pan_plot(PlotId::at(2), 0.0, 17.0);
+    play.change_plots(|plots| plots.zoom(PlotId::at(0), None, 2.0, Direction::Horizontal));
+    play.change_plots(|plots| plots.zoom(PlotId::at(1), Some(Point { x: 200.0, y: 90.0 }), 3.0, Direction::Both));
+    play.change_plots(|plots| plots.pan(PlotId::at(2), 0.0, 17.0));
     let mut other = reopened(&play);
     for plot in 0..3 {
-        assert!(!other.plots()[plot].automatic);
+        assert!(!other.plots().list()[plot].automatic);
         assert_eq!(drawn(&mut other, plot), drawn(&mut play, plot));
     }
     assert_ne!(drawn(&mut other, 1), everything);
     other.restore("1&t=5").unwrap();
-    assert!(other.plots().iter().all(|plot| plot.automatic));
+    assert!(other.plots().list().iter().all(|plot| plot.automatic));
     assert_eq!(drawn(&mut other, 1), everything);
 }
 
@@ -83,10 +83,10 @@ fn everything_comes_back_with_the_same_bits() {
     play.scrub(1.0 / 7.0);
     let other = reopened(&play);
     assert_eq!(bits(&other), bits(&play));
-    assert_eq!((other.time(), other.end()), (play.time(), play.end()));
+    assert_eq!((other.course().time(), other.course().front()), (play.course().time(), play.course().front()));
     assert_eq!(crate::support::state(&other), crate::support::state(&play));
-    assert_eq!(other.parameter_values(), play.parameter_values());
-    assert_eq!(other.kept(), play.kept());
+    assert_eq!(other.course().parameters(), play.course().parameters());
+    assert_eq!(other.time_line().kept(other.basis()), play.time_line().kept(play.basis()));
 }
 
 /// The next step of an adaptive method depends on the previous ones, also if the run continued from an earlier moment.
@@ -115,7 +115,7 @@ fn a_change_that_has_not_acted_yet_is_shared() {
     go_on(&mut play, [1.0]);
     set(&mut play, "b", 300.0);
     let mut other = reopened(&play);
-    assert_eq!(other.parameter_values(), play.parameter_values());
+    assert_eq!(other.course().parameters(), play.course().parameters());
     go_on(&mut play, [1.0]);
     go_on(&mut other, [1.0]);
     assert_eq!(bits(&other), bits(&play));
@@ -157,7 +157,7 @@ fn more_changes_than_a_link_holds_leave_the_state() {
     let mut other = utube();
     other.restore(&fragment).unwrap();
     assert_eq!(crate::support::state(&other), crate::support::state(&play));
-    assert_eq!(other.parameter_values(), play.parameter_values());
+    assert_eq!(other.course().parameters(), play.course().parameters());
 }
 
 #[test]
@@ -207,10 +207,14 @@ fn restoring_replaces_what_was_there() {
     let mut play = utube();
     go_on(&mut play, [3.0]);
     play.keep().unwrap();
-    play.show_plot(PlotId::at(0), false);
+    play.change_plots(|plots| plots.show(PlotId::at(0), false));
     play.play();
     play.restore("1&p=b:7&t=2").unwrap();
-    assert!(!play.is_playing() && play.kept().is_empty() && !play.has_ghost());
+    assert!(
+        !play.time_line().is_playing()
+            && play.time_line().kept(play.basis()).is_empty()
+            && !play.time_line().has_ghost()
+    );
     assert_eq!(play.share(), "1&p=b:7&t=2");
 }
 
@@ -220,11 +224,11 @@ fn the_first_three_plots_are_shown_at_first() {
     let plots: String = (0..5).map(|number| format!("\"Plot {number}\": {number} + x against t\n")).collect();
     let source = format!("---\ntitle: A\n---\n\n```model\nx' = -x/1 [s]\nx(0) = 1\n```\n\n```plots\n{plots}```\n");
     let open = || crate::support::open(&source, &[]);
-    let shown = |play: &Play| play.plots().iter().map(|plot| plot.shown).collect::<Vec<_>>();
+    let shown = |play: &Play| play.plots().list().iter().map(|plot| plot.shown).collect::<Vec<_>>();
     let mut play = open();
     assert_eq!((shown(&play), play.share().as_str()), (vec![true, true, true, false, false], ""));
     for (changed, link) in [(4, "1&v=3"), (3, "1&v="), (0, "1&v=0")] {
-        play.show_plot(PlotId::at(changed), changed > 0);
+        play.change_plots(|plots| plots.show(PlotId::at(changed), changed > 0));
         assert_eq!(play.share(), link);
         let mut other = open();
         other.restore(link).unwrap();

@@ -38,10 +38,15 @@ fn every_document_runs_and_is_drawn() {
             Play::open(opened.document.unwrap_or_else(|| panic!("{name}: {:?}", opened.diagnostics)).program);
         go_on(&mut play, [1.0; 5]);
         let expected = 5.0 * play.program().pace().per_second;
-        let ended = play.problem().is_some_and(|problem| problem.code == "ended") && play.time() < expected;
-        assert!(ended || (play.time() - expected).abs() < 1e-9, "{name}: {:?}", play.problem());
+        let ended = play.time_line().problem(play.basis()).is_some_and(|problem| problem.code == "ended")
+            && play.course().time() < expected;
+        assert!(
+            ended || (play.course().time() - expected).abs() < 1e-9,
+            "{name}: {:?}",
+            play.time_line().problem(play.basis())
+        );
         assert!(play.scene_values().iter().all(|value| value.is_finite()), "{name}");
-        for plot in 0..play.plots().len() {
+        for plot in 0..play.plots().list().len() {
             let figure = play.layout_plot(PlotId::at(plot), &Settings::default()).unwrap();
             assert!(figure.items().count() > 10, "{name}");
         }
@@ -58,19 +63,20 @@ fn bounces_are_counted_in_whole_numbers() {
     go_on(&mut play, [1.0; 2]);
     // After sqrt(2 h/g) = 0.639 s, and again 2*0.8 times as long after that.
     assert_eq!(crate::support::readout(&mut play, "bounces"), "2");
-    let bounces = play.states().into_iter().find(|state| state.name == "bounces").unwrap();
+    let bounces = play.values().states().into_iter().find(|state| state.name == "bounces").unwrap();
     assert_eq!((bounces.text.as_str(), bounces.spoken.as_str()), ("2", "2"));
 }
 
 #[test]
 fn every_preset_can_be_chosen_and_shows_itself_as_chosen() {
     let mut play = utube();
-    let presets: Vec<_> = play.presets().into_iter().flat_map(|group| group.presets).collect();
+    let presets: Vec<_> =
+        play.controls().presets(play.basis(), play.course()).into_iter().flat_map(|group| group.presets).collect();
     assert!(presets.len() > 10);
     for preset in presets {
         play.restore_defaults();
         play.apply_preset(preset.index).unwrap_or_else(|refusal| panic!("{}: {refusal:?}", preset.name));
-        let selected = play.presets().into_iter().flat_map(|group| group.presets);
+        let selected = play.controls().presets(play.basis(), play.course()).into_iter().flat_map(|group| group.presets);
         let selected: Vec<_> = selected.filter(|preset| preset.selected).map(|preset| preset.index).collect();
         assert!(selected.contains(&preset.index), "{}", preset.name);
     }
@@ -85,7 +91,7 @@ fn every_question_has_an_answer_that_is_taken_in_both_languages() {
         assert!(questions >= 7);
         for question in 0..questions {
             let before = play.reveal_answer(question);
-            if play.question_setup(question).is_some() {
+            if play.answers().setup(play.basis(), play.course(), question).is_some() {
                 play.apply_question_setup(question).unwrap();
             }
             assert_eq!(play.reveal_answer(question), before, "the answer supposes what the question sets");
@@ -116,12 +122,13 @@ fn the_liquid_is_dragged_as_far_as_there_is_liquid() {
 fn everything_is_said_in_spanish() {
     let mut play = utube();
     play.set_language("es");
-    let labels: Vec<String> = play.parameters().into_iter().map(|parameter| parameter.label).collect();
+    let labels: Vec<String> =
+        play.basis().parameters(play.course()).into_iter().map(|parameter| parameter.label).collect();
     let model = play.model().clone();
     for (parameter, label) in model.parameters.iter().zip(&labels) {
         assert_ne!(parameter.label.as_ref(), Some(label));
     }
-    for (plot, view) in play.program().plots.clone().iter().zip(play.plots()) {
+    for (plot, view) in play.program().plots.clone().iter().zip(play.plots().list()) {
         assert_ne!(plot.title, view.title);
     }
     for readout in play.readouts() {

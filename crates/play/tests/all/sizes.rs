@@ -26,33 +26,33 @@ fn another_size_runs_as_the_document_that_states_it() {
     let mut play = Play::open(document.program.clone());
     set(&mut play, "k", 9.0);
     go_on(&mut play, [0.5]);
-    play.show_plot(PlotId::at(1), false);
+    play.change_plots(|plots| plots.show(PlotId::at(1), false));
     play.choose_member("x", 0, 4);
     play.play();
     while play.take_announcement().is_some() {}
     play.resize(resized(&document, &[("N", "12")]).unwrap().program);
     assert_eq!(play.take_announcement(), Some(Announcement::Resized(Vec::new())));
-    assert!(play.is_playing());
+    assert!(play.time_line().is_playing());
     play.pause();
     // Bit-identical to the text with this size.
     let mut stated = open(&CHAIN.replace("size N = 5", "size N = 12"), &[SPANISH]);
     set(&mut stated, "k", 9.0);
     go_on(&mut stated, [0.5]);
     assert_eq!(bits(&play), bits(&stated));
-    assert_eq!(play.states().len(), 24);
-    assert!(!play.plots()[1].shown);
+    assert_eq!(play.values().states().len(), 24);
+    assert!(!play.plots().list()[1].shown);
     let index = |play: &mut Play| {
         let chosen = play.readouts().into_iter().find(|one| one.label == "Displacement").unwrap();
         chosen.members.unwrap().indices[0]
     };
     assert_eq!((index(&mut play).value, index(&mut play).greatest), (4, 13));
-    let view = play.sizes().remove(0);
+    let view = play.basis().sizes().remove(0);
     assert_eq!((view.label.as_str(), view.value, view.is_default), ("Number of masses", 12, false));
     play.set_language("es");
-    assert_eq!(play.sizes().remove(0).label, "Número de masas");
+    assert_eq!(play.basis().sizes().remove(0).label, "Número de masas");
     // After changing the size back, no trace is left.
     play.resize(document.program.clone());
-    assert!(play.sizes().iter().all(|size| size.is_default));
+    assert!(play.basis().sizes().iter().all(|size| size.is_default));
     assert!(!play.share().contains("n="), "{}", play.share());
 }
 
@@ -69,14 +69,14 @@ fn a_link_carries_sizes_and_names_those_that_the_page_cannot_build() {
     assert!(
         matches!(other.restore(&link), Err(play::Refusal::PartlyRestored { left_out }) if left_out == ["n=N:12,M:2"])
     );
-    assert_eq!(other.sizes_for(&link), [("N".to_owned(), 12), ("M".to_owned(), 2)]);
-    assert_eq!(other.sizes_for("1&n=N:x,Q:3,:,N&t=1"), []);
-    assert_eq!(other.sizes_for(""), []);
+    assert_eq!(other.basis().sizes_for(&link), [("N".to_owned(), 12), ("M".to_owned(), 2)]);
+    assert_eq!(other.basis().sizes_for("1&n=N:x,Q:3,:,N&t=1"), []);
+    assert_eq!(other.basis().sizes_for(""), []);
     let mut same = Play::open(large.program.clone());
     assert_eq!(same.restore(&link), Ok(()));
     assert_eq!(bits(&same), bits(&play));
     // A link without sizes refers to the sizes stated in the document.
-    assert_eq!(play.sizes_for("1&t=1"), [("N".to_owned(), 5), ("M".to_owned(), 3)]);
+    assert_eq!(play.basis().sizes_for("1&t=1"), [("N".to_owned(), 5), ("M".to_owned(), 3)]);
 }
 
 #[test]

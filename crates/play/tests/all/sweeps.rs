@@ -36,7 +36,7 @@ fn truth(k: f64, from: f64) -> Truth {
 /// The rows of the plot's CSV.
 fn rows(play: &mut Play) -> (String, Vec<Vec<f64>>) {
     while play.work_on_plots() {}
-    let csv = play.plot_csv(PlotId::at(0));
+    let csv = play.plots_to_front().csv(PlotId::at(0));
     let (head, rest) = csv.split_once('\n').unwrap();
     let rows = rest.lines().map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect());
     (head.to_owned(), rows.collect())
@@ -129,7 +129,7 @@ fn curves_of_one_plot_each_have_their_own_time() {
         "maximum(x) in [m], c, maximum(x) from 1 [s] in [m], maximum(x) - minimum(x) from 1 [s], x at end in [m]";
     let mut play = decay(curves);
     let (_, rows) = rows(&mut play);
-    assert_eq!(play.plot_progress(PlotId::at(0)), None);
+    assert_eq!(play.plots().progress(PlotId::at(0)), None);
     for row in rows {
         let (whole, later) = (truth(row[0], 0.0), truth(row[0], 1.0));
         // Each curve has a column of the parameter before it.
@@ -163,7 +163,7 @@ fn a_bundle_keeps_expressions_of_runs() {
         if let Ok(program) = program::bundle::read(&damaged) {
             let mut play = Play::open(program);
             play.work_on_plots();
-            play.plot_csv(PlotId::at(0));
+            play.plots_to_front().csv(PlotId::at(0));
         }
     }
 }

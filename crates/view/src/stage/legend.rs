@@ -12,7 +12,7 @@ pub fn view(app: App, id: PlotId) -> View {
     let entries = memo(move || {
         app.changes.runs.track();
         app.changes.plots.track();
-        app.read(|play| play.plot_legend(id))
+        app.read(|play| play.plots().legend(id))
     });
     changing(move || {
         let entries = entries.get_clone();

@@ -73,7 +73,7 @@ fn scene(app: App) -> HtmlSection {
 fn instruments(app: App, has_scene: bool) -> HtmlDiv {
     let words = app.words();
     let (watch, rules) = (create_signal(false), create_signal(false));
-    let measurable = has_scene && app.read(|play| play.scene_length(1.0)).is_some();
+    let measurable = has_scene && app.read(|play| play.grips().length(1.0)).is_some();
     let lay = move |_| {
         let laid = !rules.get_untracked();
         app.nodes(|nodes| {

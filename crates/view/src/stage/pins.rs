@@ -14,7 +14,7 @@ const NEAR: f32 = 12.0;
 pub fn press(app: App, id: PlotId, at: Point) {
     let near = |pin: &Readout| {
         app.read(|play| {
-            let figure = play.plot_figure(id)?;
+            let figure = play.plots().figure(id)?;
             let sample = pin.samples.first()?;
             let place = figure.place(sample.axis, sample.x, sample.y)?;
             Some((place.x - at.x).abs() < NEAR)
@@ -33,7 +33,7 @@ pub fn press(app: App, id: PlotId, at: Point) {
 
 /// Pins a read-out. If the maximum is reached, the oldest pin is removed.
 pub fn pin(app: App, id: PlotId, readout: Readout) {
-    let Some(readout) = app.read(|play| Some(play.own_samples(id, readout))) else { return };
+    let Some(readout) = app.read(|play| Some(play.plots().own_samples(id, readout))) else { return };
     if readout.samples.is_empty() {
         return;
     }
@@ -65,7 +65,7 @@ fn tell(app: App, id: PlotId) {
         lines.join(", ")
     };
     let difference = match pins.as_slice() {
-        [from, to] => app.read(|play| play.plot_difference(id, from, to)),
+        [from, to] => app.read(|play| play.plots().difference(id, from, to)),
         _ => Vec::new(),
     };
     let now = Pinned { readings: pins.iter().map(lines).collect(), difference: difference.join(", ") };

@@ -93,12 +93,12 @@ impl PlotNodes {
         if let Some((from, to)) = self.gesture.rectangle() {
             canvas::paint_box(&self.context, from, to, colours);
         }
-        if let Some(figure) = play.plot_figure(id) {
+        if let Some(figure) = play.plots().figure(id) {
             for (pin, letter) in self.pins.iter().zip(LETTERS) {
                 canvas::paint_pin(&self.context, pin, letter, figure, colours);
             }
         }
-        if let (Some(readout), Some(figure)) = (&readout, play.plot_figure(id)) {
+        if let (Some(readout), Some(figure)) = (&readout, play.plots().figure(id)) {
             canvas::paint_readout(&self.context, readout, figure, colours);
         }
         self.show_tip(readout.as_ref());
@@ -144,7 +144,7 @@ impl Drop for PlotNodes {
 
 /// Brush of a plot; `None` unless a part is selected and the abscissa is the independent variable.
 pub fn brush(play: &Play, id: PlotId, part: Option<Part>) -> Option<Brush<'_>> {
-    Some(Brush { part: part?, figure: play.plot_figure(id)?, unit: play.unit_of_time_axis(id)? })
+    Some(Brush { part: part?, figure: play.plots().figure(id)?, unit: play.plots().unit_of_time_axis(id)? })
 }
 
 /// Reports to the page the time at a pixel of a plot against time.
@@ -152,7 +152,7 @@ pub fn look_at(app: App, id: PlotId, at: Point) {
     app.host().look_at(&mut || {
         app.read(|play| {
             let x = play.hover_plot(id, at)?.samples.first()?.x;
-            Some(play.unit_of_time_axis(id)?.to_si(x))
+            Some(play.plots().unit_of_time_axis(id)?.to_si(x))
         })
     });
 }

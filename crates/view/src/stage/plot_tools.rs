@@ -19,7 +19,9 @@ const SAVED_SCALE: f64 = 2.0;
 pub fn view(app: App, id: PlotId, figure: Element) -> HtmlDiv {
     let words = app.words();
     let automatic = move || app.plot(id).is_none_or(|plot| plot.automatic);
-    let zoom = move |factor: f64| app.act(|play| play.zoom_plot(id, None, factor, figure::Direction::Both));
+    let zoom = move |factor: f64| {
+        app.act(|play| play.change_plots(|plots| plots.zoom(id, None, factor, figure::Direction::Both)))
+    };
     let tool = |name: &'static str| button().class("icon").called(name);
     let open = create_signal(false);
     let menu_id = format!("plot-menu-{id}");
@@ -52,7 +54,7 @@ pub fn view(app: App, id: PlotId, figure: Element) -> HtmlDiv {
         .child(
             tool(words.fit)
                 .attr("aria-disabled", move || automatic().to_string())
-                .when(events::click, move |_| app.act(|play| play.reset_plot(id)))
+                .when(events::click, move |_| app.act(|play| play.change_plots(|plots| plots.reset(id))))
                 .child(icons::fit()),
         )
         .child(more)
@@ -103,12 +105,12 @@ fn file_name(app: App, id: PlotId, ending: &str) -> String {
 fn save_svg(app: App, id: PlotId) {
     let settings = saved(app);
     // Colours for paper, independent of the theme of the screen.
-    let svg = app.read(|play| play.plot_svg(id, &settings, &figure::Palette::LIGHT));
+    let svg = app.read(|play| play.plots_to_front().svg(id, &settings, &figure::Palette::LIGHT));
     browser::save_text(&file_name(app, id, "svg"), "image/svg+xml", &svg);
 }
 
 fn save_csv(app: App, id: PlotId) {
-    let csv = app.read(|play| play.plot_csv(id));
+    let csv = app.read(|play| play.plots_to_front().csv(id));
     browser::save_text(&file_name(app, id, "csv"), "text/csv", &csv);
 }
 
@@ -124,7 +126,7 @@ fn save_png(app: App, id: PlotId) {
     let context: Option<CanvasRenderingContext2d> =
         canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
     let Some(context) = context else { return };
-    if let Some(figure) = app.read(|play| play.titled_figure(id, &settings)) {
+    if let Some(figure) = app.read(|play| play.plots_to_front().titled(id, &settings)) {
         canvas::paint(&context, &figure, &Colours::default(), SAVED_SCALE);
     }
     let url = canvas.to_data_url_with_type("image/png").unwrap_or_default();

@@ -11,7 +11,7 @@ use web_sys::Element;
 /// All plots, with buttons to show and hide them.
 pub fn view(app: App) -> View {
     let words = app.words();
-    let mut plots = app.read(|play| play.plots());
+    let mut plots = app.read(|play| play.plots().list());
     plots.retain(|plot| !plot.apart);
     let shown = move |id: PlotId| is_in_sight(app, id);
     let offered = move |id: PlotId| app.plot(id).is_some_and(|plot| plot.offered);
@@ -26,7 +26,7 @@ pub fn view(app: App) -> View {
             if narrow {
                 app.front_plot.set(Some(id));
             }
-            app.act(|play| play.show_plot(id, narrow || !shown));
+            app.act(|play| play.change_plots(|plots| plots.show(id, narrow || !shown)));
         };
         button()
             .class("chip")
@@ -58,7 +58,7 @@ pub fn view(app: App) -> View {
 /// True if a plot is shown. In a narrow window only the selected plot, by default the first.
 fn is_in_sight(app: App, id: PlotId) -> bool {
     app.changes.plots.track();
-    let shown = app.read(|play| play.plots());
+    let shown = app.read(|play| play.plots().list());
     let mut shown = shown.iter().filter(|plot| plot.shown && plot.offered && !plot.apart);
     if !app.narrow.get() {
         return shown.any(|plot| plot.id == id);
@@ -72,7 +72,7 @@ fn progress(app: App, id: PlotId) -> View {
     let runs = memo(move || {
         app.changes.values.track();
         app.changes.plots.track();
-        app.read(|play| play.plot_progress(id))
+        app.read(|play| play.plots().progress(id))
     });
     changing(move || match runs.get() {
         Some((done, all)) => {
@@ -104,7 +104,7 @@ pub fn figure(app: App, id: PlotId, shown: Box<dyn Fn() -> bool>) -> HtmlFigure 
         .when(events::pointercancel, move |event| gestures::cancelled(app, id, &event))
         .when(events::pointerleave, move |_| gestures::left(app, id))
         .when(events::wheel, move |event| gestures::wheel(app, id, &event))
-        .when(events::dblclick, move |_| app.act(|play| play.reset_plot(id)))
+        .when(events::dblclick, move |_| app.act(|play| play.change_plots(|plots| plots.reset(id))))
         .when(events::keydown, move |event| gestures::key(app, id, &event))
         .when(events::blur, move |_| gestures::blurred(app, id));
     let mut figure = tags::figure();

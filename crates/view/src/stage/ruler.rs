@@ -1,5 +1,5 @@
 //! A ruler on the scene: a line whose two ends are moved by pointer or arrow keys. It shows lengths in the scale of the
-//! drawing ([`Play::scene_scale`]); a scene without scale has no ruler.
+//! drawing ([`play::Grips::scale`]); a scene without scale has no ruler.
 
 use crate::app::App;
 use crate::views::document;
@@ -70,7 +70,7 @@ impl Parts {
 
     /// Updates the text of the length if it has changed.
     fn read(&mut self, play: &mut Play) {
-        let reading = play.scene_length(self.length()).unwrap_or_default();
+        let reading = play.grips().length(self.length()).unwrap_or_default();
         if reading != self.reading {
             self.label.set_text_content(Some(&reading));
             for end in &self.ends {

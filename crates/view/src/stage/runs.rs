@@ -21,14 +21,14 @@ pub fn keep_button(app: App) -> HtmlButton {
 pub fn list(app: App) -> View {
     let kept = memo(move || {
         app.changes.runs.track();
-        app.read(|play| play.kept())
+        app.read(|play| play.time_line().kept(play.basis()))
     });
     // Rebuilt only if an entry was added or removed, so that hiding a run keeps the focus on its check box.
     let lines = memo(move || {
         let named =
             kept.with(|kept| kept.iter().map(|run| (run.id, run.name.clone(), run.pattern)).collect::<Vec<_>>());
         app.changes.runs.track();
-        (named, app.read(|play| play.has_ghost()))
+        (named, app.read(|play| play.time_line().has_ghost()))
     });
     let shown = move |id: u32| kept.with(|kept| kept.iter().any(|run| run.id == id && run.shown));
     changing(move || {

@@ -23,14 +23,16 @@ impl Watch {
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     let watch = create_signal(Watch::default());
-    let reading = move |watch: Watch| app.read(|play| play.time_words(watch.elapsed(play.time())));
+    let reading = move |watch: Watch| {
+        app.read(|play| play.basis().time_words(play.course(), watch.elapsed(play.course().time())))
+    };
     let shown = move || {
         app.changes.frame.track();
         reading(watch.get())
     };
     let runs = move || watch.get().since.is_some();
     let press = move |_| {
-        let (now, before) = (app.read(|play: &mut Play| play.time()), watch.get_untracked());
+        let (now, before) = (app.read(|play: &mut Play| play.course().time()), watch.get_untracked());
         let next = match before.since {
             Some(_) => Watch { held: before.elapsed(now), since: None },
             None => Watch { since: Some(now), ..before },

@@ -57,7 +57,7 @@ fn records_are_fitted_together() {
 fn the_sliders_follow_the_record_that_is_looked_at() {
     let mut desk = three();
     together(&mut desk);
-    let length = |desk: &Desk| desk.play().parameter_values()[place(desk, "L")];
+    let length = |desk: &Desk| desk.play().course().parameters()[place(desk, "L")];
     fit(&mut desk);
     assert!((length(&desk) - 0.3).abs() < 0.003);
     let shown = |desk: &Desk| desk.records().iter().map(|record| record.shown).collect::<Vec<_>>();
@@ -98,9 +98,9 @@ fn what_is_known_of_each_record_is_held() {
     let damping: Vec<f64> =
         found.estimates.iter().filter(|one| one.name == "gamma").map(|one| number(&one.value)).collect();
     assert!(damping.len() == 3 && damping.iter().all(|found| (found - DAMPING).abs() < 0.03), "{damping:?}");
-    assert_eq!(desk.play().parameter_values()[length], 0.3);
+    assert_eq!(desk.play().course().parameters()[length], 0.3);
     desk.choose_record(records[0].id);
-    assert_eq!(desk.play().parameter_values()[length], 0.18);
+    assert_eq!(desk.play().course().parameters()[length], 0.18);
     // The value is restored at the next visit.
     let saved = desk.saved_records();
     let mut later = Desk::open(theory("linear"));
@@ -184,10 +184,10 @@ fn a_part_begins_with_its_initial_values() {
     desk.set_fit_window(0, "1.5").unwrap();
     let of_part = fit(&mut desk);
     assert!(of_part.sentences.iter().any(|sentence| sentence == said), "{:?}", of_part.sentences);
-    let start = desk.play().parameter_values()[place(&desk, "y_0")];
+    let start = desk.play().course().parameters()[place(&desk, "y_0")];
     // The theory's friction differs from that of the film, which biases the value slightly.
     assert!((start - 0.04).abs() < 0.01, "{start}");
-    let values = desk.play().parameter_values().to_vec();
+    let values = desk.play().course().parameters().to_vec();
     let (records, fits) = (desk.saved_records(), desk.saved_fits());
     // A fit of all values begins at the first one again, and a fit of a part at its start.
     desk.set_fit_window(0, "").unwrap();
@@ -197,7 +197,7 @@ fn a_part_begins_with_its_initial_values() {
     assert!(begins != said && !begins.contains("Nothing is predicted"), "{begins}");
     desk.set_fit_window(0, "1.5").unwrap();
     fit(&mut desk);
-    for (one, other) in desk.play().parameter_values().iter().zip(&values) {
+    for (one, other) in desk.play().course().parameters().iter().zip(&values) {
         assert!((one - other).abs() <= 1e-3 * other.abs(), "{one} {other}");
     }
 
@@ -250,8 +250,8 @@ fn ids_are_given_once() {
     while other.advance_fit() {}
     assert!(![first, second].contains(&other.fits()[0].id));
     other.play_mut().keep().unwrap();
-    let kept = other.play().kept()[0].id;
+    let kept = other.play().time_line().kept(other.play().basis())[0].id;
     other.play_mut().remove_kept(kept);
     other.play_mut().keep().unwrap();
-    assert_ne!(other.play().kept()[0].id, kept);
+    assert_ne!(other.play().time_line().kept(other.play().basis())[0].id, kept);
 }

@@ -69,7 +69,7 @@ pub fn bring_back_texts(desk: &mut Desk, texts: &[&str]) -> usize {
 
 /// The states shown.
 pub fn state(desk: &Desk) -> Vec<f64> {
-    desk.play().states().into_iter().map(|state| state.value).collect()
+    desk.play().values().states().into_iter().map(|state| state.value).collect()
 }
 
 /// The value of a readout.

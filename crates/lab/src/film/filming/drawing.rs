@@ -50,7 +50,7 @@ impl Drop for Drawing {
 
 /// Pixels of the picture per unit of the scene.
 pub fn pixels(play: &Play) -> Option<f64> {
-    let scene = play.program().scene(play.tag())?;
+    let scene = play.program().scene(play.basis().tag())?;
     let area = scene.root.attributes.iter().find(|attribute| attribute.name == "viewBox")?;
     let [Piece::Literal(area)] = area.value.as_slice() else { return None };
     let area: Vec<f64> = area.split([' ', ',']).filter_map(|number| number.parse().ok()).collect();
@@ -62,7 +62,7 @@ pub fn pixels(play: &Play) -> Option<f64> {
 impl Drawing {
     /// Copy of the scene of a simulation; `None` without a scene.
     pub fn of(play: &mut Play) -> Option<Self> {
-        let mut scene = play.program().scene(play.tag())?.clone();
+        let mut scene = play.program().scene(play.basis().tag())?.clone();
         let quantities: Vec<bool> = scene.values.iter().map(|value| !value.unit.text.is_empty()).collect();
         remove_signs(&mut scene.root, &quantities);
         let ruler = pixels(play).and_then(|pixels| Ruler::of(play, pixels));

@@ -21,7 +21,7 @@ pub struct Ruler {
 impl Ruler {
     /// Ruler for a scene drawn with `pixels` px per unit; `None` if the scene has no scale.
     pub fn of(play: &mut Play, pixels: f64) -> Option<Self> {
-        let (metres, unit) = play.scene_scale()?;
+        let (metres, unit) = play.grips().scale()?;
         let pixel = metres / pixels;
         let most = unit.from_si(LONGEST * pixel);
         if !(most > 0.0 && most.is_finite() && pixels > 0.0) {

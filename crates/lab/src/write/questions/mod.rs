@@ -23,7 +23,12 @@ pub fn view(app: App) -> View {
         let language = app.language.get_untracked().tag();
         app.read(|play| {
             let count = play.program().questions.len();
-            let one = |number| (play.program().question_text(language, number).clone(), play.computed_answer(number));
+            let one = |number| {
+                (
+                    play.program().question_text(language, number).clone(),
+                    play.answers().right_text(play.basis(), play.course(), number),
+                )
+            };
             (0..count).map(one).collect::<Vec<_>>()
         })
     });

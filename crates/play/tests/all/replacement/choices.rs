@@ -5,21 +5,31 @@ use crate::support::{UTUBE, UTUBE_ES, go_on, open, set, utube};
 use play::figure::{Direction, Settings};
 use play::{Announcement, Grade, Play, PlotId};
 
+fn given(play: &Play, question: usize) -> play::AnswerView {
+    play.answers().answer(play.basis(), question)
+}
+
 #[test]
 fn a_method_and_a_step_that_were_chosen_stay_and_others_are_the_documents() {
     let step = ("step: 0.05 [s]", "step: 0.02 [s]");
     let mut play = utube();
     go_on(&mut play, [1.0]);
     play.replace_program(edited(&[step, ("method: rk4", "method: euler")]));
-    assert_eq!((play.step(), play.course().begun().method.name(), play.table_length()), (0.02, "euler", 51));
+    assert_eq!(
+        (play.course().begun().step, play.course().begun().method.name(), play.values().table_length()),
+        (0.02, "euler", 51)
+    );
     play.set_method("velocity-verlet").unwrap();
     play.set_step(0.1).unwrap();
     go_on(&mut play, [1.0]);
     play.replace_program(edited(&[]));
-    assert_eq!((play.step(), play.course().begun().method.name()), (0.1, "velocity-verlet"));
+    assert_eq!((play.course().begun().step, play.course().begun().method.name()), (0.1, "velocity-verlet"));
     let first_order = "---\ntitle: Decay\nmethod: rk4\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1 [m]\n```\n";
     play.replace_program(open(first_order, &[]).program().clone());
-    assert_eq!((play.step(), play.course().begun().method.name(), play.time()), (0.1, "rk4", 1.0));
+    assert_eq!(
+        (play.course().begun().step, play.course().begun().method.name(), play.course().time()),
+        (0.1, "rk4", 1.0)
+    );
     assert_eq!(dropped(&mut play), ["velocity Verlet"]);
     // The abscissa is a length: there is no time axis to keep.
     play.replace_program(
@@ -27,7 +37,10 @@ fn a_method_and_a_step_that_were_chosen_stay_and_others_are_the_documents() {
             .program()
             .clone(),
     );
-    assert_eq!((play.time(), dropped(&mut play)), (0.0, vec!["h = 0.1 s".to_owned(), "the time 1.00 s".to_owned()]));
+    assert_eq!(
+        (play.course().time(), dropped(&mut play)),
+        (0.0, vec!["h = 0.1 s".to_owned(), "the time 1.00 s".to_owned()])
+    );
 }
 
 #[test]
@@ -36,9 +49,9 @@ fn plots_keep_what_was_chosen_by_their_titles() {
     let settings = Settings::default();
     for index in 0..3 {
         play.layout_plot(PlotId::at(index), &settings);
-        play.zoom_plot(PlotId::at(index), None, 2.0, Direction::Both);
+        play.change_plots(|plots| plots.zoom(PlotId::at(index), None, 2.0, Direction::Both));
     }
-    play.show_plot(PlotId::at(1), false);
+    play.change_plots(|plots| plots.show(PlotId::at(1), false));
     let added = play.add_plot();
     play.added_plot(added).unwrap().labels.title = "Residuals".to_owned();
     play.added_plot_changed(added);
@@ -46,7 +59,7 @@ fn plots_keep_what_was_chosen_by_their_titles() {
         ("\"Motion\": y, y' against t", "\"Speed\": abs(y') against t\n\"Motion\": y, y' against t"),
         ("E, T, V against t", "E, T, V against y"),
     ]));
-    let plots = play.plots();
+    let plots = play.plots().list();
     let seen: Vec<(&str, bool, bool)> =
         plots.iter().map(|plot| (plot.title.as_str(), plot.shown, plot.automatic)).collect();
     assert_eq!(
@@ -62,7 +75,7 @@ fn plots_keep_what_was_chosen_by_their_titles() {
     );
     assert!(play.added_plot(PlotId::at(4)).is_some());
     play.set_language("es");
-    assert_eq!(play.plots()[4].title, "Residuals");
+    assert_eq!(play.plots().list()[4].title, "Residuals");
 }
 
 #[test]
@@ -76,22 +89,22 @@ fn kept_runs_are_computed_with_the_new_equation() {
             go_on(play, [2.0]);
             play.keep().unwrap();
         }
-        let first = play.kept()[0].id;
+        let first = play.time_line().kept(play.basis())[0].id;
         play.remove_kept(first);
-        play.show_kept(play.kept()[0].id, false);
+        play.show_kept(play.time_line().kept(play.basis())[0].id, false);
         play.back_to_start();
     }
-    let ids: Vec<u32> = play.kept().iter().map(|kept| kept.id).collect();
+    let ids: Vec<u32> = play.time_line().kept(play.basis()).iter().map(|kept| kept.id).collect();
     play.replace_program(edited(&[equation]));
     assert!(dropped(&mut play).is_empty());
-    assert_eq!(play.kept(), other.kept());
-    assert_eq!(play.kept().iter().map(|kept| kept.id).collect::<Vec<_>>(), ids);
+    assert_eq!(play.time_line().kept(play.basis()), other.time_line().kept(other.basis()));
+    assert_eq!(play.time_line().kept(play.basis()).iter().map(|kept| kept.id).collect::<Vec<_>>(), ids);
     play.clear_ghost();
-    assert_eq!(play.plot_csv(PlotId::at(0)), other.plot_csv(PlotId::at(0)));
+    assert_eq!(play.plots_to_front().csv(PlotId::at(0)), other.plots_to_front().csv(PlotId::at(0)));
     assert_eq!(play.undo_number(), None, "the run that was removed was one of the former equation");
     play.replace_program(edited(&[("0..20000", "0..250")]));
     assert_eq!(dropped(&mut play), ["b = 300 kg/s", "the kept run “b = 300 kg/s”"]);
-    assert_eq!(play.kept().len(), 1);
+    assert_eq!(play.time_line().kept(play.basis()).len(), 1);
 }
 
 #[test]
@@ -110,19 +123,19 @@ fn answers_stay_with_their_questions_and_grades_with_the_right_answers() {
     ];
     play.replace_program(edited(&more));
     assert!(dropped(&mut play).is_empty());
-    assert_eq!(play.answer(0).typed, "");
-    let answer = play.answer(1);
+    assert_eq!(given(&play, 0).typed, "");
+    let answer = given(&play, 1);
     assert_eq!(
         (answer.typed.as_str(), answer.verdict.map(|verdict| verdict.grade)),
         ("2*pi/(1.672 1/s)", Some(Grade::Correct))
     );
-    assert_eq!(play.answer(2).typed, "1 m");
+    assert_eq!(given(&play, 2).typed, "1 m");
     // The expression of the right answer has changed.
     play.replace_program(edited(&[("2*pi/omega_d within", "2*pi/omega_0 within")]));
-    assert_eq!((play.answer(0).typed.as_str(), play.answer(0).verdict), ("2*pi/(1.672 1/s)", None));
+    assert_eq!((given(&play, 0).typed.as_str(), given(&play, 0).verdict), ("2*pi/(1.672 1/s)", None));
     play.replace_program(edited(&[("Measure the period.", "Measure the half-period.")]));
     assert_eq!(dropped(&mut play), ["the answer “2*pi/(1.672 1/s)”"]);
-    assert_eq!((play.answer(0).typed.as_str(), play.answer(1).typed.as_str()), ("", "1 m"));
+    assert_eq!((given(&play, 0).typed.as_str(), given(&play, 1).typed.as_str()), ("", "1 m"));
 }
 
 #[test]
@@ -131,8 +144,8 @@ fn a_language_stays_and_names_what_is_lost() {
     play.set_language("es");
     let narrower = UTUBE.replace("in 0..20000", "in 0..100");
     play.replace_program(open(&narrower, &[UTUBE_ES]).program().clone());
-    assert_eq!((play.tag(), play.plots()[0].title.as_str()), ("es", "Movimiento"));
+    assert_eq!((play.basis().tag(), play.plots().list()[0].title.as_str()), ("es", "Movimiento"));
     assert_eq!(dropped(&mut play), ["b = 200 kg/s"]);
-    let text = play.announcement_text(&Announcement::Replaced(vec!["b = 200 kg/s".to_owned()]));
+    let text = Announcement::Replaced(vec!["b = 200 kg/s".to_owned()]).text(play.basis(), play.time_line());
     assert_eq!(text, "El documento cambiado está en marcha; se omitió lo que no encaja: b = 200 kg/s");
 }

@@ -24,13 +24,13 @@ fn a_run_of_the_same_model_stays_as_it_is() {
             play.scrub(3.3);
             // A row has the same value at the same address, because nothing has been recomputed.
             let row = |play: &Play| play.course().history().unwrap().times().as_ptr();
-            let (before, table, place) = (state(&play), play.table_cells(), row(&play));
+            let (before, table, place) = (state(&play), play.values().table_cells(), row(&play));
             play.replace_program(edited(&[(from, to)]));
             assert_eq!(dropped(&mut play), [""; 0], "{what}");
-            assert_eq!((play.time(), play.end(), state(&play)), (3.3, 6.0, before), "{what}");
+            assert_eq!((play.course().time(), play.course().front(), state(&play)), (3.3, 6.0, before), "{what}");
             assert_eq!(row(&play), place, "{what}");
             if what != "a quantity" {
-                assert_eq!(play.table_cells(), table, "{what}");
+                assert_eq!(play.values().table_cells(), table, "{what}");
             }
             // Plots and later bits equal those of a run that used this program from the beginning.
             let mut other = fresh(&[(from, to)]);
@@ -41,9 +41,9 @@ fn a_run_of_the_same_model_stays_as_it_is() {
             other.scrub(3.3);
             let drawn = |play: &mut Play, index| {
                 play.clear_ghost();
-                play.plot_svg(PlotId::at(index), &Settings::default(), &Palette::LIGHT)
+                play.plots_to_front().svg(PlotId::at(index), &Settings::default(), &Palette::LIGHT)
             };
-            for index in 0..other.plots().len() {
+            for index in 0..other.plots().list().len() {
                 assert_eq!(drawn(&mut play, index), drawn(&mut other, index), "{what}, plot {index}");
             }
             for play in [&mut play, &mut other] {
@@ -68,12 +68,12 @@ fn a_new_default_counts_where_nobody_has_set_the_parameter() {
     set(&mut other, "b", 200.0);
     go_on(&mut other, [5.0]);
     other.scrub(3.3);
-    assert_eq!((play.time(), play.end()), (3.3, 10.0));
+    assert_eq!((play.course().time(), play.course().front()), (3.3, 10.0));
     assert_eq!((state(&play), bits(&play)), (state(&other), bits(&other)));
-    assert_eq!(play.parameter_values()[parameter(&play, "b")], 70.0);
+    assert_eq!(play.course().parameters()[parameter(&play, "b")], 70.0);
     play.scrub(10.0);
-    assert_eq!(play.parameter_values()[parameter(&play, "b")], 200.0);
-    assert_eq!(play.parameter_values()[parameter(&play, "rho")], 13534.0);
+    assert_eq!(play.course().parameters()[parameter(&play, "b")], 200.0);
+    assert_eq!(play.course().parameters()[parameter(&play, "rho")], 13534.0);
     assert_eq!(play.share(), other.share().replace("&e=10&t=3.3", "&t=10"));
 }
 
@@ -115,7 +115,7 @@ fn what_does_not_fit_any_more_is_dropped_and_named() {
         go_on(&mut other, [7.0]);
         set(&mut other, "g", 1.62);
         go_on(&mut other, [3.0]);
-        assert_eq!((play.time(), state(&play)), (other.time(), state(&other)), "{what}");
+        assert_eq!((play.course().time(), state(&play)), (other.course().time(), state(&other)), "{what}");
         assert_eq!(bits(&play), bits(&other), "{what}");
     }
 }
@@ -135,22 +135,22 @@ fn with_another_equation_the_run_is_the_new_one_at_the_same_time_and_goes_on() {
             play.tick(1.0);
         }
         assert_ne!(state(&play), state(&other));
-        let old = play.plot_csv(PlotId::at(0));
+        let old = play.plots_to_front().csv(PlotId::at(0));
         play.replace_program(edited(&[quadratic]));
-        assert!(play.is_playing() && dropped(&mut play).is_empty());
-        assert_eq!((play.time(), play.speed(), play.step()), (4.034, 2.0, 0.04));
+        assert!(play.time_line().is_playing() && dropped(&mut play).is_empty());
+        assert_eq!((play.course().time(), play.time_line().speed(), play.course().begun().step), (4.034, 2.0, 0.04));
         assert_eq!((state(&play), bits(&play)), (state(&other), bits(&other)), "{method}");
         // The run of the former equation becomes the previous run.
-        assert!(play.has_ghost());
+        assert!(play.time_line().has_ghost());
         let column = |csv: &str, number: usize| -> Vec<String> {
             csv.lines().skip(1).filter_map(|line| line.split(',').nth(number)).map(str::to_owned).collect()
         };
-        let all = play.plot_csv(PlotId::at(0));
+        let all = play.plots_to_front().csv(PlotId::at(0));
         assert!(column(&all, 1).starts_with(&column(&old, 1)), "the ghost is the former run");
         for play in [&mut play, &mut other] {
             play.tick(0.5);
         }
-        assert_eq!((play.time(), bits(&play)), (5.034, bits(&other)), "{method}");
+        assert_eq!((play.course().time(), bits(&play)), (5.034, bits(&other)), "{method}");
     }
 }
 
@@ -172,11 +172,14 @@ fn a_change_keeps_its_time_where_events_leave_other_rows() {
     let (mut play, mut other) = (open(&ball(1.0), &[]), open(&ball(2.0), &[]));
     run(&mut play);
     run(&mut other);
-    assert_ne!(play.table_length(), other.table_length());
+    assert_ne!(play.values().table_length(), other.values().table_length());
     play.keep().unwrap();
     play.replace_program(other.program().clone());
-    assert_eq!((play.time(), bits(&play)), (other.time(), bits(&other)));
-    assert_eq!((play.share(), play.kept().len()), ([&other.share(), "&k", &other.share()[1..]].concat(), 1));
+    assert_eq!((play.course().time(), bits(&play)), (other.course().time(), bits(&other)));
+    assert_eq!(
+        (play.share(), play.time_line().kept(play.basis()).len()),
+        ([&other.share(), "&k", &other.share()[1..]].concat(), 1)
+    );
 }
 
 #[test]
@@ -188,7 +191,7 @@ fn a_parameter_that_decides_an_initial_value_now_holds_from_the_start() {
     let mut other = fresh(&[start]);
     set(&mut other, "b", 200.0);
     go_on(&mut other, [10.0]);
-    assert_eq!((play.time(), bits(&play), play.share()), (10.0, bits(&other), other.share()));
+    assert_eq!((play.course().time(), bits(&play), play.share()), (10.0, bits(&other), other.share()));
 }
 
 #[test]
@@ -222,16 +225,25 @@ fn a_start_set_by_hand_stays_while_the_states_are_the_same() {
 fn no_document_costs_more_than_a_link() {
     let mut play = utube();
     go_on(&mut play, std::iter::repeat_n(50.0, 20));
-    assert_eq!(play.time(), 1000.0);
+    assert_eq!(play.course().time(), 1000.0);
     play.play();
     // Ten thousand steps per second of model time, each with many operations.
     let long = ["b*y'", &"*cos(sin(y/(1 [m])))".repeat(20)].concat();
     play.replace_program(edited(&[("step: 0.05 [s]", "step: 0.0001 [s]"), ("b*y'", &long)]));
-    assert!(play.is_playing() && play.time() > 0.0 && play.time() < 1000.0, "{}", play.time());
+    assert!(
+        play.time_line().is_playing() && play.course().time() > 0.0 && play.course().time() < 1000.0,
+        "{}",
+        play.course().time()
+    );
     assert_eq!(dropped(&mut play), ["the time 1000.00 s"]);
-    let reached = play.time();
+    let reached = play.course().time();
     play.tick(0.001);
-    assert!(play.time() > reached, "{reached} {:?} {:?}", play.status(), play.problem());
+    assert!(
+        play.course().time() > reached,
+        "{reached} {:?} {:?}",
+        play.time_line().status(play.basis()),
+        play.time_line().problem(play.basis())
+    );
 }
 
 #[test]
@@ -241,9 +253,13 @@ fn a_run_that_fails_stops_and_one_that_can_start_now_does() {
     play.play();
     play.tick(4.0);
     play.replace_program(edited(&[root]));
-    assert!(!play.is_playing() && play.problem().is_some() && play.time() < 4.0);
-    let stopped = play.time();
+    assert!(
+        !play.time_line().is_playing()
+            && play.time_line().problem(play.basis()).is_some()
+            && play.course().time() < 4.0
+    );
+    let stopped = play.course().time();
     play.replace_program(edited(&[]));
-    assert!(play.problem().is_none() && !play.is_playing());
-    assert_eq!(play.time(), stopped);
+    assert!(play.time_line().problem(play.basis()).is_none() && !play.time_line().is_playing());
+    assert_eq!(play.course().time(), stopped);
 }

@@ -40,12 +40,12 @@ pub fn go_on(play: &mut Play, frames: impl IntoIterator<Item = f64>) {
 
 /// The states shown.
 pub fn state(play: &Play) -> Vec<f64> {
-    play.states().into_iter().map(|state| state.value).collect()
+    play.values().states().into_iter().map(|state| state.value).collect()
 }
 
 /// The bits of a run: its table without loss.
 pub fn bits(play: &Play) -> String {
-    play.csv()
+    play.values().csv()
 }
 
 /// The value of a readout.

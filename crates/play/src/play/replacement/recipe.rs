@@ -2,15 +2,20 @@
 
 use super::names::Names;
 use crate::time::recipe::{Change, Recipe};
-use crate::values::symbol::symbol;
-use crate::{Play, words};
+use crate::{Basis, words};
 use engine::Setup;
 use std::collections::BTreeMap;
 
-impl Play {
+impl Basis {
     /// Converts a recipe to this program. Returns also what does not fit, in the chosen language. The changes of the
-    /// result must be located by their times.
-    pub(super) fn translated(&self, recipe: &Recipe, before: &Play, names: &Names) -> (Recipe, Vec<String>) {
+    /// result must be located by their times. `time_shown` is the text of the time shown by the former program.
+    pub(super) fn translated(
+        &self,
+        recipe: &Recipe,
+        before: &Basis,
+        time_shown: &str,
+        names: &Names,
+    ) -> (Recipe, Vec<String>) {
         let mut left = BTreeMap::new();
         let mut parameters = |values: &[f64]| self.parameters_from(values, before, names, &mut left);
         let first = parameters(&recipe.setup.parameters);
@@ -25,7 +30,7 @@ impl Play {
             setup.presses = self.presses_from(&recipe.setup.presses, before, &mut lost);
         } else {
             if front > 0.0 {
-                lost.push(words::time(self.language, &before.time_words(time)));
+                lost.push(words::time(self.language(), time_shown));
             }
             if let Some(last) = changes.pop() {
                 setup.parameters = last.parameters;
@@ -44,12 +49,12 @@ impl Play {
     fn parameters_from(
         &self,
         values: &[f64],
-        before: &Play,
+        before: &Basis,
         names: &Names,
         left: &mut BTreeMap<usize, f64>,
     ) -> Vec<f64> {
-        let mut parameters = self.defaults.parameters.clone();
-        for (index, (&value, default)) in values.iter().zip(&before.defaults.parameters).enumerate() {
+        let mut parameters = self.defaults().parameters.clone();
+        for (index, (&value, default)) in values.iter().zip(&before.defaults().parameters).enumerate() {
             if value == *default {
                 continue;
             }
@@ -69,11 +74,11 @@ impl Play {
         &self,
         former: &Setup,
         parameters: Vec<f64>,
-        before: &Play,
+        before: &Basis,
         names: &Names,
         lost: &mut Vec<String>,
     ) -> Setup {
-        let mut setup = Setup { parameters, ..self.defaults.clone() };
+        let mut setup = Setup { parameters, ..self.defaults().clone() };
         if let Some(start) = &former.start {
             let states = 0..self.model().states.len();
             setup.start = states.map(|state| start.get(names.former_state(state)?).copied()).collect();
@@ -82,14 +87,14 @@ impl Play {
             }
         }
         setup.drawings = self.drawings_from(former, before, lost);
-        if former.method != before.defaults.method {
+        if former.method != before.defaults().method {
             if self.method_refusal(former.method).is_none() {
                 setup.method = former.method;
             } else {
-                lost.push(words::method_name(before.language, former.method).to_owned());
+                lost.push(words::method_name(before.language(), former.method).to_owned());
             }
         }
-        if former.step != before.defaults.step {
+        if former.step != before.defaults().step {
             if names.same_time {
                 setup.step = former.step;
             } else {
@@ -115,17 +120,10 @@ impl Play {
     }
 
     /// Converts a value of the former program. The number of a text may have changed.
-    fn same_choice(&self, before: &Play, (index, value): (usize, f64), place: usize) -> Option<f64> {
+    fn same_choice(&self, before: &Basis, (index, value): (usize, f64), place: usize) -> Option<f64> {
         match before.model().parameters.get(index)?.word(value, &before.model().texts) {
             Some(word) => self.model().parameters.get(place)?.chosen(word, &self.model().texts),
             None => Some(value),
         }
-    }
-
-    /// Text of a parameter value: `b = 200 kg/s`.
-    fn parameter_text(&self, index: usize, value: f64) -> String {
-        self.model().parameters.get(index).map_or_else(String::new, |parameter| {
-            format!("{} = {}", symbol(&parameter.name), self.parameter_value_text(index, value))
-        })
     }
 }

@@ -1,20 +1,18 @@
 //! Restores a state from the text written by [`Play::share`].
 
-use super::link::{VERSION, decode, encode};
-use super::state::MOST_CHANGES;
+use super::share::MOST_CHANGES;
 use crate::controls::button::read;
 use crate::controls::drawing;
-use crate::plots::plot::PlotState;
-use crate::time::course::Course;
+use crate::share::link::{VERSION, decode, encode};
 use crate::time::recipe::{Change, Moments, Recipe};
-use crate::{Announcement, MOST_KEPT, Play, PlotId, Refusal};
-use engine::{Method, Setup};
+use crate::{Announcement, Changes, MOST_KEPT, Play, Refusal};
+use engine::Method;
 use figure::{Interval, View};
 use units::number::compact as exact;
 
 /// Maximum work for all recomputed runs together, in floating-point operations. A link may come from a stranger, and
 /// the page is blocked meanwhile: about a second on a slow phone.
-pub(crate) const MOST_WORK: u64 = 50_000_000;
+pub(super) const MOST_WORK: u64 = 50_000_000;
 
 /// Maximum number of rows of a run in a link, because recording a row takes time.
 const MOST_ROWS: usize = 2_500_000;
@@ -44,12 +42,10 @@ impl Play {
         if fields.next() != Some(VERSION) {
             return Err(Refusal::UnreadableState);
         }
-        self.speed = 1.0;
-        let first = PlotState::AT_FIRST..self.program.plots.len();
-        for (index, plot) in self.plots.iter_mut().enumerate() {
-            (plot.shown, plot.view) = (!first.contains(&index), View::default());
-        }
-        self.revision.plots += 1;
+        let changes = self.line.set_speed(1.0);
+        self.note(changes);
+        let changes = self.plots.reset_all(self.basis.program().plots.len());
+        self.note(changes);
         let fields: Vec<&str> = fields.collect();
         self.restore_seat(&fields);
         let mut reader = Reader { play: self, left_out: Vec::new() };
@@ -60,19 +56,19 @@ impl Play {
         let mut left_out = reader.left_out;
         left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
         self.adopt_drawings(&present.setup.drawings);
-        let overhead = self.columns.bytes_per_row();
-        let (course, complete) = Course::replay(&self.program.model, &present, Moments::Rows, overhead, work);
+        let (course, complete) = self.line.replay(&self.basis, &present, Moments::Rows, work);
         if !complete {
             left_out.push(format!("t={}", exact(present.front)));
         }
-        self.playing = false;
-        self.hold = None;
-        self.ghost = None;
-        self.kept.clear();
-        self.revision.runs += 1;
+        self.stop();
+        self.controls.hold(None);
+        let changes = self.line.forget_runs();
+        self.note(changes);
         self.replace_course(course);
         for recipe in &kept {
-            if self.keep_recipe(recipe, work) != Ok(true) {
+            let kept = self.line.keep_recipe(&self.basis, recipe, work);
+            self.note(kept.as_ref().map_or(Changes::NONE, |(_, changes)| *changes));
+            if !kept.is_ok_and(|(complete, _)| complete) {
                 left_out.push(format!("k, t={}", exact(recipe.front)));
             }
         }
@@ -90,8 +86,8 @@ impl Play {
     /// Takes the seat of a link before its other fields. A link without a seat leaves the present one.
     fn restore_seat(&mut self, fields: &[&str]) {
         let seat = fields.iter().find_map(|field| field.strip_prefix("seat=")?.parse().ok());
-        if seat.is_some() && self.program.set_seat(seat) {
-            self.defaults = Setup::of(&self.program);
+        if seat.is_some() {
+            self.basis.set_seat(seat);
         }
     }
 }
@@ -104,7 +100,8 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn recipe(&mut self, fields: &[&str]) -> Recipe {
-        let mut recipe = Recipe { setup: self.play.defaults.clone(), changes: Vec::new(), front: 0.0, time: f64::NAN };
+        let mut recipe =
+            Recipe { setup: self.play.basis.defaults().clone(), changes: Vec::new(), front: 0.0, time: f64::NAN };
         for field in fields {
             let (key, value) = field.split_once('=').unwrap_or((field, ""));
             if self.field(key, value, &mut recipe).is_none() {
@@ -136,7 +133,7 @@ impl Reader<'_> {
                 return value.split(',').map(is_so).collect();
             }
             // Read first: the values of a recipe differ from those of the seat.
-            "seat" => return (self.play.program.seat == Some(value.parse().ok()?)).then_some(()),
+            "seat" => return (self.play.program().seat == Some(value.parse().ok()?)).then_some(()),
             "y" => {
                 let start: Vec<f64> = value.split(',').map(number).collect::<Option<_>>()?;
                 if start.len() != self.play.model().states.len() {
@@ -171,18 +168,14 @@ impl Reader<'_> {
             "x" => self.play.set_speed(number(value)?),
             "w" => self.play.show_hidden(true),
             "v" => {
-                self.play.plots.iter_mut().for_each(|plot| plot.shown = true);
-                for index in value.split(',').filter(|index| !index.is_empty()) {
-                    let index: usize = index.parse().ok()?;
-                    self.play.plots.get(index)?;
-                    self.play.show_plot(PlotId::at(index), false);
-                }
+                let hidden = value.split(',').filter(|index| !index.is_empty()).map(|index| index.parse().ok());
+                let changes = self.play.plots.show_except(hidden)?;
+                self.play.note(changes);
             }
             "z" => {
                 let (index, limits) = value.split_once(',')?;
-                let index: usize = index.parse().ok()?;
-                let plot = self.play.plots.get_mut(index)?;
-                plot.view = view(limits).filter(|view| view.y.is_empty() || view.y.len() == plot.labels.axes.len())?;
+                let changes = self.play.plots.set_view(index.parse().ok()?, view(limits)?)?;
+                self.play.note(changes);
             }
             _ => return None,
         }
@@ -200,7 +193,7 @@ impl Reader<'_> {
                     program::Choices::Numbers | program::Choices::Seed => number(value)?,
                     _ => parameter.chosen(&decode(value)?, &self.play.model().texts)?,
                 };
-                Some((index, self.play.admit(index, value).ok()?))
+                Some((index, self.play.basis.admit(index, value).ok()?))
             });
             match admitted.and_then(|(index, value)| parameters.get_mut(index).zip(Some(value))) {
                 Some((parameter, value)) => *parameter = value,
@@ -253,7 +246,7 @@ mod tests {
             Err(Refusal::PartlyRestored { left_out }) => left_out.len(),
             Err(refusal) => panic!("{refusal:?}"),
         };
-        assert!(play.kept().len() <= MOST_KEPT);
+        assert!(play.time_line().kept(play.basis()).len() <= MOST_KEPT);
         (MOST_WORK - left, left_out)
     }
 

@@ -5,27 +5,27 @@ use crate::question::supposed;
 use crate::theme;
 use crate::views::*;
 use figure::Settings;
-use play::{ClaimView, ClaimsView};
+use play::{ClaimView, ClaimsView, deviation_svg};
 
 /// List of claims; empty if the document contains none.
 pub fn view(app: App) -> View {
-    if !app.read(|play| play.has_checks()) {
+    if !app.read(|play| !play.program().checks.is_empty()) {
         return View::new();
     }
     let words = app.words();
     // Claim whose deviation plot is shown.
     let drawn = create_signal(None::<(usize, usize)>);
     let listed = move || {
-        app.changes.checks.track();
-        each(app.read(|play| play.checks()).into_iter().enumerate(), move |(check, claims)| {
+        app.changes.claims.track();
+        each(app.read(|play| play.claims().list(play.basis())).into_iter().enumerate(), move |(check, claims)| {
             group(app, check, claims, drawn)
         })
     };
     let state = move || {
-        app.changes.checks.track();
+        app.changes.claims.track();
         summary_of(app)
     };
-    let run = button().class("quiet").id("run-checks").when(events::click, move |_| app.act(play::Play::begin_checks));
+    let run = button().class("quiet").id("run-checks").when(events::click, move |_| app.act(play::Play::begin_claims));
     details()
         .class("card fold checks")
         .id("checks")
@@ -44,9 +44,10 @@ pub fn view(app: App) -> View {
 /// Summary of the results.
 fn summary_of(app: App) -> String {
     let words = app.words();
-    let claims = app.read(|play| play.checks().into_iter().flat_map(|claims| claims.claims).collect::<Vec<_>>());
+    let claims = app
+        .read(|play| play.claims().list(play.basis()).into_iter().flat_map(|claims| claims.claims).collect::<Vec<_>>());
     let count = |holds: Option<bool>| claims.iter().filter(|claim| claim.holds == holds).count();
-    if app.read(|play| play.is_checking()) {
+    if app.read(|play| play.claims().is_judging(play.basis())) {
         return words.checks_running.to_owned();
     }
     match (count(None), count(Some(false))) {
@@ -102,7 +103,7 @@ fn deviation(app: App, place: (usize, usize), drawn: Signal<Option<(usize, usize
         }
         app.changes.values.track();
         let settings = Settings { width: 320.0, height: 170.0, font_size: 11.0, ..Settings::default() };
-        match app.read(|play| play.deviation_svg(place, &settings, theme::palette())) {
+        match app.read(|play| deviation_svg(play.basis(), play.course(), place, &settings, theme::palette())) {
             Some(svg) => div().class("deviation-plot").inner_html(svg).into(),
             None => note(words.check_plot_waits).into(),
         }

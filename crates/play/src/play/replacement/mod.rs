@@ -24,19 +24,19 @@ mod names;
 mod plots;
 mod recipe;
 
-use crate::plots::kept::Kept;
-use crate::share::restore::MOST_WORK;
-use crate::time::course::Course;
-use crate::time::recipe::Moments;
-use crate::{Announcement, Play, words};
+use super::restore::MOST_WORK;
+use crate::time::recipe::{Moments, Recipe};
+use crate::{Announcement, Changes, Play, TimeLine, words};
+use answers::asks_the_same;
 use names::Names;
+use plots::same_curves;
 use program::Program;
 
 impl Play {
     /// Replaces the program. Time, parameters and the user's choices are kept by name as far as they fit. Dropped items
     /// are listed in [`Announcement::Replaced`].
     pub fn replace_program(&mut self, mut program: Program) {
-        program.set_seat(self.program.seat);
+        program.set_seat(self.program().seat);
         let lost = self.replace(program);
         self.announce(Announcement::Replaced(lost));
     }
@@ -44,7 +44,7 @@ impl Play {
     /// Replaces the program by that of the same document with other sizes. Dropped items are listed in
     /// [`Announcement::Resized`].
     pub fn resize(&mut self, mut program: Program) {
-        program.set_seat(self.program.seat);
+        program.set_seat(self.program().seat);
         let lost = self.replace(program);
         self.announce(Announcement::Resized(lost));
     }
@@ -54,23 +54,31 @@ impl Play {
         self.drag_end();
         let mut before = std::mem::replace(self, Self::open(program));
         let names = Names::between(before.model(), self.model());
-        self.revision = before.revision.raised();
+        self.revision = before.revision.after(Changes::ALL);
         self.announcements = std::mem::take(&mut before.announcements);
         self.number_removals_from(before.removals());
-        self.speed = before.speed;
-        self.shows_hidden = before.shows_hidden;
-        self.lines.choose_as(std::mem::take(&mut before.lines));
-        self.adopt_plots(&mut before);
-        self.set_language(&before.tag);
-        let mut lost = self.adopt_answers(&before, &names);
-        lost.splice(0..0, self.adopt_runs(&mut before, &names));
+        self.line.adopt_speed(&before.line);
+        self.values.adopt(&mut before.values);
+        let axes = |line: &TimeLine, plot| line.columns().plot(plot).map(|columns| columns.axes.clone());
+        self.plots.adopt(
+            (self.basis.program(), before.basis.program()),
+            std::mem::take(&mut before.plots),
+            same_curves,
+            |own, former| axes(&self.line, own) == axes(&before.line, former),
+        );
+        self.set_language(before.basis.tag());
+        let mut lost = self.adopt_runs(&mut before, &names);
+        let same = |own, former| asks_the_same((&self.basis, own), (&before.basis, former), &names);
+        let answers = self.answers.adopt(&self.basis, (&before.answers, &before.basis), same);
+        lost.extend(answers.iter().map(|typed| words::answer(self.language(), typed)));
         lost
     }
 
     /// Takes over the present and the kept runs. Returns what was dropped, in the chosen language.
     fn adopt_runs(&mut self, before: &mut Play, names: &Names) -> Vec<String> {
-        let present = before.course.recipe();
-        let (recipe, mut lost) = self.translated(&present, before, names);
+        let present = before.course().recipe();
+        let time_shown = before.basis.time_words(before.course(), present.time);
+        let (recipe, mut lost) = self.basis.translated(&present, &before.basis, &time_shown, names);
         let same_motion = self.model().moves_like(before.model());
         let same_layout = self.has_curves_of(before);
         let same_columns = same_motion && same_layout && self.columns_are_those_of(before);
@@ -78,58 +86,25 @@ impl Play {
         before.follow();
         self.adopt_drawings(&recipe.setup.drawings);
         if same_motion && recipe == present {
-            self.adopt_course(before, same_columns);
+            let changes = self.line.adopt_run(&self.basis, &mut before.line, same_columns);
+            self.note(changes);
         } else {
-            let overhead = self.columns.bytes_per_row();
-            let (course, complete) = Course::replay(&self.program.model, &recipe, Moments::Times, overhead, &mut work);
+            let (course, complete) = self.line.replay(&self.basis, &recipe, Moments::Times, &mut work);
             if !complete && course.error().is_none() {
-                lost.push(words::time(self.language, &before.time_words(recipe.front)));
+                let time = before.basis.time_words(before.course(), recipe.front);
+                lost.push(words::time(self.language(), &time));
             }
-            before.keep_ghost(0);
+            before.keep_ghost();
             self.replace_course(course);
         }
-        if same_layout {
-            self.ghost = before.ghost.take();
-        }
-        self.playing = before.playing && self.course.history().is_some() && self.course.error().is_none();
-        self.kept_issued = before.kept_issued;
-        let views = before.kept();
-        for (kept, view) in std::mem::take(&mut before.kept).into_iter().zip(views) {
-            let (recipe, missing) = self.translated(&kept.recipe, before, names);
-            if !missing.is_empty() {
-                lost.push(words::kept_run(self.language, &view.name));
-            } else if same_columns && recipe == kept.recipe {
-                self.kept.push(kept);
-            } else {
-                match self.compute_kept(&recipe, Moments::Times, &mut work) {
-                    (recipe, traces, true) => self.kept.push(Kept { recipe, traces, ..kept }),
-                    _ => lost.push(words::kept_run(self.language, &view.name)),
-                }
-            }
-        }
+        self.line.adopt_rest(&mut before.line, same_layout);
+        let translated = |recipe: &Recipe| {
+            let (recipe, missing) = self.basis.translated(recipe, &before.basis, "", names);
+            missing.is_empty().then_some(recipe)
+        };
+        let kept =
+            self.line.adopt_kept(&self.basis, (&mut before.line, &before.basis), translated, same_columns, &mut work);
+        lost.extend(kept.iter().map(|name| words::kept_run(self.basis.language(), name)));
         lost
-    }
-
-    /// Takes over the run unchanged.
-    fn adopt_course(&mut self, before: &mut Play, same_columns: bool) {
-        let model = &self.program.model;
-        let nothing = Course::start(model, self.defaults.clone(), 0);
-        self.course = std::mem::replace(&mut before.course, nothing);
-        self.course.set_overhead(self.columns.bytes_per_row());
-        self.full = before.full;
-        self.slippage = before.slippage;
-        if let Some(time) = before.take_rewritten() {
-            self.note_rewritten(time);
-        }
-        if same_columns {
-            self.traces = std::mem::take(&mut before.traces);
-        }
-        // The magnitudes of states determine their number format. Those of quantities may have changed and are found
-        // again in the next frames.
-        let states = self.program.model.states.len();
-        for (scale, former) in self.scales.iter_mut().zip(&before.scales).take(states) {
-            *scale = *former;
-        }
-        self.frame_changed();
     }
 }

@@ -1,8 +1,9 @@
 //! Parsing of typed input: a number with an optional unit, or an expression.
 
+use super::Basis;
 use super::calculator::calculate;
 use super::typed::{Candidate, candidates, stated_units};
-use crate::{Play, Refusal, number};
+use crate::{Course, Refusal, number};
 use engine::Readings;
 use units::Unit;
 
@@ -40,12 +41,12 @@ pub(crate) fn shortened(typed: &str) -> String {
     typed.trim().chars().take(40).collect()
 }
 
-impl Play {
+impl Basis {
     /// Parses a value and returns it in SI: a number in `unit`, or with its own unit of the same dimension. Hertz is
     /// refused for an angular frequency and radians per second for a frequency, although their dimensions agree.
     pub fn read_value(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
         let no_number = || Refusal::NotANumber { typed: shortened(typed) };
-        let (value, rest) = number::parse(typed, self.style).ok_or_else(no_number)?;
+        let (value, rest) = number::parse(typed, self.style()).ok_or_else(no_number)?;
         let value = if rest.is_empty() {
             unit.to_si(value)
         } else {
@@ -74,23 +75,23 @@ impl Play {
             _ => return Ok(()),
         };
         Err(Refusal::OtherFrequency {
-            typed: self.with_unit(number::plain(value, DIGITS, self.style), own),
-            meant: self.with_unit(number::plain(unit.from_si(meant), 3, self.style), unit),
+            typed: number::with_unit(&number::plain(value, DIGITS, self.style()), own),
+            meant: number::with_unit(&number::plain(unit.from_si(meant), 3, self.style()), unit),
             angular,
         })
     }
 
     /// Parses the text of a field that shows `shown`. `None` if the text is unchanged, because the shown text may be
-    /// rounded. Otherwise a value (SI) as in [`Play::read_value`], or the present value of an expression in the
-    /// parameters.
-    pub fn read_field(&self, typed: &str, shown: &str, unit: &Unit) -> Result<Option<f64>, Refusal> {
+    /// rounded. Otherwise a value (SI) as in [`Basis::read_value`], or the present value of an expression in the
+    /// parameters `at` the moment shown.
+    pub fn read_field(&self, at: &Course, typed: &str, shown: &str, unit: &Unit) -> Result<Option<f64>, Refusal> {
         if typed.trim() == shown {
             return Ok(None);
         }
         match self.read_value(typed, unit) {
             Ok(value) => Ok(Some(value)),
             Err(refusal @ Refusal::OtherFrequency { .. }) => Err(refusal),
-            Err(refusal) => self.read_expression(typed, unit).map(Some).map_err(|why| why.unwrap_or(refusal)),
+            Err(refusal) => self.read_expression(at, typed, unit).map(Some).map_err(|why| why.unwrap_or(refusal)),
         }
     }
 
@@ -100,10 +101,10 @@ impl Play {
     /// # Errors
     ///
     /// The specific refusal, or `None` if the text is simply not a number.
-    pub(crate) fn read_expression(&self, typed: &str, unit: &Unit) -> Result<f64, Option<Refusal>> {
+    pub(crate) fn read_expression(&self, at: &Course, typed: &str, unit: &Unit) -> Result<f64, Option<Refusal>> {
         let mut why = None;
-        for candidate in candidates(typed, self.style) {
-            match self.evaluate(&candidate, unit) {
+        for candidate in candidates(typed, self.style()) {
+            match self.evaluate(at, &candidate, unit) {
                 Ok(value) => return Ok(value),
                 Err(refusal) => why = why.or(refusal),
             }
@@ -111,7 +112,7 @@ impl Play {
         Err(why)
     }
 
-    fn evaluate(&self, candidate: &Candidate, unit: &Unit) -> Result<f64, Option<Refusal>> {
+    fn evaluate(&self, at: &Course, candidate: &Candidate, unit: &Unit) -> Result<f64, Option<Refusal>> {
         let text = &candidate.expression;
         // A copy, so that the typed expression does not stay in the graph.
         let mut model = self.model().clone();
@@ -119,7 +120,7 @@ impl Play {
         if model.depends(calculation.node).varies() {
             return Err(None);
         }
-        let (parameters, initial) = (self.course.parameters(), self.course.initial());
+        let (parameters, initial) = (at.parameters(), at.initial());
         let mut readings = Readings::new(&model, &[calculation.node]);
         let value = readings.at(parameters, initial, 0.0, initial).first().copied().unwrap_or(f64::NAN);
         let (pure, fits) = (calculation.dimension.is_none(), calculation.dimension == unit.dimension);
@@ -151,11 +152,6 @@ impl Play {
 
     /// Text of an SI value in `unit`, with the unit: `0,05 m²`.
     pub fn quantity_text(&self, value: f64, unit: &Unit) -> String {
-        self.with_unit(number::plain(unit.from_si(value), DIGITS, self.style), unit)
-    }
-
-    /// Number with its unit; a dash stays without unit.
-    pub(crate) fn with_unit(&self, number: String, unit: &Unit) -> String {
-        number::with_unit(&number, unit)
+        number::with_unit(&number::plain(unit.from_si(value), DIGITS, self.style()), unit)
     }
 }

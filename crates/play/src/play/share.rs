@@ -21,11 +21,10 @@
 //! | `v` | plots not shown: `0,2` |
 //! | `z` | zoom of a plot, once for each: the plot, then the limits of the horizontal axis (empty if automatic) and of each vertical one: `0,1:2.5,-3:3` |
 
-use super::link::{VERSION, encode};
 use crate::Play;
 use crate::controls::button::written;
 use crate::controls::drawing;
-use crate::plots::plot::PlotState;
+use crate::share::link::{VERSION, encode};
 use crate::time::recipe::{Change, Recipe};
 use engine::Setup;
 use figure::{Interval, View};
@@ -38,10 +37,10 @@ impl Play {
     /// Differences from the freshly opened document, as text for the fragment of a URL; empty if there are none.
     pub fn share(&self) -> String {
         let mut fields: Vec<String> = Vec::new();
-        let mut recipe = self.course.recipe();
-        if recipe.changes.len() > MOST_CHANGES && self.course.state().iter().all(|value| value.is_finite()) {
-            let parameters = self.course.parameters().to_vec();
-            let start = Some(self.course.state().to_vec());
+        let mut recipe = self.course().recipe();
+        if recipe.changes.len() > MOST_CHANGES && self.course().state().iter().all(|value| value.is_finite()) {
+            let parameters = self.course().parameters().to_vec();
+            let start = Some(self.course().state().to_vec());
             recipe = Recipe {
                 setup: Setup { parameters, start, presses: Vec::new(), ..recipe.setup },
                 changes: Vec::new(),
@@ -54,40 +53,37 @@ impl Play {
         if !sizes.is_empty() {
             fields.push(format!("n={}", sizes.join(",")));
         }
-        fields.extend(self.program.seat.map(|seat| format!("seat={}", seat.number())));
+        fields.extend(self.program().seat.map(|seat| format!("seat={}", seat.number())));
         self.write_recipe(&recipe, &mut fields);
-        if self.shows_hidden {
+        if self.answers.shows_hidden() {
             fields.push("w".to_owned());
         }
-        if self.speed != 1.0 {
-            fields.push(format!("x={}", exact(self.speed)));
+        if self.line.speed() != 1.0 {
+            fields.push(format!("x={}", exact(self.line.speed())));
         }
-        let hidden = self.plots.iter().enumerate().filter(|(_, plot)| !plot.shown);
-        let hidden: Vec<usize> = hidden.map(|(index, _)| index).collect();
-        if !hidden.iter().copied().eq(PlotState::AT_FIRST..self.program.plots.len()) {
+        let documents = self.basis.program().plots.len();
+        if let Some(hidden) = self.plots.hidden(documents) {
             let hidden: Vec<String> = hidden.iter().map(usize::to_string).collect();
             fields.push(format!("v={}", hidden.join(",")));
         }
         // Plots of measurements come and go with the records, which a link does not contain.
-        for (index, plot) in self.plots.iter().enumerate().take(self.program.plots.len()) {
-            if !plot.view.is_automatic() {
-                fields.push(format!("z={index},{}", limits(&plot.view)));
-            }
+        for (index, view) in self.plots.zoomed().filter(|(index, _)| *index < documents) {
+            fields.push(format!("z={index},{}", limits(view)));
         }
-        for kept in &self.kept {
+        for recipe in self.line.kept_recipes() {
             fields.push("k".to_owned());
-            self.write_recipe(&kept.recipe, &mut fields);
+            self.write_recipe(recipe, &mut fields);
         }
         if fields.is_empty() { String::new() } else { format!("{VERSION}&{}", fields.join("&")) }
     }
 
     /// Parts of the state that a link does not contain, in the chosen language.
     pub fn missing_in_link(&self) -> Vec<&'static str> {
-        let pick = |english, spanish| self.language.pick(english, spanish);
+        let pick = |english, spanish| self.basis.language().pick(english, spanish);
         [
-            (!self.saved_answers().is_empty(), pick("answers", "respuestas")),
+            (!self.answers.saved(&self.basis).is_empty(), pick("answers", "respuestas")),
             (
-                self.course.recipe().changes.len() > MOST_CHANGES,
+                self.course().recipe().changes.len() > MOST_CHANGES,
                 pick("the run before the moment shown", "la serie anterior al momento mostrado"),
             ),
         ]
@@ -98,7 +94,7 @@ impl Play {
 
     fn write_recipe(&self, recipe: &Recipe, fields: &mut Vec<String>) {
         let setup = &recipe.setup;
-        let parameters = self.differing(&self.defaults.parameters, &setup.parameters);
+        let parameters = self.differing(&self.basis.defaults().parameters, &setup.parameters);
         if !parameters.is_empty() {
             fields.push(format!("p={}", parameters.join(",")));
         }
@@ -106,13 +102,13 @@ impl Play {
             let values: Vec<String> = start.iter().map(|&value| exact(value)).collect();
             fields.push(format!("y={}", values.join(",")));
         }
-        if setup.method != self.defaults.method {
+        if setup.method != self.basis.defaults().method {
             fields.push(format!("m={}", setup.method));
         }
-        if setup.step != self.defaults.step {
+        if setup.step != self.basis.defaults().step {
             fields.push(format!("h={}", exact(setup.step)));
         }
-        let drawn = drawing::written(self.model(), &setup.drawings, &self.defaults.drawings);
+        let drawn = drawing::written(self.model(), &setup.drawings, &self.basis.defaults().drawings);
         fields.extend(drawn.into_iter().map(|curve| format!("a={curve}")));
         if !setup.presses.is_empty() {
             fields.push(format!("b={}", written(&setup.presses, &self.model().buttons, encode)));

@@ -75,13 +75,6 @@ fn a_bob_that_is_lost_before_boards_of_its_own_grey_is_in_doubt() {
 }
 
 #[test]
-fn a_twin_that_may_have_been_exchanged_is_in_doubt() {
-    let outcome = outcome(Kind::Twins, 0..6, 60);
-    assert_eq!(outcome.silent, 0, "{outcome:?}");
-    assert!(outcome.marked as f64 <= 0.15 * outcome.right as f64, "{outcome:?}");
-}
-
-#[test]
 fn a_body_that_does_not_move_is_in_doubt_from_end_to_end() {
     let stage = Stage::new(Kind::Plain, 1, 240, 2, false);
     let position = stage.click(0, 0, 1, 0.6);

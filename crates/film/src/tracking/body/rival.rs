@@ -17,11 +17,19 @@ const ALONE: usize = 10;
 /// Positions that are needed to tell where a motion leads.
 const LEADS: usize = 4;
 
+/// A meeting with a body of the same look.
+struct Meeting {
+    /// Times and positions before it.
+    before: Vec<(f64, [f64; 2])>,
+    /// Frames since the other body was seen.
+    alone: usize,
+}
+
 /// Meetings with bodies of the same look.
 #[derive(Default)]
 pub(super) struct Rivals {
-    /// Times and positions before the meeting, while it lasts, and frames since a rival was seen.
-    meeting: Option<(Vec<(f64, [f64; 2])>, usize)>,
+    /// The meeting that lasts.
+    meeting: Option<Meeting>,
     /// True from a meeting on after which both bodies are where the motion may lead.
     mistaken: bool,
 }
@@ -41,14 +49,16 @@ impl Rivals {
     ) {
         let away = rival.map(|rival| far(rival, position));
         match (&mut self.meeting, rival.zip(away)) {
-            (None, Some((_, away))) if away < MET * radius => self.meeting = Some((trail.to_vec(), 0)),
-            (Some((before, _)), Some((rival, away))) if away >= MET * radius => {
+            (None, Some((_, away))) if away < MET * radius => {
+                self.meeting = Some(Meeting { before: trail.to_vec(), alone: 0 });
+            }
+            (Some(Meeting { before, .. }), Some((rival, away))) if away >= MET * radius => {
                 let led = course(before, time, radius).filter(|_| before.len() >= LEADS);
                 self.mistaken |= led.is_none_or(|led| CLOSER * far(position, led.place) > far(rival, led.place));
                 self.meeting = None;
             }
-            (Some((_, alone)), None) if *alone < ALONE => *alone += 1,
-            (Some((_, alone)), Some(_)) => *alone = 0,
+            (Some(meeting), None) if meeting.alone < ALONE => meeting.alone += 1,
+            (Some(meeting), Some(_)) => meeting.alone = 0,
             _ => self.meeting = None,
         }
     }
@@ -73,5 +83,36 @@ impl Look {
             (agreement.score >= AGREES * agreement.best).then_some((place, agreement.score))
         });
         agreements.max_by(|one, other| one.1.total_cmp(&other.1)).map(|found| found.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// True if it is certain which body is followed, after two bodies have met that turn back without passing one another. `exchanged`: the
+    /// positions go on with the other body.
+    fn are_apart(radius: f64, bend: f64, exchanged: bool) -> bool {
+        let mut rivals = Rivals::default();
+        let mut trail = Vec::new();
+        for frame in 0..40 {
+            let late = f64::from(frame) - 20.0;
+            let far = radius * (0.8 + bend * late * late);
+            let [own, other] = if exchanged && late > 0.0 { [far, -far] } else { [-far, far] };
+            let rival = (SOUGHT[0]..SOUGHT[1]).contains(&(2.0 * far / radius)).then_some([other, 0.0]);
+            rivals.take((&trail, f64::from(frame)), ([own, 0.0], radius), rival);
+            trail.push((f64::from(frame), [own, 0.0]));
+        }
+        rivals.are_apart()
+    }
+
+    #[test]
+    fn a_body_is_certain_after_a_meeting_if_its_motion_led_there() {
+        for radius in [4.0, 11.0, 30.0] {
+            for bend in [0.01, 0.03, 0.1] {
+                assert!(are_apart(radius, bend, false), "radius {radius}, bend {bend}");
+                assert!(!are_apart(radius, bend, true), "radius {radius}, bend {bend}");
+            }
+        }
     }
 }

@@ -71,7 +71,7 @@ fn a_grey_bob_is_followed_before_leaves() {
 #[test]
 fn a_bob_that_is_lost_before_boards_of_its_own_grey_is_in_doubt() {
     let outcome = outcome(Kind::Boards, 0..6, 40);
-    assert!(outcome.silent as f64 <= 0.02 * outcome.frames as f64, "{outcome:?}");
+    assert_eq!(outcome.silent, 0, "{outcome:?}");
 }
 
 #[test]

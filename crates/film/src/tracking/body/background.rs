@@ -123,6 +123,11 @@ impl Background {
 }
 
 impl Compared<'_> {
+    /// True if a place lies in the picture.
+    pub(crate) fn holds(&self, [x, y]: [f64; 2]) -> bool {
+        (0.0..self.plane.width() as f64).contains(&x) && (0.0..self.plane.height() as f64).contains(&y)
+    }
+
     /// Shade of a pixel at the brightness of the background.
     pub(crate) fn shade(&self, column: i64, row: i64) -> [f32; 3] {
         let [grey, blue, red] = self.plane.shade(column, row).map(f32::from);

@@ -1,7 +1,7 @@
 //! Disc of a body from its motion between two frames. The motion distinguishes a body from a similar wall, and from a
 //! spot on the body.
 
-use crate::tracking::body::background::{Compared, distance};
+use crate::tracking::body::background::{Around, Compared, distance};
 use crate::tracking::body::disc::{BESIDE, Disc, SMALLEST};
 use crate::tracking::body::look::ALIKE;
 
@@ -213,6 +213,14 @@ impl Cells {
         }
         best
     }
+}
+
+/// How much better the pixels of a disc agree with a way in pixels than with rest, from -1 to 1; 0 where neither shows.
+pub(crate) fn coherence(first: &Compared<'_>, now: &Compared<'_>, (middle, radius): Around, way: [f64; 2]) -> f64 {
+    let size = ((radius / CELLS[1]) as i64).max(1);
+    let cells = Cells::new(first, now, middle, size, radius + libm::hypot(way[0], way[1]));
+    let way = way.map(|part| (part / size as f64).round() as i64);
+    cells.coherence(&Motion { middle: [0, 0], way, radius: radius / size as f64 })
 }
 
 fn hypot([x, y]: [i64; 2]) -> f64 {

@@ -51,7 +51,11 @@ pub(super) fn joined(
             position: camera.undo(now.position),
             sigma: [0.0; 2],
             score: now.score,
-            doubtful: one.agreement < AGREES || one.aside || moved.get(one.key) == Some(&false),
+            doubtful: one.agreement < AGREES
+                || one.aside
+                || !one.moves
+                || !one.alone
+                || moved.get(one.key) == Some(&false),
         });
         sizes.push(templates.get(one.key).map_or(0.0, |template| template.disc.outline));
     }

@@ -21,6 +21,8 @@ const OTHER: f32 = 30.0 * 30.0;
 const TURNED: f32 = 0.25;
 /// Number of pixels of a coarse and of a fine comparison.
 const FEW: [usize; 2] = [80, 320];
+/// Number of pixels of the first rejection of a place.
+const FEWEST: usize = 9;
 
 /// Pixel of a body.
 #[derive(Clone, Copy)]
@@ -159,6 +161,12 @@ impl Look {
     /// Agreement at a position, px.
     pub(crate) fn at(&self, frame: &Compared<'_>, place: [f64; 2]) -> Agreement {
         self.agreement(frame, place.map(|at| at.floor() as i64), FEW[1])
+    }
+
+    /// Agreement of a place by a coarse comparison; `None` where a few pixels already contradict.
+    pub(crate) fn at_once(&self, frame: &Compared<'_>, place: [f64; 2]) -> Option<Agreement> {
+        let place = place.map(|at| at.floor() as i64);
+        (self.agreement(frame, place, FEWEST).score > 0.0).then(|| self.agreement(frame, place, FEW[0]))
     }
 
     /// Updates the appearance from a frame.

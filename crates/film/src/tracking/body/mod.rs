@@ -10,8 +10,10 @@ mod departure;
 mod disc;
 mod joining;
 mod look;
+mod moving;
 mod part;
 mod refining;
+mod rival;
 mod starting;
 mod template;
 
@@ -19,6 +21,7 @@ use background::Background;
 use course::{Course, course};
 pub(crate) use disc::Disc;
 use look::Look;
+use moving::Moving;
 use part::Axis;
 pub(crate) use part::Part;
 use template::Found;
@@ -31,6 +34,7 @@ use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{Known, Track};
 use joining::joined;
 use refining::{Refining, Seen};
+use rival::Rivals;
 
 /// Minimum correlation of a template that was found.
 const SCORE: f64 = 0.6;
@@ -100,6 +104,8 @@ struct Tracker {
     around: f32,
     /// Frame of the click, until the body has moved.
     start: Option<Start>,
+    moving: Moving,
+    rivals: Rivals,
 }
 
 /// Frame of a click, and the number of frames after it.
@@ -115,6 +121,8 @@ struct Sighting {
     agreement: f64,
     aside: bool,
     free: bool,
+    /// The middle of another thing that looks like the body.
+    rival: Option<[f64; 2]>,
 }
 
 /// Maximum radius in px in a picture of `high` rows.
@@ -183,7 +191,7 @@ impl Body {
         let Some(tracker) = &mut self.tracker else {
             return Ok(if self.templates.is_empty() { Sight::Before } else { Sight::Lost });
         };
-        let Some(Sighting { found, agreement, aside, free }) = sighting else {
+        let Some(Sighting { found, agreement, aside, free, .. }) = sighting else {
             if tracker.hidden == 0 {
                 tracker.since = frame;
             }
@@ -204,7 +212,21 @@ impl Body {
             return Err(Refusal::Long { frames: self.seen.len() });
         }
         let key = self.templates.len().saturating_sub(1);
-        self.seen.push(Seen { frame, time, key, part, first: found, now: found, agreement, aside, free });
+        if let Some(Template { disc, .. }) = self.templates.last() {
+            tracker.moving.take(&tracker.background, (plane, found.position), *disc, self.seen.len());
+        }
+        let moves = !tracker.moving.rests;
+        if !moves {
+            let since = self.seen.iter_mut().skip(tracker.moving.last + 1).rev().take_while(|one| one.moves);
+            since.for_each(|one| one.moves = false);
+        }
+        let alone = tracker.rivals.are_apart();
+        if alone {
+            // The motion has told which body it is.
+            let met = self.seen.iter_mut().rev().take_while(|one| !one.alone && one.key == key);
+            met.for_each(|one| one.alone = true);
+        }
+        self.seen.push(Seen { frame, time, key, part, first: found, now: found, agreement, aside, free, moves, alone });
         self.cameras.push(camera);
         (self.refining, self.track) = (None, None);
         Ok(Sight::At(found.position, found.score))
@@ -252,7 +274,7 @@ impl Body {
             tracker.begin = begin;
         }
         let aside = continued.is_some_and(|one| one.aside);
-        Ok(Sighting { found, agreement: 1.0, aside, free: true })
+        Ok(Sighting { found, agreement: 1.0, aside, free: true, rival: None })
     }
 
     /// Finds the body near its predicted position; `None` if nothing there resembles it.
@@ -275,6 +297,10 @@ impl Body {
         if found.is_none() && trail.len() > 1 {
             let around = (course.last, course.way + 0.5 * disc.outline + 2.0);
             found = tracker.find(plane, template, around, PUSHED).map(|one| Sighting { aside: true, ..one });
+        }
+        if let Some(one) = &found {
+            let rival = one.rival.map(|[x, y]| [x - disc.shift[0], y - disc.shift[1]]);
+            tracker.rivals.take((&trail, time), (one.found.position, disc.outline), rival);
         }
         let outside = ([course.place[0] + disc.shift[0], course.place[1] + disc.shift[1]], disc.radius + reach);
         let (body, uncovered) = match &found {
@@ -366,6 +392,7 @@ impl Tracker {
             self.look.follow(&compared, disc.middle(found.position));
         }
         let agreement = f64::from(agreement.score / agreement.best.max(f32::MIN_POSITIVE));
-        Some(Sighting { found, agreement, aside: self.hidden > 0, free })
+        let rival = self.look.rival(&compared, disc.middle(found.position), disc.outline);
+        Some(Sighting { found, agreement, aside: self.hidden > 0, free, rival })
     }
 }

@@ -30,6 +30,10 @@ pub(crate) struct Seen {
     pub aside: bool,
     /// True if no other moving object touches the body, so that its position can be used for predictions.
     pub free: bool,
+    /// True if the pixels of the body's disc move with its position.
+    pub moves: bool,
+    /// False since it met a body of the same look, unless the motion told afterwards which of them it is.
+    pub alone: bool,
 }
 
 enum Stage {

@@ -5,7 +5,9 @@ use crate::tracking::body::background::Background;
 use crate::tracking::body::departure::{Departure, departure};
 use crate::tracking::body::disc::Disc;
 use crate::tracking::body::look::Look;
+use crate::tracking::body::moving::Moving;
 use crate::tracking::body::part::{Axis, Part};
+use crate::tracking::body::rival::Rivals;
 use crate::tracking::body::template::{Found, Template};
 use crate::tracking::body::{Body, MARGIN, RADIUS, Start, Tracker, greatest, radii};
 use crate::tracking::refusal::Refusal;
@@ -51,7 +53,20 @@ impl Body {
         let found = template.align(&part, position, 0.5);
         let start = Some(Start { plane: plane.clone(), click: position, age: 0 });
         let now = template.clone();
-        self.tracker = Some(Tracker { look, now, axis, background, hidden: 0, since: 0, begin: 0, around: 1.0, start });
+        let moving = Moving::new(plane, position, self.seen.len());
+        self.tracker = Some(Tracker {
+            look,
+            now,
+            axis,
+            background,
+            hidden: 0,
+            since: 0,
+            begin: 0,
+            around: 1.0,
+            start,
+            moving,
+            rivals: Rivals::default(),
+        });
         self.templates.push(template);
         self.moved.push(false);
         Ok(Found { position, ..found })

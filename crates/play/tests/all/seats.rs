@@ -10,7 +10,7 @@ fn tube() -> Play {
 }
 
 fn value(play: &Play, name: &str) -> f64 {
-    play.parameter_values()[parameter(play, name)]
+    play.course().parameters()[parameter(play, name)]
 }
 
 #[test]
@@ -53,9 +53,18 @@ fn a_link_has_the_seat_and_answers_follow() {
     assert!(link.starts_with("1&seat=7&p=b:0.05"), "{link}");
     let mut other = tube();
     other.restore(&link).unwrap();
-    assert_eq!((other.csv(), value(&other, "zeta_q")), (play.csv(), own));
-    assert_eq!(other.computed_answer(0), format!("{} 1/s", play::number::plain(own, 4, other.style())));
-    assert_eq!(tube().computed_answer(0), "0.3137 1/s");
+    assert_eq!((other.values().csv(), value(&other, "zeta_q")), (play.values().csv(), own));
+    assert_eq!(
+        other.answers().right_text(other.basis(), other.course(), 0),
+        format!("{} 1/s", play::number::plain(own, 4, other.style()))
+    );
+    assert_eq!(
+        {
+            let play = tube();
+            play.answers().right_text(play.basis(), play.course(), 0)
+        },
+        "0.3137 1/s"
+    );
     // The document of another teacher assigns nothing; hostile seats are named.
     let mut utube = crate::support::utube();
     assert_eq!(utube.restore("1&seat=7"), Err(Refusal::PartlyRestored { left_out: vec!["seat=7".to_owned()] }));
@@ -79,17 +88,17 @@ fn a_hidden_parameter_is_in_nothing_that_readers_get() {
     let settings = figure::Settings::default();
     let mut all = format!(
         "{:?} {:?} {:?} {:?} {:?} {:?} {} {}",
-        play.parameters(),
-        play.parameter_groups(),
+        play.basis().parameters(play.course()),
+        play.basis().parameter_groups(play.course()),
         play.readouts(),
-        play.states(),
-        play.presets(),
-        play.kept(),
+        play.values().states(),
+        play.controls().presets(play.basis(), play.course()),
+        play.time_line().kept(play.basis()),
         play.share(),
-        play.csv(),
+        play.values().csv(),
     );
-    for plot in play.plots() {
-        all += &play.plot_svg(plot.id, &settings, &figure::Palette::LIGHT);
+    for plot in play.plots().list() {
+        all += &play.plots_to_front().svg(plot.id, &settings, &figure::Palette::LIGHT);
         all += &format!("{plot:?}");
     }
     let shown = format!("{hidden:.3}");
@@ -98,7 +107,7 @@ fn a_hidden_parameter_is_in_nothing_that_readers_get() {
     }
     assert!(all.contains("Stiffness"), "the list is of what readers get");
     // Neither a link nor a typed text sets or reads it.
-    assert_eq!(play.parameter(index), None);
+    assert_eq!(play.basis().parameter(play.course(), index), None);
     let link = "1&seat=7&p=zeta_q:1,c:2";
     assert_eq!(play.restore(link), Err(Refusal::PartlyRestored { left_out: vec!["zeta_q:1".to_owned()] }));
     assert_eq!(value(&play, "zeta_q"), hidden);
@@ -109,19 +118,19 @@ fn a_hidden_parameter_is_in_nothing_that_readers_get() {
     }
     play.set_parameter_text(c, "c + b/(0.1 [kg/s])").unwrap();
     // The model runs with it.
-    let before = play.csv();
+    let before = play.values().csv();
     play.set_seat("8").unwrap();
     go_on(&mut play, [1.0]);
-    assert_ne!(before, play.csv());
+    assert_ne!(before, play.values().csv());
 }
 
 #[test]
 fn seats_are_said_in_both_languages() {
     let mut play = tube();
     let said = |play: &Play| {
-        [Announcement::Seated(Some(7)), Announcement::Seated(None)].map(|one| play.announcement_text(&one))
+        [Announcement::Seated(Some(7)), Announcement::Seated(None)].map(|one| one.text(play.basis(), play.time_line()))
     };
-    let refused = |play: &Play| play.refusal_text(&Refusal::NoSeat);
+    let refused = |play: &Play| play.basis().refusal_text(&Refusal::NoSeat);
     assert_eq!(said(&play), ["Seat 7: your own values are set", "No seat: the values of the document are set"]);
     assert_eq!(refused(&play), "A seat is a whole number from 1, as your teacher has given it to you.");
     play.set_language("es");

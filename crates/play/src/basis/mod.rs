@@ -1,5 +1,6 @@
 //! The program in the language of the visitor: its texts, and numbers as the visitor writes and reads them.
 
+pub(crate) mod assigning;
 pub(crate) mod calculator;
 pub(crate) mod input;
 mod labels;

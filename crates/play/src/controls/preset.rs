@@ -1,10 +1,9 @@
 //! Presets: named sets of parameter values.
 
 use super::Controls;
+use crate::basis::assigning::assign;
 use crate::values::symbol::symbol;
 use crate::{Basis, Course};
-use engine::Readings;
-use program::Assignment;
 
 /// A group of presets.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,26 +29,6 @@ pub struct PresetView {
 
 /// Relative tolerance for equal values: values of expressions are rounded.
 const SAME: f64 = 1e-9;
-
-/// Parameters (SI) after `assignments`, whose values are the readings from index `first` on. Each is evaluated with the
-/// parameters left by the previous ones.
-pub(crate) fn assign(
-    readings: &mut Readings,
-    first: usize,
-    assignments: &[Assignment],
-    parameters: &[f64],
-    initial: &[f64],
-) -> Vec<f64> {
-    let mut parameters = parameters.to_vec();
-    for (offset, assignment) in assignments.iter().enumerate() {
-        let values = readings.at(&parameters, initial, 0.0, initial);
-        let value = values.get(first + offset).copied().unwrap_or(f64::NAN);
-        if let Some(parameter) = parameters.get_mut(assignment.parameter) {
-            *parameter = value;
-        }
-    }
-    parameters
-}
 
 impl Controls {
     /// Presets by group, in the order of the text.

@@ -1,6 +1,7 @@
 //! The central state: a program, a run of it, and the choices of the visitor.
 
 mod drag;
+mod removed;
 mod replacement;
 mod restore;
 mod settings;
@@ -19,7 +20,7 @@ use crate::{
 use engine::Setup;
 use figure::{Figure, Point, Settings};
 use program::{Model, Program};
-use undo::Undo;
+use removed::Undo;
 use units::Language;
 
 /// One simulation operated by a visitor.

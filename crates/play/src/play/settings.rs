@@ -1,6 +1,6 @@
 //! Settings by the visitor: parameters, presets, states, method and step, drawn curves; presses of buttons.
 
-use super::undo::Removed;
+use super::removed::Removed;
 use crate::controls::button::MOST_PRESSES;
 use crate::controls::slider::Mapping;
 use crate::{Announcement, Changes, Play, Refusal};

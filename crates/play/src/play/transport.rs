@@ -1,6 +1,6 @@
 //! Operations on the time line and their announcements: play, pause, step, scrub, keep runs.
 
-use super::undo::Removed;
+use super::removed::Removed;
 use crate::time::course::Outcome;
 use crate::{Announcement, Changes, Play, Refusal, WORK_PER_TICK, words};
 use engine::Setup;

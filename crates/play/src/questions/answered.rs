@@ -1,12 +1,13 @@
 //! The user's answers, their grades, and values hidden by open questions. Answers are kept with their questions across
 //! languages and stored for the next visit.
 
-use crate::controls::preset::assign;
+use crate::basis::assigning::assign;
 use crate::questions::given::Answer;
 use crate::questions::grade::{Grade, Verdict, grade};
 use crate::{Basis, Changes, Course, name_of, number, words};
 use engine::Readings;
 use program::{NodeId, Program};
+use units::Language;
 
 /// Significant digits of the right answer.
 const RIGHT_DIGITS: usize = 4;
@@ -78,7 +79,7 @@ impl Answers {
     /// The user's answer to a question; empty if there is none.
     pub fn answer(&self, basis: &Basis, question: usize) -> AnswerView {
         let Some(answer) = self.given.get(question) else { return AnswerView::default() };
-        let verdict = answer.grade.map(|grade| Verdict::of(grade, basis.language()));
+        let verdict = answer.grade.map(|grade| verdict_of(grade, basis.language()));
         AnswerView { typed: answer.typed.clone(), verdict, revealed: answer.revealed }
     }
 
@@ -107,14 +108,14 @@ impl Answers {
     fn verdict(&self, basis: &Basis, at: &Course, question: usize, text: &str) -> Verdict {
         let language = basis.language();
         let Some(asked) = basis.program().questions.get(question) else {
-            return Verdict::of(Grade::Unanswerable, language);
+            return verdict_of(Grade::Unanswerable, language);
         };
         let answer = match basis.read_answer(at, text, &asked.unit) {
             Err(refusal) => return Verdict { grade: Grade::Unreadable, text: basis.refusal_text(&refusal) },
             Ok(answer) => answer,
         };
         let right = self.right(basis, at, question);
-        let mut verdict = Verdict::of(grade(answer.value, right, asked.tolerance), language);
+        let mut verdict = verdict_of(grade(answer.value, right, asked.tolerance), language);
         if let Some(error) = answer.error.filter(|_| verdict.grade != Grade::Unanswerable) {
             let within = (answer.value - right).abs() <= error;
             let stated = words::stated_error(language, verdict.grade == Grade::Correct, within);
@@ -257,6 +258,11 @@ impl Basis {
     pub fn hides_values(&self) -> bool {
         self.program().questions.iter().any(|question| !question.hides.is_empty())
     }
+}
+
+/// A grade with its text.
+fn verdict_of(grade: Grade, language: Language) -> Verdict {
+    Verdict { grade, text: words::grade(language, grade).to_owned() }
 }
 
 /// Names of the questions, derived from their texts in the document's own language, so that an answer stays with its

@@ -1,8 +1,6 @@
 //! Grading of answers.
 
-use crate::words;
 use program::Tolerance;
-use units::Language;
 
 /// The grade of an answer, with its text.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,13 +9,6 @@ pub struct Verdict {
     pub grade: Grade,
     /// Text in the chosen language.
     pub text: String,
-}
-
-impl Verdict {
-    /// The grade with its text.
-    pub(super) fn of(grade: Grade, language: Language) -> Self {
-        Self { grade, text: words::grade(language, grade).to_owned() }
-    }
 }
 
 /// Grade of an answer.

@@ -13,19 +13,29 @@ pub struct Quantity {
     pub theory: String,
     /// Name of the quantity.
     pub name: String,
+    /// Unit in which it is shown; that of the first hand-in, empty for a pure number.
+    pub unit: String,
     /// Index of each hand-in that has it, and its result.
     pub results: Vec<(usize, Measured)>,
     /// The pooled value, or the reason why there is none.
     pub pool: Result<Pool, Words>,
 }
 
-/// Prefix of the facts with standard errors.
+/// Prefixes of the facts with standard errors and with units.
 const ERROR: &str = "standard error of ";
+const UNIT: &str = "unit of ";
+
+/// Results of a quantity by hand-in.
+#[derive(Default)]
+struct Found {
+    unit: Option<String>,
+    results: BTreeMap<usize, Measured>,
+}
 
 /// Fitted quantities of hand-ins, by theory and name. `hand_ins`: index and computed facts of each. Of several fits of a
 /// hand-in with the same theory the last one counts. A quantity that a fit does not determine is left out.
 pub fn quantities(hand_ins: &[(usize, Vec<Fact>)]) -> Vec<Quantity> {
-    let mut found: BTreeMap<(String, String), BTreeMap<usize, Measured>> = BTreeMap::new();
+    let mut found: BTreeMap<(String, String), Found> = BTreeMap::new();
     for (index, facts) in hand_ins {
         for fit in facts.chunk_by(|one, other| one.part == other.part && one.item == other.item) {
             let theory = fit.iter().find(|fact| fact.part == Part::Fit && fact.quantity == "theory");
@@ -35,17 +45,27 @@ pub fn quantities(hand_ins: &[(usize, Vec<Fact>)]) -> Vec<Quantity> {
                 let value = fit.iter().find(|fact| fact.quantity == name).and_then(number);
                 let measured = value.zip(number(error)).map(|(value, error)| Measured { value, error });
                 if let Some(measured) = measured.filter(|one| one.value.is_finite() && one.error > 0.0) {
-                    found.entry((theory.clone(), name.to_owned())).or_default().insert(*index, measured);
+                    let unit = fit.iter().find(|fact| fact.quantity.strip_prefix(UNIT) == Some(name)).and_then(text);
+                    let found = found.entry((theory.clone(), name.to_owned())).or_default();
+                    found.unit.get_or_insert(unit.unwrap_or_default());
+                    found.results.insert(*index, measured);
                 }
             }
         }
     }
-    let quantity = |((theory, name), results): (_, BTreeMap<usize, Measured>)| {
-        let results: Vec<(usize, Measured)> = results.into_iter().collect();
+    let quantity = |((theory, name), found): ((String, String), Found)| {
+        let (unit, results) = (found.unit.unwrap_or_default(), Vec::from_iter(found.results));
         let pool = pool(&results.iter().map(|(_, measured)| *measured).collect::<Vec<_>>());
-        Quantity { theory, name, results, pool }
+        Quantity { theory, name, unit, results, pool }
     };
     found.into_iter().map(quantity).collect()
+}
+
+fn text(fact: &Fact) -> Option<String> {
+    match &fact.value {
+        FactValue::Text(text) => Some(text.clone()),
+        FactValue::Number(_) => None,
+    }
 }
 
 fn number(fact: &Fact) -> Option<f64> {

@@ -9,6 +9,7 @@ fn the_pooled_damping_of_six_groups_is_the_true_one() {
     let quantities = quantities(&hand_ins);
     let gamma = quantities.iter().find(|one| one.theory == "Linear damping" && one.name == "gamma").unwrap();
     assert_eq!(gamma.results.iter().map(|(index, _)| *index).collect::<Vec<_>>(), [0, 1, 2, 3, 4, 5]);
+    assert_eq!(gamma.unit, "1/s");
     let pool = gamma.pool.as_ref().unwrap();
     let (low, high) = pool.all.interval;
     assert!(low < 0.42 && 0.42 < high && high - low < 0.02, "{pool:?}");

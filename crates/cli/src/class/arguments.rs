@@ -2,7 +2,7 @@
 
 use clap::{Args, Subcommand, ValueEnum};
 use program::Seat;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The commands for a class.
 #[derive(Debug, Subcommand)]
@@ -10,6 +10,46 @@ pub enum Class {
     /// List the assigned values of all seats, and the right answers with them
     #[command(after_help = ASSIGN_EXAMPLES)]
     Assign(Assign),
+    /// Pool the results of a class: what all groups have fitted, outliers, and the common value
+    #[command(after_help = REPORT_EXAMPLES)]
+    Report(Report),
+}
+
+const REPORT_EXAMPLES: &str = "\
+Examples:
+  meniscus class report hand-ins/                               every fitted quantity, group by group, and its pooled value
+  meniscus class report hand-ins/ --format csv --output class.csv
+
+The fits are computed again from the curves of the hand-ins. The pooled value is that of random effects (Paule-Mandel, Hartung-Knapp),
+which allows for groups that really differ. Outliers are marked with their likely reason; the pooled value is given with and without them.";
+
+/// `meniscus class report`
+#[derive(Debug, Args)]
+pub struct Report {
+    /// Hand-ins, or folders of them
+    #[arg(value_name = "FILE", required = true)]
+    pub paths: Vec<PathBuf>,
+
+    /// The form of the report [default: by the ending of FILE, or text]
+    #[arg(long, value_enum)]
+    pub format: Option<ListFormat>,
+
+    /// Write into this file, which appears whole or not at all [default: the standard output]
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+impl ListFormat {
+    /// The form asked for; without one by the ending of the file, or text.
+    pub fn chosen(asked: Option<Self>, output: Option<&Path>) -> Self {
+        let ending = output.and_then(|path| path.extension()?.to_str());
+        let by_ending = match ending.map(str::to_ascii_lowercase).as_deref() {
+            Some("csv") => Self::Csv,
+            Some("json") => Self::Json,
+            _ => Self::Text,
+        };
+        asked.unwrap_or(by_ending)
+    }
 }
 
 const ASSIGN_EXAMPLES: &str = "\

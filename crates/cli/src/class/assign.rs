@@ -38,22 +38,12 @@ pub fn assign(arguments: &Assign, terminal: Terminal) -> Result<(), Failure> {
     }
     let equal = equal_seats(&program.assigned_values(arguments.seats));
     let columns = columns(&mut program, arguments.seats, terminal.language);
-    let text = match format(arguments) {
+    let text = match ListFormat::chosen(arguments.format, arguments.output.as_deref()) {
         ListFormat::Text => as_text(&program, &columns, &equal, terminal.language),
         ListFormat::Csv => as_csv(&columns, arguments.seats),
         ListFormat::Json => as_json(&program, &columns, &equal, arguments.seats),
     };
     output::deliver(arguments.output.as_deref(), std::slice::from_ref(&arguments.document), text.as_bytes())
-}
-
-fn format(arguments: &Assign) -> ListFormat {
-    let ending = arguments.output.as_ref().and_then(|path| path.extension()?.to_str());
-    let by_ending = match ending.map(str::to_ascii_lowercase).as_deref() {
-        Some("csv") => ListFormat::Csv,
-        Some("json") => ListFormat::Json,
-        _ => ListFormat::Text,
-    };
-    arguments.format.unwrap_or(by_ending)
 }
 
 /// The assigned parameters, then the answers. The program keeps the values of the last seat.

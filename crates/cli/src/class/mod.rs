@@ -2,6 +2,7 @@
 
 pub mod arguments;
 mod assign;
+mod report;
 mod seat;
 
 use crate::failure::Failure;
@@ -14,5 +15,6 @@ pub use seat::take_seat;
 pub fn run(class: &Class, terminal: Terminal) -> Result<(), Failure> {
     match class {
         Class::Assign(arguments) => assign::assign(arguments, terminal),
+        Class::Report(arguments) => report::report(arguments, terminal),
     }
 }

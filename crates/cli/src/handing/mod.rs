@@ -2,7 +2,7 @@
 
 pub mod arguments;
 mod hand_in;
-mod read;
+pub mod read;
 mod report;
 mod verify;
 

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError, LONGEST_HAND_IN};
+use std::collections::HashMap;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -51,4 +52,25 @@ pub fn all(paths: &[PathBuf]) -> Result<Vec<Handed>, Failure> {
         Ok(Handed { path, content })
     };
     files.into_iter().map(read).collect()
+}
+
+/// Name, seat and assignment of a sender.
+type Sender<'a> = (&'a str, Option<u32>, &'a str);
+
+/// The sender of a hand-in.
+pub fn sender(hand_in: &HandIn) -> Sender<'_> {
+    (&hand_in.sender.name, hand_in.sender.seat, &hand_in.sender.assignment)
+}
+
+/// Index of the last hand-in of each sender.
+pub fn last_of_each(handed: &[Handed]) -> HashMap<Sender<'_>, usize> {
+    let mut last: HashMap<Sender<'_>, (u64, usize)> = HashMap::new();
+    for (index, one) in handed.iter().enumerate() {
+        let Ok(hand_in) = &one.content else { continue };
+        let place = last.entry(sender(hand_in)).or_insert((hand_in.made, index));
+        if hand_in.made >= place.0 {
+            *place = (hand_in.made, index);
+        }
+    }
+    last.into_iter().map(|(sender, (_, index))| (sender, index)).collect()
 }

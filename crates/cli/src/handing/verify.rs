@@ -2,14 +2,12 @@
 
 use super::VERSION;
 use super::arguments::{Format, Verify};
-use super::read::{Handed, all};
+use super::read::{Handed, all, last_of_each, sender};
 use super::report::{Report, State};
 use crate::failure::Failure;
 use crate::terminal::Terminal;
 use crate::terminal::output::print;
 use class::verify::{Curve, copies};
-use saved::hand_in::HandIn;
-use std::collections::HashMap;
 
 /// Verifies hand-ins and writes the result.
 ///
@@ -47,23 +45,4 @@ fn report(handed: &[Handed]) -> Report<'_> {
         states.push(state);
     }
     Report { handed, states, copies: copies(&curves) }
-}
-
-type Sender<'a> = (&'a str, Option<u32>, &'a str);
-
-fn sender(hand_in: &HandIn) -> Sender<'_> {
-    (&hand_in.sender.name, hand_in.sender.seat, &hand_in.sender.assignment)
-}
-
-/// Index of the last hand-in of each sender.
-fn last_of_each(handed: &[Handed]) -> HashMap<Sender<'_>, usize> {
-    let mut last: HashMap<Sender<'_>, (u64, usize)> = HashMap::new();
-    for (index, one) in handed.iter().enumerate() {
-        let Ok(hand_in) = &one.content else { continue };
-        let place = last.entry(sender(hand_in)).or_insert((hand_in.made, index));
-        if hand_in.made >= place.0 {
-            *place = (hand_in.made, index);
-        }
-    }
-    last.into_iter().map(|(sender, (_, index))| (sender, index)).collect()
 }

@@ -109,3 +109,44 @@ fn wrong_arguments_are_refused() {
     assert_eq!(same.code, 2, "{}", same.stderr);
     assert_eq!(meniscus(&["hand-in", project.to_str().unwrap(), "--name", "a", "--seat", "0"]).code, 2);
 }
+
+#[test]
+fn the_results_of_a_class_are_pooled() {
+    let directory = tempfile::tempdir().unwrap();
+    let folder = directory.path().join("in");
+    let items = [
+        ("159d2ddcf951f93c", include_str!("../../../desk/tests/all/stored/record.json")),
+        ("fit", include_str!("../../../desk/tests/all/stored/fit.json")),
+    ];
+    let items = items.map(|(name, text)| (name.to_owned(), text.trim().to_owned())).to_vec();
+    let documents = vec![Source { name: "linear.md".to_owned(), text: DOCUMENT.to_owned() }];
+    let project = Project { documents, items, ..Project::default() };
+    let path = directory.path().join("tube.meniscus");
+    std::fs::write(&path, project.write()).unwrap();
+    let folder_name = folder.to_str().unwrap();
+    handed(&path, &folder, "a");
+    let alone = meniscus(&["class", "report", folder_name]);
+    assert_eq!(alone.code, 0, "{}", alone.stderr);
+    assert!(
+        alone.stdout.contains("Linear damping: gamma [1/s]") && alone.stdout.contains("two groups at least"),
+        "{}",
+        alone.stdout
+    );
+    handed(&path, &folder, "b");
+    std::fs::write(folder.join("cut.hand-in"), "{").unwrap();
+    let two = meniscus(&["class", "report", folder_name]);
+    assert!(
+        two.stdout.contains("pooled, n = 2: ") && two.stdout.contains("agree within their errors"),
+        "{}",
+        two.stdout
+    );
+    assert!(two.stderr.contains("cut.hand-in is damaged"), "{}", two.stderr);
+    let found = meniscus(&["class", "report", folder_name, "--format", "json"]);
+    let found: Value = serde_json::from_str(&found.stdout).unwrap();
+    let gamma = found.as_array().unwrap().iter().find(|one| one["quantity"] == "gamma").unwrap();
+    assert!((gamma["pooled"]["value"].as_f64().unwrap() - 0.402).abs() < 0.001, "{gamma}");
+    assert_eq!(gamma["results"].as_array().unwrap().len(), 2);
+    let table = meniscus(&["class", "report", folder_name, "--format", "csv"]).stdout;
+    let rows: Vec<&str> = table.lines().filter(|line| line.contains("\"gamma\"")).collect();
+    assert!(rows.len() == 2 && rows[0].starts_with("\"Linear damping\",\"gamma\",\"1/s\",\"a\",0.40"), "{table}");
+}

@@ -107,8 +107,9 @@ fn facts_of_fit(fit: &Fitted, facts: &mut Facts) {
         let record = one.record.filter(|_| several).and_then(|record| fit.task.records.get(record));
         let record = record.map_or(String::new(), |record| format!(" ({})", record.name));
         let label = if place < outcome.parameters.len() { one.name.clone() } else { format!("derived {}", one.name) };
-        let Estimate { value, stderr, stderr_hac, .. } = one;
+        let Estimate { value, stderr, stderr_hac, unit, .. } = one;
         facts.number(Part::Fit, &item, format!("{label}{record}"), *value);
+        facts.text(Part::Fit, &item, &format!("unit of {label}{record}"), unit.text.clone());
         let error = stderr_hac.or(*stderr).unwrap_or(f64::NAN);
         facts.number(Part::Fit, &item, format!("standard error of {label}{record}"), error);
     }

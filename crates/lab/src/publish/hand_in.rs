@@ -65,16 +65,18 @@ pub fn view(app: App) -> View {
 fn make(app: App, name: String, done: impl FnOnce(String) + 'static) {
     let words = words::of(app);
     let now = js_sys::Date::now() as u64;
-    let (state, items, left_out) = app.read_desk(|desk| {
+    let (state, items, left_out, seat) = app.read_desk(|desk| {
         let stored = desk.saved_records().len();
-        (desk.play().share(), desk.project_items(now), desk.records().len().saturating_sub(stored))
+        let left_out = desk.records().len().saturating_sub(stored);
+        (desk.play().share(), desk.project_items(now), left_out, desk.play().seat())
     });
     let work = Project { documents: files(app), state, items };
     let recomputation = match Recomputation::begin(&work) {
         Ok(recomputation) => recomputation,
         Err(_) => return done(words.faulty.to_owned()),
     };
-    let sender = Sender { name, ..Sender::default() };
+    let (seat, assignment) = seat.map_or((None, String::new()), |own| (own.number, own.assignment));
+    let sender = Sender { name, seat, assignment };
     let hand_in = HandIn { program: env!("CARGO_PKG_VERSION").to_owned(), made: now, sender, work, facts: Vec::new() };
     advance(recomputation, move |recomputation| {
         let lost = recomputation.refused() + left_out;

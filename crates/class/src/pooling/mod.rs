@@ -52,7 +52,8 @@ pub struct Pool {
 /// Pools the results of at least two groups.
 ///
 /// # Errors
-/// Fewer than two results, a value that is not finite, or an error that is not above 0.
+/// Fewer than two results, a value that is not finite, an error that is not above 0, or numbers so extreme that their
+/// squares cannot be computed.
 pub fn pool(results: &[Measured]) -> Result<Pool, Words> {
     if results.len() < 2 {
         return Err(words(
@@ -71,6 +72,12 @@ pub fn pool(results: &[Measured]) -> Result<Pool, Words> {
                 "el resultado {number} no tiene un error típico mayor que 0; sin él no se puede ponderar"
             ));
         }
+        if !is_computable(*one) {
+            return Err(words!(
+                "result {number} or its error is too large or too small to be computed with",
+                "el resultado {number} o su error es demasiado grande o pequeño para calcular con él"
+            ));
+        }
     }
     let marked: Vec<bool> = is_outlier(results);
     let rest: Vec<Measured> =
@@ -80,6 +87,11 @@ pub fn pool(results: &[Measured]) -> Result<Pool, Words> {
         outliers.map(|index| Outlier { index, reason: reason(results[index], &rest) }).collect();
     let without = (!outliers.is_empty() && rest.len() >= 2).then(|| pooled(&rest));
     Ok(Pool { all: pooled(results), outliers, without })
+}
+
+/// True if squares of value and error, and of their ratio, neither overflow nor vanish, with room for sums of many.
+fn is_computable(Measured { value, error }: Measured) -> bool {
+    (1e-100..1e100).contains(&error) && value.abs() < 1e100 && value.abs() < 1e50 * error
 }
 
 /// Sum of squared deviations from the weighted mean in units of their variance, with this variance between the groups; the

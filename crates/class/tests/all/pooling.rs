@@ -174,13 +174,16 @@ fn outliers_are_marked_with_their_likely_reason_and_stay_in_the_list() {
 
 #[test]
 fn results_that_cannot_be_pooled_are_refused_with_the_reason() {
-    let cases: [(&[f64], &[f64], &str); 6] = [
+    let cases: [(&[f64], &[f64], &str); 9] = [
         (&[], &[], "two groups at least"),
         (&[1.0], &[1.0], "two groups at least"),
         (&[1.0, f64::NAN], &[1.0, 1.0], "result 2 is not a number"),
         (&[1.0, 2.0], &[0.0, 1.0], "result 1 has no standard error"),
         (&[1.0, 2.0], &[1.0, -1.0], "result 2 has no standard error"),
         (&[1.0, 2.0], &[f64::INFINITY, 1.0], "result 1 has no standard error"),
+        (&[1.0, 2.0], &[1.0, 1e-170], "result 2 or its error is too large or too small"),
+        (&[1e200, 2.0], &[1.0, 1.0], "result 1 or its error is too large or too small"),
+        (&[1.0, 1e60], &[1.0, 1.0], "result 2 or its error is too large or too small"),
     ];
     for (values, errors, expected) in cases {
         let refused = pool(&measured(values, errors)).unwrap_err();
@@ -191,8 +194,8 @@ fn results_that_cannot_be_pooled_are_refused_with_the_reason() {
 /// Equal results, and results many orders of magnitude apart.
 #[test]
 fn extreme_results_give_finite_numbers() {
-    for values in [vec![2.0_f64; 5], vec![1e-12, 1e12, 3.0, -1e9], vec![0.0, 0.0]] {
-        let errors: Vec<f64> = values.iter().map(|value| value.abs().max(1e-3)).collect();
+    for values in [vec![2.0_f64; 5], vec![1e-12, 1e12, 3.0, -1e9], vec![1e-99, 9e99], vec![0.0, 0.0]] {
+        let errors: Vec<f64> = values.iter().map(|value| value.abs().max(1e-99)).collect();
         let found = pool(&measured(&values, &errors)).unwrap().all;
         assert!(numbers(&found).iter().all(|number| number.is_finite()), "{values:?}: {found:?}");
     }

@@ -121,7 +121,7 @@ table_of_words! {
     controls: "Controls", "Controles";
     index: "index", "índice";
     seat: "Seat", "Puesto";
-    seat_unknown: "Type the number of your seat to work with values of your own. Until then the values of the document are set.", "Escribe el número de tu puesto para trabajar con valores propios. Hasta entonces están los valores del documento.";
+    seat_unknown: "Type the number of your seat to work with values of your own. Until then the values of the document are set.", "Escribe el número de tu puesto para trabajar con valores propios. Hasta entonces valen los del documento.";
     seat_known: "The values of this seat are set.", "Están los valores de este puesto.";
     size_title: "Another size builds the model again", "Otro tamaño vuelve a construir el modelo";
     size_whole: "A size is a whole number.", "Un tamaño es un número entero.";

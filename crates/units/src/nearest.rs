@@ -1,6 +1,9 @@
 //! Similar names, for hints such as "did you mean `gamma`?".
 
-/// The candidate with the smallest edit distance from `name`, the first of several; `None` if none is similar enough.
+use strsim::osa_distance;
+
+/// The candidate with the smallest edit distance (insertions, deletions, replacements and exchanges of neighbours)
+/// from `name`, the first of several; `None` if none is similar enough.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = name.chars().count();
     if length > LONGEST_COMPARED {
@@ -10,7 +13,7 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     candidates
         .into_iter()
         .filter(|candidate| candidate.chars().count().abs_diff(length) <= tolerance)
-        .map(|candidate| (distance(name, candidate), candidate))
+        .map(|candidate| (osa_distance(name, candidate), candidate))
         .filter(|&(distance, candidate)| distance <= tolerance && (distance < length || similar(name, candidate)))
         .min_by_key(|&(distance, _)| distance)
         .map(|(_, candidate)| candidate)
@@ -22,29 +25,6 @@ const LONGEST_COMPARED: usize = 64;
 /// True if two names differ only in case; the only similarity that counts for names of one letter.
 fn similar(a: &str, b: &str) -> bool {
     a.eq_ignore_ascii_case(b)
-}
-
-/// Edit distance: number of insertions, deletions, replacements and exchanges of neighbours (Damerau-Levenshtein, optimal
-/// string alignment).
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut before: Vec<usize> = Vec::new();
-    let mut above: Vec<usize> = (0..=b.len()).collect();
-    for i in 1..=a.len() {
-        let mut row = vec![i];
-        for j in 1..=b.len() {
-            let same = a[i - 1] == b[j - 1];
-            let replaced = above[j - 1] + usize::from(!same);
-            let mut least = replaced.min(above[j] + 1).min(row[j - 1] + 1);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                least = least.min(before[j - 2] + 1);
-            }
-            row.push(least);
-        }
-        before = above;
-        above = row;
-    }
-    above.last().copied().unwrap_or_default()
 }
 
 #[cfg(test)]

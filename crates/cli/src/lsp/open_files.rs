@@ -2,7 +2,9 @@
 
 use document::Opened;
 use lsp_types::Uri;
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 use program::Program;
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::path::PathBuf;
 use units::{Language, words};
@@ -156,28 +158,13 @@ fn path_of(folder: &str) -> Option<PathBuf> {
     folder.strip_prefix("file://").and_then(decoded).map(PathBuf::from)
 }
 
-/// Decodes percent escapes; `None` if they are invalid.
+/// Decodes percent escapes; `None` if the bytes are no UTF-8.
 fn decoded(part: &str) -> Option<String> {
-    let mut bytes = Vec::with_capacity(part.len());
-    let mut rest = part.as_bytes();
-    while let Some((&first, after)) = rest.split_first() {
-        rest = after;
-        if first != b'%' {
-            bytes.push(first);
-            continue;
-        }
-        let (digits, after) = after.split_at_checked(2)?;
-        bytes.push(u8::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok()?);
-        rest = after;
-    }
-    String::from_utf8(bytes).ok()
+    percent_decode_str(part).decode_utf8().ok().map(Cow::into_owned)
 }
 
-/// Percent-encodes a file name (RFC 3986, section 2.3).
+/// Percent-encodes a file name: all but the unreserved characters (RFC 3986, section 2.3).
 fn encoded(name: &str) -> String {
-    let one = |byte: u8| match byte {
-        b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' => char::from(byte).to_string(),
-        _ => format!("%{byte:02X}"),
-    };
-    name.bytes().map(one).collect()
+    const ESCAPED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'~');
+    utf8_percent_encode(name, ESCAPED).to_string()
 }

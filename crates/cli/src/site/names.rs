@@ -1,5 +1,7 @@
 //! Names of the files of a site.
 
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
+
 /// Page of the laboratory.
 pub const LABORATORY: &str = "laboratory.html";
 /// Index page of the simulations.
@@ -9,10 +11,12 @@ pub const WORKER: &str = "sw.js";
 /// Suffix of the text version of a module, which pages opened from a disk load.
 pub const FROM_DISK: &str = ".text.js";
 
+/// Characters that are escaped in a path: all but the unreserved ones (RFC 3986, section 2.3) and the slash.
+const ESCAPED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'~').remove(b'/');
+
 /// Percent-encodes a path of the site.
 pub fn percent_encoded(path: &str) -> String {
-    let keep = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
-    path.bytes().map(|byte| if keep(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") }).collect()
+    utf8_percent_encode(path, ESCAPED).to_string()
 }
 
 #[cfg(test)]

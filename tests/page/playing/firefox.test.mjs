@@ -53,7 +53,7 @@ async function inNewContext(address, does) {
   }
 }
 
-/** Sets the size of the window's content. Firefox below 144 has it, but not the orientation that Puppeteer sets with it. */
+/** Sets the size of the window's content. Firefox 140 has that, but not the orientation that Puppeteer sets with it. */
 async function sized(page, width, height) {
   await page.setViewport({ width, height }).catch((failure) => {
     if (!/unknown command emulation.setScreenOrientationOverride/.test(failure.message)) throw failure;

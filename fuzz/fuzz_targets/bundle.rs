@@ -18,5 +18,10 @@ fuzz_target!(|bytes: &[u8]| {
     }
     play.pause();
     play.layout_plot(PlotId::at(0), &Settings::default());
-    let _ = (play.readouts(), play.presets(), play.scene_values().len(), play.check_answer(0, "1"));
+    let _ = (
+        play.readouts(),
+        play.controls().presets(play.basis(), play.course()),
+        play.scene_values().len(),
+        play.check_answer(0, "1"),
+    );
 });

@@ -39,6 +39,13 @@ impl Failure {
         Self::Request { message, hint: Some(hint) }
     }
 
+    /// A file of which a reason is said; the reason follows the name.
+    pub fn about(path: &Path, why: &Words) -> Self {
+        let name = path.display();
+        let (english, spanish) = (format!("{name} {}", why.english), format!("{name} {}", why.spanish));
+        Self::Request { message: Words { english: english.into(), spanish: spanish.into() }, hint: None }
+    }
+
     /// A file that cannot be read or written. `doing`: the verb of the message.
     pub fn file(doing: &str, path: &Path, error: &io::Error) -> Self {
         Self::request(format!("cannot {doing} {}: {}", path.display(), plain(error)))

@@ -5,10 +5,10 @@ use crate::terminal::quoted::quoted;
 use document::Opened;
 use document::page::{Source, read};
 use model::Severity;
-use saved::project::{PROJECT_ENDING, Project, ProjectError};
+use saved::project::{PROJECT_ENDING, Project};
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use units::{Words, words};
+use units::words;
 
 /// Texts of a document: the base first, then its translations.
 #[derive(Debug)]
@@ -190,15 +190,8 @@ fn inside_page(path: &Path, page: &str) -> Result<Sources, Failure> {
 }
 
 fn inside_project(path: &Path, text: &str) -> Result<Sources, Failure> {
-    let refused = |error: ProjectError| {
-        let (name, why) = (path.display(), error.words());
-        let message = Words {
-            english: format!("{name} {}", why.english).into(),
-            spanish: format!("{name} {}", why.spanish).into(),
-        };
-        Failure::Request { message, hint: None }
-    };
-    Project::read(text).map(|project| inside(path, project.documents)).map_err(refused)
+    let project = Project::read(text).map_err(|error| Failure::about(path, &error.words()))?;
+    Ok(inside(path, project.documents))
 }
 
 /// Sources inside another file.

@@ -192,7 +192,7 @@ fn hide(model: &mut Model, statements: &[Statement], vectors: &Vectors) {
             _ => hidden.extend(declared(statement).map(|name| (name, 0))),
         }
     }
-    // What follows from hidden parameters alone would give them away.
+    // A quantity that follows from hidden parameters alone would give them away.
     let hides = model.parameters.iter().any(|parameter| parameter.hidden);
     let values = model.quantities.iter().map(|quantity| quantity.value.node).filter(|_| hides);
     let secret: HashSet<NodeId> = values.filter(|&node| model.is_secret(node)).collect();

@@ -214,7 +214,7 @@ fn interpolated(curve: &Curve, time: f64) -> Option<f64> {
 }
 
 /// Standard deviation of the noise of equally spaced values: the smallest estimate from differences of the orders 2 to 8.
-/// Those of order k have the variance of the noise times the binomial coefficient (2k, k). A smooth motion that is sampled
+/// Differences of order k have the variance of the noise times the binomial coefficient (2k, k). A smooth motion that is sampled
 /// coarsely gives too much at low orders.
 fn noise(values: &[f64]) -> f64 {
     let mut differences: Vec<f64> = values.to_vec();

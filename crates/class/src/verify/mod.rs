@@ -21,9 +21,8 @@ use units::Words;
 /// # Errors
 /// If the document of the work cannot be opened.
 pub fn hand_in(work: Project, sender: Sender, made: u64, program: &str) -> Result<HandIn, Words> {
-    let mut recomputation = Recomputation::begin(&work)?;
-    while recomputation.advance() {}
-    Ok(HandIn { program: program.to_owned(), made, sender, work, facts: recomputation.facts() })
+    let facts = Recomputation::complete(&work)?.facts();
+    Ok(HandIn { program: program.to_owned(), made, sender, work, facts })
 }
 
 /// Computes a hand-in again at once, and compares. `program`: version of the program that verifies.
@@ -31,8 +30,7 @@ pub fn hand_in(work: Project, sender: Sender, made: u64, program: &str) -> Resul
 /// # Errors
 /// If the document of the hand-in cannot be opened.
 pub fn verify(hand_in: &HandIn, program: &str) -> Result<Verdict, Words> {
-    let mut recomputation = Recomputation::begin(&hand_in.work)?;
-    while recomputation.advance() {}
+    let recomputation = Recomputation::complete(&hand_in.work)?;
     let refused = recomputation.refused();
     Ok(compare(hand_in, &recomputation.facts(), refused, program))
 }

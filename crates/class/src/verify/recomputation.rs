@@ -33,6 +33,16 @@ impl Recomputation {
         Ok(Self { desk, refused })
     }
 
+    /// Opens a work and finishes its fits.
+    ///
+    /// # Errors
+    /// If the document has errors.
+    pub fn complete(work: &Project) -> Result<Self, Words> {
+        let mut recomputation = Self::begin(work)?;
+        while recomputation.advance() {}
+        Ok(recomputation)
+    }
+
     /// Works on the fits for one trial. Returns false if all are finished.
     pub fn advance(&mut self) -> bool {
         self.desk.advance_fit()

@@ -6,11 +6,13 @@ use crate::handing::read::{Handed, all, last_of_each, sender};
 use crate::terminal::Terminal;
 use crate::terminal::output;
 use crate::terminal::visible::visible;
+use analysis::csv::Dialect;
 use class::pooling::{Measured, Pool, Pooled};
 use class::results::{Quantity, quantities};
 use class::verify::Recomputation;
 use saved::hand_in::Fact;
 use serde_json::{Value, json};
+use std::path::PathBuf;
 use units::number::{self, Style, with_error};
 use units::{Language, Unit, words};
 
@@ -35,7 +37,9 @@ pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
         ListFormat::Csv => as_csv(&quantities, &handed),
         ListFormat::Json => as_json(&quantities, &handed, terminal.language),
     };
-    output::deliver(arguments.output.as_deref(), &arguments.paths, text.as_bytes())
+    // The paths given may be folders; none of the hand-ins in them is to be overwritten.
+    let paths: Vec<PathBuf> = handed.into_iter().map(|one| one.path).collect();
+    output::deliver(arguments.output.as_deref(), &paths, text.as_bytes())
 }
 
 /// Facts of the hand-ins that count, computed again. What is left out is said.
@@ -47,13 +51,10 @@ fn facts(handed: &[Handed], terminal: Terminal) -> Vec<(usize, Vec<Fact>)> {
         let computed = match &one.content {
             Err(error) => Err(error.words()),
             Ok(hand_in) if last.get(&sender(hand_in)) != Some(&index) => continue,
-            Ok(hand_in) => Recomputation::begin(&hand_in.work),
+            Ok(hand_in) => Recomputation::complete(&hand_in.work),
         };
         match computed {
-            Ok(mut recomputation) => {
-                while recomputation.advance() {}
-                facts.push((index, recomputation.facts()));
-            }
+            Ok(recomputation) => facts.push((index, recomputation.facts())),
             Err(why) => terminal.print(&format!("{name} {}\n", why.text(terminal.language))),
         }
     }
@@ -61,8 +62,7 @@ fn facts(handed: &[Handed], terminal: Terminal) -> Vec<(usize, Vec<Fact>)> {
 }
 
 fn sender_name(handed: &[Handed], index: usize) -> &str {
-    let hand_in = handed.get(index).and_then(|handed| handed.content.as_ref().ok());
-    hand_in.map_or("", |hand_in| hand_in.sender.name.as_str())
+    handed.get(index).map_or("", Handed::sender_name)
 }
 
 /// A quantity with the scale of its unit, SI units per unit.
@@ -144,19 +144,19 @@ fn as_csv(quantities: &[Quantity], handed: &[Handed]) -> String {
         let scaled = Scaled::new(quantity);
         for (place, (index, measured)) in quantity.results.iter().enumerate() {
             let marked = quantity.pool.as_ref().is_ok_and(|pool| pool.outliers.iter().any(|one| one.index == place));
-            let words = [&quantity.theory, &quantity.name, &quantity.unit, sender_name(handed, *index)].map(cell);
-            let (value, error) = (measured.value / scaled.scale, measured.error / scaled.scale);
-            text += &format!("{},{value},{error},{}\n", words.join(","), u8::from(marked));
+            // Writing to a string cannot fail.
+            for word in [&quantity.theory, &quantity.name, &quantity.unit, sender_name(handed, *index)] {
+                let _ = Dialect::Commas.text(&mut text, word);
+                text.push(',');
+            }
+            for number in [measured.value / scaled.scale, measured.error / scaled.scale] {
+                let _ = Dialect::Commas.number(&mut text, number);
+                text.push(',');
+            }
+            text += if marked { "1\n" } else { "0\n" };
         }
     }
     text
-}
-
-/// A text as a cell, quoted where it must be. What a spreadsheet would take for a formula begins with an apostrophe.
-fn cell(text: &str) -> String {
-    let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    let guard = if line.starts_with(['=', '+', '-', '@']) { "'" } else { "" };
-    format!("\"{guard}{}\"", line.replace('"', "\"\""))
 }
 
 fn as_json(quantities: &[Quantity], handed: &[Handed], language: Language) -> String {

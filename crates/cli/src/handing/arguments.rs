@@ -9,7 +9,7 @@ Examples:
   meniscus hand-in tube.meniscus --name 'blue heron 17'                 writes tube.hand-in
   meniscus hand-in tube.meniscus --name 'group 3' --seat 3 --output group-3.hand-in
 
-A project is what the laboratory saves with *Share*, *Project*. The hand-in holds it and the values that follow from it: results of
+A project is what the laboratory saves with *Share*, *Save project*. The hand-in holds it and the values that follow from it: results of
 fits, grades, tables of films. `meniscus verify` computes them again.";
 
 /// `meniscus hand-in`

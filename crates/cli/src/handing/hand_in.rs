@@ -17,7 +17,7 @@ use units::{Words, words};
 /// The project cannot be read, its document has errors, or the file cannot be written.
 pub fn hand_in(arguments: &HandIn, terminal: Terminal) -> Result<(), Failure> {
     let path = &arguments.project;
-    let refused = |why: Words| refused(&path.display().to_string(), &why);
+    let refused = |why: Words| Failure::about(path, &why);
     let project = Project::read(&text(path, LONGEST_PROJECT)?).map_err(|error| refused(error.words()))?;
     let sender =
         Sender { name: arguments.name.clone(), seat: arguments.seat, assignment: arguments.assignment.clone() };
@@ -29,10 +29,4 @@ pub fn hand_in(arguments: &HandIn, terminal: Terminal) -> Result<(), Failure> {
     let said = words!("Wrote {output} with {count} values", "Se escribió {output} con {count} valores");
     terminal.print(&format!("{}\n", said.text(terminal.language)));
     Ok(())
-}
-
-fn refused(name: &str, why: &Words) -> Failure {
-    let message =
-        Words { english: format!("{name} {}", why.english).into(), spanish: format!("{name} {}", why.spanish).into() };
-    Failure::Request { message, hint: None }
 }

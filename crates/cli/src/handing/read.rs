@@ -14,13 +14,20 @@ pub struct Handed {
     pub content: Result<HandIn, HandInError>,
 }
 
+impl Handed {
+    /// Name of the sender; empty if the file cannot be read.
+    pub fn sender_name(&self) -> &str {
+        self.content.as_ref().map_or("", |hand_in| hand_in.sender.name.as_str())
+    }
+}
+
 /// Text of a file of at most `most` bytes. One byte more is read, so that its reader refuses a longer file.
 pub fn text(path: &Path, most: usize) -> Result<String, Failure> {
     let fails = |error| Failure::file("read", path, &error);
     let file = std::fs::File::open(path).map_err(fails)?;
     let mut bytes = Vec::new();
     file.take(most as u64 + 1).read_to_end(&mut bytes).map_err(fails)?;
-    // A damaged file is told by its reader.
+    // The reader of the format reports damage.
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 

@@ -42,9 +42,8 @@ impl Report<'_> {
         self.handed.get(index).map_or_else(String::new, |handed| handed.path.display().to_string())
     }
 
-    fn sender(&self, index: usize) -> String {
-        let hand_in = self.handed.get(index).and_then(|handed| handed.content.as_ref().ok());
-        hand_in.map_or_else(String::new, |hand_in| hand_in.sender.name.clone())
+    fn sender(&self, index: usize) -> &str {
+        self.handed.get(index).map_or("", Handed::sender_name)
     }
 
     /// Lines for people.

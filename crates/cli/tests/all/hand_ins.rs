@@ -147,6 +147,11 @@ fn the_results_of_a_class_are_pooled() {
     assert!((gamma["pooled"]["value"].as_f64().unwrap() - 0.402).abs() < 0.001, "{gamma}");
     assert_eq!(gamma["results"].as_array().unwrap().len(), 2);
     let table = meniscus(&["class", "report", folder_name, "--format", "csv"]).stdout;
-    let rows: Vec<&str> = table.lines().filter(|line| line.contains("\"gamma\"")).collect();
-    assert!(rows.len() == 2 && rows[0].starts_with("\"Linear damping\",\"gamma\",\"1/s\",\"a\",0.40"), "{table}");
+    let rows: Vec<&str> = table.lines().filter(|line| line.contains(",gamma,")).collect();
+    assert!(rows.len() == 2 && rows[0].starts_with("Linear damping,gamma,1/s,a,0.40"), "{table}");
+    // A hand-in is not overwritten by the report on its folder.
+    let own = folder.join("a.hand-in");
+    let before = std::fs::read(&own).unwrap();
+    let over = meniscus(&["class", "report", folder_name, "--output", own.to_str().unwrap()]);
+    assert_eq!((over.code, std::fs::read(&own).unwrap()), (2, before), "{}", over.stderr);
 }

@@ -51,7 +51,7 @@ pub use controls::{
 pub use name::name_of;
 pub use play::Play;
 pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};
-pub use questions::{Answer, AnswerView, Answers, Grade, Verdict};
+pub use questions::{Answer, AnswerView, Answers, Attempt, Grade, Verdict};
 pub use refusal::Refusal;
 pub use seat::SeatView;
 pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};

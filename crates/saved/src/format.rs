@@ -200,6 +200,19 @@ pub struct Answer {
     /// True if the right answer has been shown.
     #[serde(skip_serializing_if = "is_false")]
     pub revealed: bool,
+    /// Answers that have been checked, in order.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub attempts: Vec<Attempt>,
+}
+
+/// An answer that has been checked.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Attempt {
+    /// Text in the field.
+    pub typed: String,
+    /// `Grade::code`.
+    pub grade: String,
 }
 
 /// Point in pixels of the upright picture: x, y.

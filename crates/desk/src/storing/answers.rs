@@ -1,24 +1,39 @@
 //! Conversion between answers to questions and stored items.
 
 use crate::Desk;
-use play::{Answer, Grade};
+use play::{Answer, Attempt, Grade};
 use saved::Item;
 use saved::format::{self, Content};
 
 impl Desk {
     /// The answers to store, with the names of their questions.
     pub fn saved_answers(&self) -> Vec<(String, Item)> {
-        let item = |(name, Answer { typed, grade, revealed }): (String, Answer)| {
-            let grade = grade.map(|grade| grade.code().to_owned());
-            (name, Item(Content::Answer(format::Answer { typed, grade, revealed })))
-        };
-        self.play.answers().saved(self.play.basis()).into_iter().map(item).collect()
+        let saved = self.play.answers().saved(self.play.basis()).into_iter();
+        saved.map(|(name, answer)| (name, Item(Content::Answer(stored(answer))))).collect()
     }
 
     /// Restores the answer to the question of this name. Returns true if the item is an answer and the question exists.
     pub fn restore_answer(&mut self, question: &str, item: &Item) -> bool {
-        let Content::Answer(format::Answer { typed, grade, revealed }) = &item.0 else { return false };
-        let grade = grade.as_deref().and_then(Grade::from_code);
-        self.play.restore_answer(question, &Answer { typed: typed.clone(), grade, revealed: *revealed })
+        let Content::Answer(answer) = &item.0 else { return false };
+        self.play.restore_answer(question, &restored(answer))
+    }
+}
+
+fn stored(answer: Answer) -> format::Answer {
+    let Answer { typed, grade, revealed, attempts } = answer;
+    let attempt = |Attempt { typed, grade }: Attempt| format::Attempt { typed, grade: grade.code().to_owned() };
+    let attempts = attempts.into_iter().map(attempt).collect();
+    format::Answer { typed, grade: grade.map(|grade| grade.code().to_owned()), revealed, attempts }
+}
+
+/// An attempt without a known grade is left out.
+fn restored(answer: &format::Answer) -> Answer {
+    let attempt =
+        |one: &format::Attempt| Some(Attempt { typed: one.typed.clone(), grade: Grade::from_code(&one.grade)? });
+    Answer {
+        typed: answer.typed.clone(),
+        grade: answer.grade.as_deref().and_then(Grade::from_code),
+        revealed: answer.revealed,
+        attempts: answer.attempts.iter().filter_map(attempt).collect(),
     }
 }

@@ -77,18 +77,27 @@ impl Desk {
         }
     }
 
-    fn facts_of_answers(&mut self, facts: &mut Facts) {
+    fn facts_of_answers(&self, facts: &mut Facts) {
+        let play = &self.play;
+        let grade =
+            |question, typed: &str| play.answers().verdict(play.basis(), play.course(), question, typed).grade.code();
         for question in 0..self.document.program.questions.len() {
-            let answer = self.play.answers().answer(self.play.basis(), question);
-            if answer.typed.is_empty() {
-                continue;
-            }
+            let answer = play.answers().answer(play.basis(), question);
             let item = format!("question {}", question + 1);
-            facts.text(Part::Answer, &item, "text", answer.typed.clone());
+            if !answer.typed.is_empty() {
+                facts.text(Part::Answer, &item, "text", answer.typed.clone());
+            }
+            if answer.revealed {
+                facts.text(Part::Answer, &item, "right answer", "shown");
+            }
             if let Some(given) = answer.verdict {
                 facts.text(Part::Answer, &item, "grade given", given.grade.code());
-                let again = self.play.check_answer(question, &answer.typed);
-                facts.text(Part::Answer, &item, "grade", again.grade.code());
+                facts.text(Part::Answer, &item, "grade", grade(question, &answer.typed));
+            }
+            for (attempt, number) in answer.attempts.iter().zip(1..) {
+                facts.text(Part::Answer, &item, &format!("attempt {number}"), attempt.typed.clone());
+                facts.text(Part::Answer, &item, &format!("grade given to attempt {number}"), attempt.grade.code());
+                facts.text(Part::Answer, &item, &format!("grade of attempt {number}"), grade(question, &attempt.typed));
             }
         }
     }

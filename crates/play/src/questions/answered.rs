@@ -2,7 +2,7 @@
 //! languages and stored for the next visit.
 
 use crate::basis::assigning::assign;
-use crate::questions::given::Answer;
+use crate::questions::given::{Answer, Attempt};
 use crate::questions::grade::{Grade, Verdict, grade};
 use crate::{Basis, Changes, Course, name_of, number, words};
 use engine::Readings;
@@ -21,10 +21,9 @@ pub struct AnswerView {
     pub verdict: Option<Verdict>,
     /// True if the right answer has been shown.
     pub revealed: bool,
+    /// Answers that have been checked, in order.
+    pub attempts: Vec<Attempt>,
 }
-
-/// Maximum length of a stored answer, in characters.
-const LONGEST: usize = 300;
 
 /// The user's answers, and the values hidden by open questions.
 #[derive(Debug)]
@@ -80,14 +79,18 @@ impl Answers {
     pub fn answer(&self, basis: &Basis, question: usize) -> AnswerView {
         let Some(answer) = self.given.get(question) else { return AnswerView::default() };
         let verdict = answer.grade.map(|grade| verdict_of(grade, basis.language()));
-        AnswerView { typed: answer.typed.clone(), verdict, revealed: answer.revealed }
+        AnswerView {
+            typed: answer.typed.clone(),
+            verdict,
+            revealed: answer.revealed,
+            attempts: answer.attempts.clone(),
+        }
     }
 
     /// Stores the text in the field of a question as an unchecked answer.
     pub fn type_text(&mut self, question: usize, text: &str) -> Changes {
         let Some(answer) = self.given.get_mut(question) else { return Changes::NONE };
-        answer.typed = text.replace(['\n', '\r'], " ").chars().take(LONGEST).collect();
-        answer.grade = None;
+        answer.type_text(text);
         Changes::ANSWERS
     }
 
@@ -97,7 +100,7 @@ impl Answers {
         let verdict = self.verdict(basis, at, question, text);
         let mut changes = self.type_text(question, text);
         if let Some(answer) = self.given.get_mut(question) {
-            answer.grade = Some(verdict.grade);
+            answer.check(verdict.grade);
         }
         if verdict.grade == Grade::Correct {
             changes |= self.solve(question);
@@ -105,7 +108,8 @@ impl Answers {
         (verdict, changes)
     }
 
-    fn verdict(&self, basis: &Basis, at: &Course, question: usize, text: &str) -> Verdict {
+    /// Grade that an answer would get for the present parameters, or those assumed by the question. Nothing is stored.
+    pub fn verdict(&self, basis: &Basis, at: &Course, question: usize, text: &str) -> Verdict {
         let language = basis.language();
         let Some(asked) = basis.program().questions.get(question) else {
             return verdict_of(Grade::Unanswerable, language);
@@ -182,9 +186,9 @@ impl Answers {
     /// Restores the answer to the question with this name. `None` if there is no such question.
     pub fn restore(&mut self, basis: &Basis, name: &str, saved: &Answer) -> Option<Changes> {
         let question = question_names(basis.program()).iter().position(|own| own == name)?;
-        let mut changes = self.type_text(question, &saved.typed);
+        let mut changes = Changes::ANSWERS;
         if let Some(answer) = self.given.get_mut(question) {
-            (answer.grade, answer.revealed) = (saved.grade, saved.revealed);
+            *answer = saved.bounded();
         }
         if saved.revealed || saved.grade == Some(Grade::Correct) {
             changes |= self.solve(question);

@@ -1,35 +1,99 @@
-//! An answer of the user, with its grade.
+//! An answer of the user, with its grade and all attempts.
 
 use crate::questions::grade::Grade;
+
+/// Maximum number of attempts at a question that are kept: the latest ones.
+const MOST_ATTEMPTS: usize = 100;
+
+/// Maximum length of a stored answer, in characters.
+const LONGEST: usize = 300;
+
+/// An answer that has been checked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Attempt {
+    /// Text in the field.
+    pub typed: String,
+    /// Its grade.
+    pub grade: Grade,
+}
 
 /// The user's answer to a question.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Answer {
-    /// Text in the field.
+    /// Text in the field, at most 300 characters in one line.
     pub typed: String,
     /// Grade, if the answer has been checked.
     pub grade: Option<Grade>,
     /// True if the right answer has been shown.
     pub revealed: bool,
+    /// All answers that have been checked, in order; of more than 100 the latest.
+    pub attempts: Vec<Attempt>,
 }
 
 impl Answer {
-    /// Copy without grade and without the shown answer.
+    /// Copy for a question whose right answer is another one now: without grade, attempts and the shown answer.
     pub(crate) fn unchecked(&self) -> Self {
-        Self { typed: self.typed.clone(), grade: None, revealed: false }
+        Self { typed: self.typed.clone(), ..Self::default() }
     }
 
-    /// Three lines of text, the storage format of pages with a single simulation: these contain no JSON parser.
+    /// Sets the text in the field, which has no grade yet.
+    pub(crate) fn type_text(&mut self, text: &str) {
+        (self.typed, self.grade) = (one_line(text), None);
+    }
+
+    /// Grades the text in the field. The same text with the same grade twice in a row is one attempt.
+    pub(crate) fn check(&mut self, grade: Grade) {
+        self.grade = Some(grade);
+        self.attempt(Attempt { typed: self.typed.clone(), grade });
+    }
+
+    /// Copy of a stored answer within the limits of length and number.
+    pub(crate) fn bounded(&self) -> Self {
+        let mut answer =
+            Self { typed: one_line(&self.typed), grade: self.grade, revealed: self.revealed, attempts: Vec::new() };
+        for Attempt { typed, grade } in &self.attempts {
+            answer.attempt(Attempt { typed: one_line(typed), grade: *grade });
+        }
+        answer
+    }
+
+    fn attempt(&mut self, attempt: Attempt) {
+        if self.attempts.last() != Some(&attempt) {
+            self.attempts.push(attempt);
+            let extra = self.attempts.len().saturating_sub(MOST_ATTEMPTS);
+            self.attempts.drain(..extra);
+        }
+    }
+
+    /// Lines of text, the storage format of pages with a single simulation, which contain no JSON parser: the text, the
+    /// grade, `revealed` or nothing, then a line for each attempt with its grade before its text.
     pub fn lines(&self) -> String {
         let grade = self.grade.map_or("", Grade::code);
         let revealed = if self.revealed { "revealed" } else { "" };
-        format!("{}\n{grade}\n{revealed}", self.typed)
+        let mut lines = format!("{}\n{grade}\n{revealed}", self.typed);
+        for Attempt { typed, grade } in &self.attempts {
+            lines.extend(["\n", grade.code(), " ", typed]);
+        }
+        lines
     }
 
-    /// Parses the output of [`Answer::lines`]; `None` if a line is missing.
+    /// Parses the output of [`Answer::lines`]; `None` if a line is missing. An attempt without a known grade is left out.
     pub fn of_lines(text: &str) -> Option<Self> {
-        let mut lines = text.splitn(3, '\n');
+        let mut lines = text.split('\n');
         let (typed, grade, revealed) = (lines.next()?, lines.next()?, lines.next()?);
-        Some(Self { typed: typed.to_owned(), grade: Grade::from_code(grade), revealed: revealed == "revealed" })
+        let attempt = |line: &str| {
+            let (grade, typed) = line.split_once(' ')?;
+            Some(Attempt { typed: typed.to_owned(), grade: Grade::from_code(grade)? })
+        };
+        Some(Self {
+            typed: typed.to_owned(),
+            grade: Grade::from_code(grade),
+            revealed: revealed == "revealed",
+            attempts: lines.filter_map(attempt).collect(),
+        })
     }
+}
+
+fn one_line(text: &str) -> String {
+    text.replace(['\n', '\r'], " ").chars().take(LONGEST).collect()
 }

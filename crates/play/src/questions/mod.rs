@@ -6,5 +6,5 @@ pub(crate) mod given;
 mod grade;
 
 pub use answered::{AnswerView, Answers};
-pub use given::Answer;
+pub use given::{Answer, Attempt};
 pub use grade::{Grade, Verdict};

@@ -1,7 +1,7 @@
 //! Answers to questions: parsing and storage; values hidden by questions.
 
 use crate::support::{UTUBE, utube};
-use play::{Answer, Grade, Play};
+use play::{Answer, Attempt, Grade, Play};
 
 const DOCUMENT: &str = r#"---
 title: A pendulum
@@ -305,6 +305,33 @@ fn answers_stay_with_their_questions() {
     }
     assert_eq!(later.answers().saved(later.basis()), before);
     assert_eq!(Answer::of_lines("one line"), None);
-    let unknown = Answer { typed: "1".into(), grade: None, revealed: false };
+    let unknown = Answer { typed: "1".into(), ..Answer::default() };
     assert_eq!(Answer::of_lines("1\nright\n"), Some(unknown));
+}
+
+#[test]
+fn all_attempts_are_kept() {
+    let attempt = |typed: &str, grade| Attempt { typed: typed.to_owned(), grade };
+    let mut play = utube();
+    for typed in ["?\n", "123456", "123456", "-1", "123456"] {
+        play.check_answer(0, typed);
+    }
+    play.type_answer(0, "not checked");
+    let expected = ["?", "123456", "-1", "123456"];
+    let answer = play.answers().answer(play.basis(), 0);
+    let typed: Vec<&str> = answer.attempts.iter().map(|attempt| attempt.typed.trim()).collect();
+    assert_eq!(typed, expected, "the same twice in a row is one attempt");
+    assert_eq!(answer.attempts[0].grade, Grade::Unreadable);
+    // Stored, for pages without a JSON parser too.
+    let (_, saved) = play.answers().saved(play.basis()).remove(0);
+    assert_eq!(Answer::of_lines(&saved.lines()), Some(saved.clone()));
+    let with_noise = format!("{}\nright 1\nwrong\nwrong 7 kg", saved.lines());
+    let read = Answer::of_lines(&with_noise).expect("an answer");
+    assert_eq!(read.attempts[expected.len()..], [attempt("7 kg", Grade::Wrong)]);
+    // Of very many the latest are kept, whatever was stored.
+    let many: Vec<Attempt> = (0..5000).map(|number| attempt(&format!("{number}\n"), Grade::Wrong)).collect();
+    let (name, _) = play.answers().saved(play.basis()).remove(0);
+    assert!(play.restore_answer(&name, &Answer { attempts: many, ..saved }));
+    let kept = play.answers().answer(play.basis(), 0).attempts;
+    assert_eq!((kept.len(), kept.last()), (100, Some(&attempt("4999 ", Grade::Wrong))));
 }

@@ -2,10 +2,16 @@
 //!
 //! | module | content |
 //! |---|---|
+//! | [`collection`] | the hand-ins of a class, computed again one after the other, and what follows from all of them |
+//! | [`page`] | a report of a class as a page and as a workbook, and its figures |
 //! | [`pooling`] | the pooled value of the results of groups, and outliers |
 //! | [`results`] | the quantities that several groups have fitted |
+//! | [`share`] | shares with their intervals |
 //! | [`verify`] | hand-ins: making them, computing them again, and data that two of them share |
 
+pub mod collection;
+pub mod page;
 pub mod pooling;
 pub mod results;
+pub mod share;
 pub mod verify;

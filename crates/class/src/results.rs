@@ -34,7 +34,7 @@ struct Found {
 
 /// Fitted quantities of hand-ins, by theory and name. `hand_ins`: index and computed facts of each. Of several fits of a
 /// hand-in with the same theory the last one counts. A quantity that a fit does not determine is left out.
-pub fn quantities(hand_ins: &[(usize, Vec<Fact>)]) -> Vec<Quantity> {
+pub fn quantities<'a>(hand_ins: impl Iterator<Item = (usize, &'a [Fact])>) -> Vec<Quantity> {
     let mut found: BTreeMap<(String, String), Found> = BTreeMap::new();
     for (index, facts) in hand_ins {
         for fit in facts.chunk_by(|one, other| one.part == other.part && one.item == other.item) {
@@ -48,7 +48,7 @@ pub fn quantities(hand_ins: &[(usize, Vec<Fact>)]) -> Vec<Quantity> {
                     let unit = fit.iter().find(|fact| fact.quantity.strip_prefix(UNIT) == Some(name)).and_then(text);
                     let found = found.entry((theory.clone(), name.to_owned())).or_default();
                     found.unit.get_or_insert(unit.unwrap_or_default());
-                    found.results.insert(*index, measured);
+                    found.results.insert(index, measured);
                 }
             }
         }

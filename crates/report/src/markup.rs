@@ -39,6 +39,7 @@ fn without_tags(markup: &str) -> String {
 /// Content of a page under construction.
 #[derive(Default)]
 pub struct Page {
+    /// The markup so far.
     pub out: String,
 }
 

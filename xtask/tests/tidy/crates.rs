@@ -20,7 +20,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
         "desk",
         &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "saved", "units"],
     ),
-    ("class", &["analysis", "desk", "document", "saved", "units"]),
+    ("class", &["analysis", "desk", "document", "figure", "play", "program", "report", "saved", "units"]),
     ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),

@@ -122,13 +122,17 @@ pub fn copies(curves: &[Curve]) -> Vec<Copied> {
     let mut found = Vec::new();
     for (place, one) in curves.iter().enumerate() {
         for other in curves.iter().skip(place + 1).filter(|other| other.hand_in != one.hand_in) {
-            if let Some(relation) = relation(one, other) {
-                let is_common_source = one.source == other.source && one.source != Source::Data;
-                found.push(Copied { one: one.place(), other: other.place(), relation, is_common_source });
-            }
+            found.extend(copied(one, other));
         }
     }
     found
+}
+
+/// The two columns if they have the same data.
+pub fn copied(one: &Curve, other: &Curve) -> Option<Copied> {
+    let relation = relation(one, other)?;
+    let is_common_source = one.source == other.source && one.source != Source::Data;
+    Some(Copied { one: one.place(), other: other.place(), relation, is_common_source })
 }
 
 fn relation(one: &Curve, other: &Curve) -> Option<Relation> {

@@ -7,7 +7,7 @@ mod copies;
 mod recomputation;
 mod verdict;
 
-pub use copies::{Copied, Curve, Relation, copies};
+pub use copies::{Copied, Curve, Relation, copied, copies};
 pub use recomputation::Recomputation;
 pub use verdict::{Difference, Verdict, compare, meaning};
 

@@ -57,4 +57,11 @@ impl Recomputation {
     pub fn facts(mut self) -> Vec<Fact> {
         self.desk.facts()
     }
+
+    /// The laboratory with the work, its texts in this language, and the values that follow from the work.
+    pub(crate) fn finish(mut self, language: &str) -> (Desk, Vec<Fact>) {
+        let facts = self.desk.facts();
+        self.desk.set_language(language);
+        (self.desk, facts)
+    }
 }

@@ -57,13 +57,20 @@ pub fn file(rows: &[(f64, f64)]) -> String {
 
 /// Work with a record of these rows, a fit of linear damping to it, and answers.
 pub fn work(rows: &[(f64, f64)]) -> Project {
+    answered(rows, &["0.3"])
+}
+
+/// Work as [`work`], with these answers to the question, one after the other.
+pub fn answered(rows: &[(f64, f64)], answers: &[&str]) -> Project {
     let documents = linear();
     let mut desk = Desk::open(document::open(&documents[0].text, &[]).sound().unwrap());
     desk.add_record("tube.csv", file(rows).as_bytes()).unwrap();
     desk.begin_fit("theories/linear.md").unwrap();
     while desk.advance_fit() {}
     assert_eq!(desk.fits().len(), 1);
-    desk.play_mut().check_answer(0, "0.3");
+    for typed in answers {
+        desk.play_mut().check_answer(0, typed);
+    }
     Project { documents, state: desk.play().share(), items: desk.project_items(1_763_812_800_000) }
 }
 

@@ -18,7 +18,9 @@ pub enum Class {
 const REPORT_EXAMPLES: &str = "\
 Examples:
   meniscus class report hand-ins/                               every fitted quantity, group by group, and its pooled value
-  meniscus class report hand-ins/ --format csv --output class.csv
+  meniscus class report hand-ins/ --output class.html           a page: curves, results, answers, who is stuck, verification
+  meniscus class report hand-ins/ --output class.xlsx           a workbook of results, attempts and hand-ins
+  meniscus class report hand-ins/ --output class.csv            the results
 
 The fits are computed again from the curves of the hand-ins. The pooled value is that of random effects (Paule-Mandel, Hartung-Knapp),
 which allows for groups that really differ. Outliers are marked with their likely reason; the pooled value is given with and without them.";
@@ -32,11 +34,46 @@ pub struct Report {
 
     /// The form of the report [default: by the ending of FILE, or text]
     #[arg(long, value_enum)]
-    pub format: Option<ListFormat>,
+    pub format: Option<ReportFormat>,
 
     /// Write into this file, which appears whole or not at all [default: the standard output]
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// Forms of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ReportFormat {
+    /// The results and their pooled values
+    Text,
+    /// A page with figures
+    Html,
+    /// A workbook
+    Xlsx,
+    /// One row for each result
+    Csv,
+    /// The results and their pooled values as a list of objects
+    Json,
+}
+
+impl ReportFormat {
+    /// The form asked for; without one by the ending of the file, or text.
+    pub fn chosen(asked: Option<Self>, output: Option<&Path>) -> Self {
+        let ending = output.and_then(|path| path.extension()?.to_str()).map(str::to_ascii_lowercase);
+        let by_ending = match ending.as_deref() {
+            Some("html" | "htm") => Self::Html,
+            Some("xlsx") => Self::Xlsx,
+            Some("csv") => Self::Csv,
+            Some("json") => Self::Json,
+            _ => Self::Text,
+        };
+        asked.unwrap_or(by_ending)
+    }
+
+    /// True if it has more than the fitted quantities.
+    pub fn has_answers(self) -> bool {
+        matches!(self, Self::Html | Self::Xlsx)
+    }
 }
 
 impl ListFormat {

@@ -10,4 +10,4 @@ pub use hand_in::hand_in;
 pub use verify::verify;
 
 /// Version of this program, which a hand-in states.
-const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

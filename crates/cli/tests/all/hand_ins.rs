@@ -136,7 +136,7 @@ fn the_results_of_a_class_are_pooled() {
     std::fs::write(folder.join("cut.hand-in"), "{").unwrap();
     let two = meniscus(&["class", "report", folder_name]);
     assert!(
-        two.stdout.contains("pooled, n = 2: ") && two.stdout.contains("agree within their errors"),
+        two.stdout.contains("Pooled, n = 2: ") && two.stdout.contains("agree within their errors"),
         "{}",
         two.stdout
     );
@@ -149,6 +149,14 @@ fn the_results_of_a_class_are_pooled() {
     let table = meniscus(&["class", "report", folder_name, "--format", "csv"]).stdout;
     let rows: Vec<&str> = table.lines().filter(|line| line.contains(",gamma,")).collect();
     assert!(rows.len() == 2 && rows[0].starts_with("Linear damping,gamma,1/s,a,0.40"), "{table}");
+    // The form follows the ending of the file.
+    for (file, expected) in [("class.html", "<!doctype html>"), ("class.xlsx", "PK"), ("class.csv", "theory,quantity")]
+    {
+        let path = directory.path().join(file);
+        let made = meniscus(&["class", "report", folder_name, "--output", path.to_str().unwrap()]);
+        assert_eq!(made.code, 0, "{}", made.stderr);
+        assert!(std::fs::read(&path).unwrap().starts_with(expected.as_bytes()), "{file}");
+    }
     // A hand-in is not overwritten by the report on its folder.
     let own = folder.join("a.hand-in");
     let before = std::fs::read(&own).unwrap();

@@ -1,0 +1,232 @@
+//! The hand-ins of a class. They are added as they arrive, and computed again one after the other in small steps, so that a
+//! page reacts in between.
+
+mod curves;
+mod questions;
+mod snapshots;
+mod stuck;
+mod work;
+
+pub use curves::{CurveGroup, Member};
+pub use questions::{ErrorKind, QuestionTally};
+pub use snapshots::{Snapshot, Snapshots};
+pub use stuck::Stuck;
+pub use work::{GivenAnswer, Work};
+
+use crate::results::{Quantity, quantities};
+use crate::verify::{Copied, Recomputation, copied};
+use saved::hand_in::{HandIn, HandInError};
+use units::{Language, Words};
+
+/// A file that was added.
+#[derive(Debug)]
+pub struct Entry {
+    file: String,
+    content: Result<HandIn, HandInError>,
+    state: State,
+}
+
+/// State of a file.
+#[derive(Debug)]
+pub enum State {
+    /// It cannot be read or computed, for this reason.
+    Unreadable(Words),
+    /// The hand-in of this index was made later by the same sender and counts.
+    Repeated(usize),
+    /// It will be computed again.
+    Waiting,
+    /// It was computed again.
+    Done(Box<Work>),
+}
+
+impl Entry {
+    /// Name of the file.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// The hand-in, if the file is one.
+    pub fn hand_in(&self) -> Option<&HandIn> {
+        self.content.as_ref().ok()
+    }
+
+    /// Pseudonym or name of the sender; the name of the file if it is no hand-in.
+    pub fn sender(&self) -> &str {
+        self.hand_in().map_or(&self.file, |hand_in| &hand_in.sender.name)
+    }
+
+    /// State of the file.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// The computed work of a hand-in that counts.
+    pub fn work(&self) -> Option<&Work> {
+        match &self.state {
+            State::Done(work) => Some(work),
+            _ => None,
+        }
+    }
+}
+
+/// A hand-in that is being computed.
+#[derive(Debug)]
+enum Step {
+    /// Its fits are repeated.
+    Fitting(usize, Box<Recomputation>),
+    /// Its data are compared with those of the hand-ins from this index on.
+    Comparing(usize, usize),
+}
+
+/// The hand-ins of a class.
+#[derive(Debug)]
+pub struct Collection {
+    /// Version of the program that computes.
+    program: String,
+    language: Language,
+    entries: Vec<Entry>,
+    step: Option<Step>,
+    copies: Vec<Copied>,
+}
+
+impl Collection {
+    /// An empty collection. `program`: version of the program that computes. `language`: language of the questions.
+    pub fn new(program: &str, language: Language) -> Self {
+        Self { program: program.to_owned(), language, entries: Vec::new(), step: None, copies: Vec::new() }
+    }
+
+    /// Adds a file: of several hand-ins of a sender the one that was made last counts, of equal times the one added last.
+    pub fn add(&mut self, file: &str, text: &str) {
+        self.add_read(file, HandIn::read(text));
+    }
+
+    /// Adds a file that has been read.
+    pub fn add_read(&mut self, file: &str, content: Result<HandIn, HandInError>) {
+        let index = self.entries.len();
+        let mut state = State::Waiting;
+        match &content {
+            Err(error) => state = State::Unreadable(error.words()),
+            Ok(hand_in) => {
+                if let Some(counting) = self.counting(hand_in) {
+                    let before = self.entries[counting].hand_in().map_or(0, |before| before.made);
+                    if hand_in.made < before {
+                        state = State::Repeated(counting);
+                    } else {
+                        self.replace(counting, index);
+                    }
+                }
+            }
+        }
+        self.entries.push(Entry { file: file.to_owned(), content, state });
+    }
+
+    /// Index of the hand-in of the same sender that counts so far.
+    fn counting(&self, hand_in: &HandIn) -> Option<usize> {
+        let counts = |entry: &Entry| !matches!(entry.state, State::Repeated(_));
+        let same = |entry: &Entry| entry.hand_in().is_some_and(|other| other.sender == hand_in.sender);
+        self.entries.iter().position(|entry| counts(entry) && same(entry))
+    }
+
+    /// Another hand-in counts instead of this one, and of those that it had replaced.
+    fn replace(&mut self, former: usize, index: usize) {
+        for (place, entry) in self.entries.iter_mut().enumerate() {
+            if place == former || matches!(entry.state, State::Repeated(counting) if counting == former) {
+                entry.state = State::Repeated(index);
+            }
+        }
+        self.copies.retain(|copied| copied.one.0 != former && copied.other.0 != former);
+    }
+
+    /// Removes everything.
+    pub fn clear(&mut self) {
+        (self.entries, self.copies, self.step) = (Vec::new(), Vec::new(), None);
+    }
+
+    /// The files in the order in which they were added.
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
+    /// Number of hand-ins that are still to be computed.
+    pub fn waiting(&self) -> usize {
+        self.entries.iter().filter(|entry| matches!(entry.state, State::Waiting)).count()
+    }
+
+    /// Measured data that two hand-ins share.
+    pub fn copies(&self) -> &[Copied] {
+        &self.copies
+    }
+
+    /// Works for one trial of a fit or one comparison. Returns false if nothing is left to do.
+    pub fn advance(&mut self) -> bool {
+        match self.step.take() {
+            None => return self.begin(),
+            Some(Step::Fitting(index, mut recomputation)) if self.is_waiting(index) => {
+                if recomputation.advance() {
+                    self.step = Some(Step::Fitting(index, recomputation));
+                } else {
+                    self.finish(index, *recomputation);
+                }
+            }
+            Some(Step::Comparing(index, other)) if other < self.entries.len() => {
+                self.compare(index, other);
+                self.step = Some(Step::Comparing(index, other + 1));
+            }
+            Some(Step::Fitting(..) | Step::Comparing(..)) => {}
+        }
+        true
+    }
+
+    fn is_waiting(&self, index: usize) -> bool {
+        self.entries.get(index).is_some_and(|entry| matches!(entry.state, State::Waiting))
+    }
+
+    /// Opens the next hand-in. Returns false if there is none.
+    fn begin(&mut self) -> bool {
+        let Some(index) = (0..self.entries.len()).find(|index| self.is_waiting(*index)) else { return false };
+        let entry = &mut self.entries[index];
+        match entry.content.as_ref().map(|hand_in| Recomputation::begin(&hand_in.work)) {
+            Ok(Ok(recomputation)) => self.step = Some(Step::Fitting(index, Box::new(recomputation))),
+            Ok(Err(why)) => entry.state = State::Unreadable(why),
+            Err(error) => entry.state = State::Unreadable(error.words()),
+        }
+        true
+    }
+
+    fn finish(&mut self, index: usize, recomputation: Recomputation) {
+        let entry = &mut self.entries[index];
+        if let Ok(hand_in) = &entry.content {
+            let work = Work::of(index, hand_in, recomputation, &self.program, self.language.tag());
+            entry.state = State::Done(Box::new(work));
+            self.step = Some(Step::Comparing(index, 0));
+        }
+    }
+
+    /// Compares the data of a hand-in with those of another one that was computed before.
+    fn compare(&mut self, index: usize, other: usize) {
+        let work = |index: usize| self.entries.get(index).and_then(Entry::work);
+        if index == other {
+            return;
+        }
+        let (Some(one), Some(other)) = (work(index), work(other)) else { return };
+        let mut found = Vec::new();
+        for column in &one.columns {
+            found.extend(other.columns.iter().filter_map(|other| copied(other, column)));
+        }
+        // A pair is compared once: when the later of its two hand-ins is finished. A hand-in that is computed again has been
+        // compared before.
+        let known = |new: &Copied| self.copies.iter().any(|old| old.one == new.other && old.other == new.one);
+        found.retain(|new| !known(new));
+        self.copies.append(&mut found);
+    }
+
+    /// The hand-ins that count and are computed: index and work.
+    pub fn works(&self) -> impl Iterator<Item = (usize, &Work)> {
+        self.entries.iter().enumerate().filter_map(|(index, entry)| Some((index, entry.work()?)))
+    }
+
+    /// The quantities fitted by the groups, pooled.
+    pub fn quantities(&self) -> Vec<Quantity> {
+        quantities(self.works().map(|(index, work)| (index, work.facts.as_slice())))
+    }
+}

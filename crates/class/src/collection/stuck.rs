@@ -1,0 +1,66 @@
+//! Groups that are stuck, by rules with a reason.
+
+use super::{Collection, GivenAnswer, Work};
+use crate::results::Quantity;
+use desk::play::Grade;
+use units::{Words, words};
+
+/// Number of attempts with the same error, one after the other, from which on a group is stuck.
+const SAME_ERRORS: usize = 3;
+
+/// A group that is stuck.
+#[derive(Clone, Debug)]
+pub struct Stuck {
+    /// Index of the hand-in.
+    pub hand_in: usize,
+    /// The reason.
+    pub why: Words,
+}
+
+impl Collection {
+    /// Groups that are stuck: three answers wrong in the same way, a fit that does not determine its parameters, or a result
+    /// far from those of the others. `quantities`: those of the collection.
+    pub fn stuck(&self, quantities: &[Quantity]) -> Vec<Stuck> {
+        let mut stuck = Vec::new();
+        for (hand_in, work) in self.works() {
+            let far = |quantity: &&Quantity| {
+                let place = quantity.results.iter().position(|(own, _)| *own == hand_in);
+                let outliers = quantity.pool.as_ref().map_or(&[][..], |pool| &pool.outliers);
+                outliers.iter().any(|outlier| Some(outlier.index) == place)
+            };
+            let reasons = work.answers.iter().filter_map(same_errors).chain(undetermined(work));
+            let reasons = reasons.chain(quantities.iter().filter(far).map(far_result));
+            stuck.extend(reasons.map(|why| Stuck { hand_in, why }));
+        }
+        stuck
+    }
+}
+
+fn far_result(quantity: &Quantity) -> Words {
+    let (theory, name) = (&quantity.theory, &quantity.name);
+    words!("{name} ({theory}) is far from the others", "{name} ({theory}) está lejos de los demás")
+}
+
+/// The reason if the last attempts at a question are wrong in the same way.
+fn same_errors(answer: &GivenAnswer) -> Option<Words> {
+    let last = answer.attempts.last().filter(|attempt| attempt.grade != Grade::Correct)?;
+    let same = answer.attempts.iter().rev().take_while(|attempt| attempt.grade == last.grade).count();
+    let number = answer.question + 1;
+    (same >= SAME_ERRORS).then(|| {
+        words!(
+            "question {number}: {same} answers wrong in the same way",
+            "pregunta {number}: {same} respuestas mal del mismo modo"
+        )
+    })
+}
+
+/// Reasons for fits that do not determine all their parameters, one for each.
+fn undetermined(work: &Work) -> impl Iterator<Item = Words> + '_ {
+    work.fits.iter().filter(|fit| !fit.determined).map(|fit| {
+        let (theory, record) = (&fit.theory, &fit.record);
+        words!(
+            "the fit of {theory} to {record} does not determine its parameters",
+            "el ajuste de {theory} a {record} no determina sus parámetros"
+        )
+    })
+}

@@ -1,0 +1,92 @@
+//! Work of one group, computed again from its hand-in.
+
+use crate::verify::{Curve, Recomputation, Verdict, compare};
+use desk::play::{Attempt, Grade, Play};
+use desk::{FittedCurve, MeasuredCurve};
+use saved::hand_in::{Fact, HandIn};
+
+/// Work of a group, computed again.
+#[derive(Clone, Debug, Default)]
+pub struct Work {
+    /// Comparison of the stated values with the computed ones.
+    pub verdict: Verdict,
+    /// The computed values.
+    pub facts: Vec<Fact>,
+    /// The measured columns in use.
+    pub curves: Vec<MeasuredCurve>,
+    /// The fitted columns.
+    pub fits: Vec<FittedCurve>,
+    /// The questions of the document with their answers.
+    pub answers: Vec<GivenAnswer>,
+    /// The measured columns in the form in which copies are found.
+    pub(super) columns: Vec<Curve>,
+}
+
+/// A question, and the answer of the group.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenAnswer {
+    /// Title of the document.
+    pub document: String,
+    /// Index of the question.
+    pub question: usize,
+    /// Text of the question.
+    pub prompt: String,
+    /// The right answer for the values of the group, with its unit.
+    pub right: String,
+    /// Text in the field; empty if nothing was typed.
+    pub typed: String,
+    /// All answers that were checked, in order, graded again.
+    pub attempts: Vec<Attempt>,
+    /// True if the right answer was shown.
+    pub revealed: bool,
+}
+
+impl GivenAnswer {
+    /// True if the last attempt is right.
+    pub fn is_right(&self) -> bool {
+        self.attempts.last().is_some_and(|attempt| attempt.grade == Grade::Correct)
+    }
+}
+
+impl Work {
+    /// The finished recomputation of a hand-in. `index`: index of the hand-in in the collection. `program`: version of the
+    /// program that has computed.
+    pub(super) fn of(
+        index: usize,
+        hand_in: &HandIn,
+        recomputation: Recomputation,
+        program: &str,
+        language: &str,
+    ) -> Self {
+        let refused = recomputation.refused();
+        let (desk, facts) = recomputation.finish(language);
+        Self {
+            verdict: compare(hand_in, &facts, refused, program),
+            facts,
+            curves: desk.measured_curves(),
+            fits: desk.fitted_curves(),
+            answers: answers(desk.play()),
+            columns: Curve::of(index, hand_in),
+        }
+    }
+}
+
+fn answers(play: &Play) -> Vec<GivenAnswer> {
+    let (basis, answers, program) = (play.basis(), play.answers(), play.program());
+    let document = program.title.clone();
+    let answer = |question: usize| {
+        let own = answers.answer(basis, question);
+        let grade = |typed: &str| answers.verdict(basis, play.course(), question, typed).grade;
+        let again = |typed: String| Attempt { grade: grade(&typed), typed };
+        GivenAnswer {
+            document: document.clone(),
+            question,
+            prompt: program.question_text(basis.language().tag(), question).prompt.clone(),
+            right: answers.right_text(basis, play.course(), question),
+            typed: own.typed,
+            attempts: own.attempts.into_iter().map(|attempt| again(attempt.typed)).collect(),
+            revealed: own.revealed,
+        }
+    };
+    (0..program.questions.len()).map(answer).collect()
+}

@@ -1,0 +1,94 @@
+//! Answers by question, and groups that are stuck.
+
+use crate::collection::{Collection, Entry, ErrorKind, QuestionTally};
+use crate::results::Quantity;
+use desk::play::Grade;
+use report::{Page, escaped};
+use units::Language;
+
+/// Maximum number of examples of an error that are shown.
+const MOST_EXAMPLES: usize = 6;
+
+/// Section of the questions; empty if there are none.
+pub fn questions(questions: &[QuestionTally], language: Language) -> String {
+    let mut page = Page::default();
+    for tally in questions {
+        let number = tally.question + 1;
+        page.element("h3", &language.pick(format!("Question {number}"), format!("Pregunta {number}")));
+        // The text of a question is markup of the document, made safe when it was opened.
+        page.wrapped("div class=\"prompt\"", &tally.prompt);
+        let (first, last) = (tally.first.text(language), tally.last.text(language));
+        page.element(
+            "p",
+            &language.pick(
+                format!("Right at the first attempt: {first}. At the last: {last}."),
+                format!("Bien al primer intento: {first}. Al último: {last}."),
+            ),
+        );
+        let (revealed, without) = (tally.revealed, tally.without);
+        if revealed + without > 0 {
+            page.element(
+                "p",
+                &language.pick(
+                    format!("The answer was shown to {revealed} groups; {without} have not tried."),
+                    format!("La respuesta se mostró a {revealed} grupos; {without} no lo han intentado."),
+                ),
+            );
+        }
+        errors(&mut page, &tally.errors, language);
+    }
+    page.out
+}
+
+fn errors(page: &mut Page, errors: &[ErrorKind], language: Language) {
+    if errors.is_empty() {
+        return;
+    }
+    let headings = language.pick(["Error", "#Groups", "Examples"], ["Error", "#Grupos", "Ejemplos"]);
+    page.table("wide", &headings);
+    for kind in errors {
+        let example = |(typed, right, count): &(String, String, usize)| {
+            let times = if *count > 1 { format!(" (×{count})") } else { String::new() };
+            let instead = language.pick("instead of", "en vez de");
+            format!("<q>{}</q>{times} {instead} {}", escaped(typed), escaped(right))
+        };
+        let mut examples: Vec<String> = kind.examples.iter().take(MOST_EXAMPLES).map(example).collect();
+        let more = kind.examples.len().saturating_sub(MOST_EXAMPLES);
+        if more > 0 {
+            examples.push(language.pick(format!("and {more} more"), format!("y {more} más")));
+        }
+        let groups = format!("#{}", kind.groups);
+        page.row(&[error_name(kind.grade, language), &groups, &examples.join("<br>")]);
+    }
+    page.end_table();
+}
+
+/// Name of a kind of error.
+fn error_name(grade: Grade, language: Language) -> &'static str {
+    match grade {
+        Grade::Correct => language.pick("right", "bien"),
+        Grade::Close => language.pick("close", "cerca"),
+        Grade::WrongSign => language.pick("wrong sign", "signo equivocado"),
+        Grade::WrongScale => language.pick("wrong power of ten", "potencia de diez equivocada"),
+        Grade::Wrong => language.pick("wrong", "mal"),
+        Grade::Unreadable => language.pick("not a number, or another unit", "no es un número, u otra unidad"),
+        Grade::Unanswerable => language.pick("no answer for these values", "sin respuesta para estos valores"),
+    }
+}
+
+/// List of the groups that are stuck, with the reason.
+pub fn stuck(collection: &Collection, quantities: &[Quantity], language: Language) -> String {
+    let mut page = Page::default();
+    let stuck = collection.stuck(quantities);
+    if stuck.is_empty() {
+        page.element("p", language.pick("No group is stuck.", "Ningún grupo está atascado."));
+        return page.out;
+    }
+    page.raw("<ul>\n");
+    for one in stuck {
+        let sender = collection.entries().get(one.hand_in).map_or("", Entry::sender);
+        page.element("li", &format!("{sender}: {}", one.why.text(language)));
+    }
+    page.raw("</ul>\n");
+    page.out
+}

@@ -1,0 +1,114 @@
+//! A report of a class as a page and as a workbook. The sections are also those of the dashboard in the laboratory.
+
+mod answers;
+mod figures;
+mod hand_ins;
+mod quantities;
+mod workbook;
+
+pub use answers::{questions, stuck};
+pub use figures::{Look, MOST_CURVES, curves, histogram, residuals, results, scale};
+pub use hand_ins::{copied_text, hand_ins, state_text};
+pub use quantities::{far_text, pooled, quantity, result_text};
+pub use workbook::workbook;
+
+use crate::collection::Collection;
+use crate::verify::meaning;
+use figure::Palette;
+use report::Page;
+use units::Language;
+
+/// Maximum number of quantities whose curves are drawn in a report.
+const MOST_GROUPS: usize = 12;
+
+/// A report of all groups as one self-contained HTML page. `date` and `version` stand at its end; an empty date is left out.
+pub fn html(collection: &Collection, language: Language, version: &str, date: &str) -> String {
+    let title = language.pick("Results of a class", "Resultados de una clase");
+    let look = Look { width: 700.0, palette: &Palette::LIGHT, language };
+    let mut page = Page::default();
+    page.raw("<header>\n");
+    page.element("p class=\"kicker\"", language.pick("Class", "Clase"));
+    page.element("h1", title);
+    page.element("p class=\"meta\"", &count_text(collection, language));
+    page.raw("</header>\n");
+    curves_section(&mut page, collection, look);
+    let quantities = collection.quantities();
+    if !quantities.is_empty() {
+        page.heading(language.pick("Fitted quantities", "Magnitudes ajustadas"));
+        for one in &quantities {
+            page.raw(&quantity(one, collection, look));
+        }
+    }
+    let questions = questions(&collection.questions(), language);
+    if !questions.is_empty() {
+        page.heading(language.pick("Answers", "Respuestas"));
+        page.raw(&questions);
+    }
+    page.heading(language.pick("Stuck", "Atascados"));
+    page.raw(&stuck(collection, &quantities, language));
+    page.heading(language.pick("Hand-ins", "Entregas"));
+    page.raw(&hand_ins(collection, language));
+    page.element("p class=\"note\"", meaning().text(language));
+    report::footer(&mut page, language, version, date);
+    report::page_of(title, language.tag(), version, &page.out)
+}
+
+/// Number of groups, and of files that do not count.
+pub fn count_text(collection: &Collection, language: Language) -> String {
+    let (groups, files) = (collection.works().count(), collection.entries().len());
+    let more = files - groups;
+    let text = language.pick(format!("{groups} groups"), format!("{groups} grupos"));
+    match more {
+        0 => text,
+        _ => language.pick(
+            format!("{text}, {more} further files that do not count"),
+            format!("{text}, {more} archivos más que no cuentan"),
+        ),
+    }
+}
+
+fn curves_section(page: &mut Page, collection: &Collection, look: Look) {
+    let language = look.language;
+    let groups = collection.curve_groups();
+    if groups.is_empty() {
+        return;
+    }
+    page.heading(language.pick("Measured curves", "Curvas medidas"));
+    for group in groups.iter().take(MOST_GROUPS) {
+        page.raw("<figure>\n");
+        page.raw(&curves(collection, group, &group.members, look));
+        page.raw(&residuals(collection, group, &group.members, look).unwrap_or_default());
+        page.element("figcaption", &curves_caption(collection, group, language));
+        page.raw("</figure>\n");
+    }
+    if groups.len() > MOST_GROUPS {
+        let rest = groups.len() - MOST_GROUPS;
+        let text = language.pick("Further quantities are not drawn: ", "Otras magnitudes no se dibujan: ");
+        page.element("p class=\"note\"", &format!("{text}{rest}."));
+    }
+}
+
+/// Caption of the curves of a quantity: their number, the theory that is drawn, and what is left out.
+pub fn curves_caption(collection: &Collection, group: &crate::collection::CurveGroup, language: Language) -> String {
+    let count = group.members.len();
+    let mut text = language.pick(format!("{count} measured curves."), format!("{count} curvas medidas."));
+    if let Some((member, fit)) = collection.typical_fit(group) {
+        let sender = collection.entries().get(member.hand_in).map_or("", |entry| entry.sender());
+        let theory = &fit.theory;
+        text += &language.pick(
+            format!(
+                " The bold curve is the fit of {theory} by {sender}, whose residuals have the median size. Below, what the \
+                 fit of each group leaves over."
+            ),
+            format!(
+                " La curva gruesa es el ajuste de {theory} de {sender}, cuyos residuos tienen el tamaño mediano. Abajo, lo \
+                 que deja el ajuste de cada grupo."
+            ),
+        );
+    }
+    if count > MOST_CURVES {
+        text += &language
+            .pick(format!(" The first {MOST_CURVES} are drawn."), format!(" Se dibujan las primeras {MOST_CURVES}."));
+    }
+    text
+}

@@ -1,0 +1,89 @@
+//! A fitted quantity: results of the groups and the pooled value.
+
+use super::figures::{Look, histogram, results, scale};
+use crate::collection::{Collection, Entry};
+use crate::pooling::{Measured, Pool, Pooled};
+use crate::results::Quantity;
+use report::{Page, escaped, symbol};
+use units::Language;
+use units::number::{Layout, plain, unit_text, with_error};
+
+/// Number of results from which on a histogram is drawn.
+const FOR_HISTOGRAM: usize = 8;
+/// Significant digits of a number without an error.
+const DIGITS: usize = 3;
+
+/// Section of a quantity: figure, table of the results, pooled value, histogram.
+pub fn quantity(quantity: &Quantity, collection: &Collection, look: Look) -> String {
+    let language = look.language;
+    let mut page = Page::default();
+    let unit = unit_text(&quantity.unit);
+    let unit = if unit.is_empty() { unit } else { format!(" [{}]", escaped(&unit)) };
+    page.wrapped("h3", &format!("{}: {}{unit}", escaped(&quantity.theory), symbol(&quantity.name)));
+    page.raw("<figure>\n");
+    page.raw(&results(quantity, look));
+    page.raw("</figure>\n");
+    for sentence in pooled(quantity, language) {
+        page.element("p", &sentence);
+    }
+    let headings = language.pick(["#Group", "Name", "#Result", ""], ["#Grupo", "Nombre", "#Resultado", ""]);
+    page.table("", &headings);
+    for (place, (index, measured)) in quantity.results.iter().enumerate() {
+        let sender = collection.entries().get(*index).map_or("", Entry::sender);
+        let (number, value) = (format!("#{}", place + 1), format!("#{}", result_text(quantity, *measured, language)));
+        page.row(&[&number, &escaped(sender), &value, &escaped(&far_text(quantity, place, language))]);
+    }
+    page.end_table();
+    if quantity.results.len() >= FOR_HISTOGRAM {
+        page.raw("<figure>\n");
+        page.raw(&histogram(quantity, look));
+        page.raw("</figure>\n");
+    }
+    page.out
+}
+
+/// Value and standard error of a result in the unit of the quantity, with the digits that the error allows.
+pub fn result_text(quantity: &Quantity, Measured { value, error }: Measured, language: Language) -> String {
+    let scale = scale(quantity);
+    with_error(value / scale, Some(error / scale), language.style())
+}
+
+/// Text for a result far from the others, with the likely reason; empty for others.
+pub fn far_text(quantity: &Quantity, place: usize, language: Language) -> String {
+    let outliers = quantity.pool.as_ref().map_or(&[][..], |pool| &pool.outliers);
+    let Some(outlier) = outliers.iter().find(|one| one.index == place) else { return String::new() };
+    let reason = outlier.reason.map(|reason| format!(": {}", reason.words().text(language)));
+    format!("{}{}", language.pick("far from the others", "lejos de los demás"), reason.unwrap_or_default())
+}
+
+/// Sentences about the pooled value: with all results, and without those far from the others; or why there is none.
+pub fn pooled(quantity: &Quantity, language: Language) -> Vec<String> {
+    let Pool { all, without, .. } = match &quantity.pool {
+        Ok(pool) => pool,
+        Err(why) => return vec![format!("{}.", capitalised(why.text(language)))],
+    };
+    let (scale, style) = (scale(quantity), language.style());
+    let unit = unit_text(&quantity.unit);
+    let gap = if unit.is_empty() { "" } else { " " };
+    let number = |value: f64| format!("{}{gap}{unit}", plain(value / scale, DIGITS, style));
+    let line = |title: &str, pooled: &Pooled| {
+        // The ends of the interval have the digits that the error allows.
+        let layout = Layout::of_errors([(pooled.value / scale, pooled.error / scale)]);
+        let end = |value: f64| layout.map_or_else(|| plain(value, 6, style), |layout| layout.number(value, style));
+        let (low, high) = (end(pooled.interval.0 / scale), end(pooled.interval.1 / scale));
+        let between =
+            language.pick(format!("95 %: {low} to {high}{gap}{unit}"), format!("95 %: de {low} a {high}{gap}{unit}"));
+        let value = with_error(pooled.value / scale, Some(pooled.error / scale), style);
+        let scatter = pooled.scatter_text(language, number);
+        format!("{title}, n = {}: {value}{gap}{unit} ({between}). {scatter}", pooled.count)
+    };
+    let mut sentences = vec![line(language.pick("Pooled", "Conjunto"), all)];
+    let title = language.pick("Without those far from the others", "Sin los que están lejos de los demás");
+    sentences.extend(without.as_ref().map(|without| line(title, without)));
+    sentences
+}
+
+fn capitalised(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}

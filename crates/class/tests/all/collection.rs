@@ -1,0 +1,133 @@
+//! The hand-ins of a class together: those that count, tallies of answers, groups that are stuck, reports.
+
+use crate::support::{VERSION, answered, handed, measured};
+use class::collection::{Collection, Entry, Snapshot, Snapshots, State};
+use class::page::{html, workbook};
+use class::verify::hand_in;
+use desk::play::Grade;
+use saved::hand_in::{HandIn, Sender};
+use units::Language;
+
+fn of(name: &str, rows: &[(f64, f64)], answers: &[&str]) -> HandIn {
+    let sender = Sender { name: name.to_owned(), ..Sender::default() };
+    hand_in(answered(rows, answers), sender, 1_763_812_900_000, VERSION).unwrap()
+}
+
+/// A collection of these hand-ins, computed.
+fn computed(hand_ins: &[HandIn]) -> Collection {
+    let mut collection = Collection::new(VERSION, Language::English);
+    for (index, one) in hand_ins.iter().enumerate() {
+        collection.add(&format!("{index}.hand-in"), &one.write());
+    }
+    while collection.advance() {}
+    assert_eq!(collection.waiting(), 0);
+    collection
+}
+
+#[test]
+fn of_repeated_hand_ins_the_last_counts_and_all_are_kept() {
+    let early = handed(&measured(1), "fox");
+    let late = HandIn { made: early.made + 1, ..handed(&measured(2), "fox") };
+    let other = handed(&measured(3), "heron");
+    // In whatever order they arrive.
+    for order in [[0, 1, 2], [1, 0, 2], [2, 1, 0], [1, 2, 0]] {
+        let all = [&early, &late, &other];
+        let mut collection = Collection::new(VERSION, Language::English);
+        for index in order {
+            collection.add(&format!("{index}.hand-in"), &all[index].write());
+            // Some are computed before the next one arrives.
+            if index == 0 {
+                while collection.advance() {}
+            }
+        }
+        collection.add("notes.hand-in", "[]");
+        collection.add("cut.hand-in", &early.write()[..500]);
+        while collection.advance() {}
+        let counting: Vec<&str> = collection.works().map(|(index, _)| collection.entries()[index].file()).collect();
+        assert_eq!(counting.len(), 2, "{order:?}");
+        assert!(counting.contains(&"1.hand-in") && counting.contains(&"2.hand-in"), "{counting:?}");
+        let repeated: Vec<&Entry> =
+            collection.entries().iter().filter(|entry| matches!(entry.state(), State::Repeated(_))).collect();
+        assert_eq!(repeated.len(), 1);
+        let State::Repeated(counts) = repeated[0].state() else { panic!() };
+        assert_eq!((repeated[0].file(), collection.entries()[*counts].file()), ("0.hand-in", "1.hand-in"));
+        let unreadable = |entry: &&Entry| matches!(entry.state(), State::Unreadable(_));
+        assert_eq!(collection.entries().iter().filter(unreadable).count(), 2);
+        assert!(collection.copies().is_empty());
+    }
+}
+
+#[test]
+fn answers_are_told_apart_by_error_with_examples() {
+    let class = computed(&[
+        of("a", &measured(1), &["420", "0.42"]),
+        of("b", &measured(2), &["-0.42", "-0.42 1/s", "-0.420"]),
+        of("c", &measured(3), &["7", "8", "9"]),
+        of("d", &measured(4), &["0.42"]),
+        of("e", &measured(5), &[]),
+    ]);
+    // The right answer is the fitted value, near 0.42, which the fit has put into the sliders.
+    let questions = class.questions();
+    let [tally] = questions.as_slice() else { panic!("{questions:?}") };
+    assert_eq!((tally.first.count, tally.first.of), (1, 4));
+    assert_eq!((tally.last.count, tally.last.of, tally.without), (2, 4, 1));
+    let kind = |grade: Grade| tally.errors.iter().find(|kind| kind.grade == grade);
+    let signs = kind(Grade::WrongSign).unwrap();
+    assert_eq!((signs.groups, signs.examples.len()), (1, 3), "{tally:?}");
+    assert!(signs.examples[0].1.starts_with("0.4"), "{tally:?}");
+    // Three answers wrong in the same way: the group is stuck. The first group is not.
+    let stuck = class.stuck(&class.quantities());
+    let who: Vec<usize> = stuck.iter().map(|one| one.hand_in).collect();
+    assert!(who.contains(&1) && !who.contains(&0) && !who.contains(&3), "{stuck:?}");
+}
+
+#[test]
+fn curves_and_results_of_a_class_are_reported() {
+    let mut hand_ins: Vec<HandIn> =
+        (1..=9).map(|seed| of(&format!("group {seed}"), &measured(seed), &["0.3"])).collect();
+    // One group has copied, one has taken half the times: its rate is twice as large.
+    let copied: Vec<(f64, f64)> = measured(1).iter().map(|(time, level)| (*time, 2.0 * level)).collect();
+    hand_ins.push(of("copy", &copied, &["0.3"]));
+    let fast: Vec<(f64, f64)> = measured(20).iter().map(|(time, level)| (0.5 * time, *level)).collect();
+    hand_ins.push(of("twice", &fast, &["0.3"]));
+    hand_ins[3].facts.pop();
+    let class = computed(&hand_ins);
+    assert_eq!(class.copies().len(), 1, "{:?}", class.copies());
+    let groups = class.curve_groups();
+    assert_eq!((groups[0].quantity.name.as_str(), groups[0].members.len()), ("y", 11));
+    assert!(class.typical_fit(&groups[0]).is_some());
+    let quantities = class.quantities();
+    let gamma = quantities.iter().find(|one| one.name == "gamma").unwrap();
+    let pool = gamma.pool.as_ref().unwrap();
+    assert_eq!(pool.outliers.iter().map(|one| one.index).collect::<Vec<_>>(), [10], "{pool:?}");
+    let page = html(&class, Language::English, VERSION, "");
+    for expected in [
+        "11 groups",
+        "twice or half as large",
+        "The same data, shifted or scaled: group 1",
+        "Without those far from the others, n = 10",
+        " values equal<br>",
+    ] {
+        assert!(page.contains(expected), "{expected}");
+    }
+    assert!(html(&class, Language::Spanish, VERSION, "").contains("el doble o la mitad"));
+    assert!(workbook(&class, Language::English).starts_with(b"PK"));
+}
+
+#[test]
+fn snapshots_are_shown_in_order_and_without_names() {
+    let class = computed(&[of("Ana", &measured(1), &["1"]), of("Bob", &measured(2), &["2"])]);
+    let members = class.curve_groups()[0].members.clone();
+    let mut snapshots = Snapshots::default();
+    for member in members.iter().rev() {
+        assert!(snapshots.toggle(Snapshot::Curve(*member)));
+    }
+    assert!(snapshots.toggle(Snapshot::Answer { hand_in: 1, answer: 0 }));
+    assert_eq!(snapshots.letters(), ["A", "B", "A"]);
+    snapshots.move_up(2);
+    assert_eq!(snapshots.list()[1], Snapshot::Answer { hand_in: 1, answer: 0 });
+    assert!(!snapshots.toggle(Snapshot::Curve(members[1])));
+    assert_eq!(snapshots.letters(), ["A", "B"]);
+    snapshots.retain(&Collection::new(VERSION, Language::English));
+    assert!(snapshots.list().is_empty());
+}

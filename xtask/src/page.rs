@@ -61,6 +61,7 @@ const KINDS: [Kind; 2] = [
             "lab/page/write.css",
             "lab/page/drawing.css",
             "lab/page/publish.css",
+            "lab/page/class.css",
             "view/page/narrow.css",
             "view/page/print.css",
         ],

@@ -11,8 +11,10 @@ use units::Words;
 pub struct Quantity {
     /// Title of the theory.
     pub theory: String,
-    /// Name of the quantity.
+    /// Name of the quantity in the theory.
     pub name: String,
+    /// True if it follows from the fitted parameters.
+    pub is_derived: bool,
     /// Unit in which it is shown; that of the first hand-in, empty for a pure number.
     pub unit: String,
     /// Index of each hand-in that has it, and its result.
@@ -24,6 +26,8 @@ pub struct Quantity {
 /// Prefixes of the facts with standard errors and with units.
 const ERROR: &str = "standard error of ";
 const UNIT: &str = "unit of ";
+/// Prefix of quantities that follow from the fitted parameters.
+const DERIVED: &str = "derived ";
 
 /// Results of a quantity by hand-in.
 #[derive(Default)]
@@ -56,7 +60,9 @@ pub fn quantities<'a>(hand_ins: impl Iterator<Item = (usize, &'a [Fact])>) -> Ve
     let quantity = |((theory, name), found): ((String, String), Found)| {
         let (unit, results) = (found.unit.unwrap_or_default(), Vec::from_iter(found.results));
         let pool = pool(&results.iter().map(|(_, measured)| *measured).collect::<Vec<_>>());
-        Quantity { theory, name, unit, results, pool }
+        let derived = name.strip_prefix(DERIVED).map(str::to_owned);
+        let is_derived = derived.is_some();
+        Quantity { theory, name: derived.unwrap_or(name), is_derived, unit, results, pool }
     };
     found.into_iter().map(quantity).collect()
 }

@@ -2,6 +2,7 @@
 
 mod host;
 
+use crate::class::Room;
 use crate::film::{Films, Player};
 use crate::stored::{Kept, Saved, VersionTimes};
 use crate::words::{Words, words_in};
@@ -93,6 +94,8 @@ pub struct Laboratory {
     pub new_record: Signal<Option<u32>>,
     /// The open film.
     pub films: Films,
+    /// The hand-ins of a class.
+    pub class: Room,
     /// Progress of the fits started by the user, `None` while none runs.
     pub fit_progress: Signal<Option<FitProgress>>,
     /// Progress of reading a file as a record, `None` while none is read.
@@ -180,6 +183,7 @@ impl App {
             dragging_files: create_signal(false),
             new_record: create_signal(None),
             films: Films::new(),
+            class: Room::new(language),
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
             record_refusal: create_signal(None),

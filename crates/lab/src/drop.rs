@@ -1,7 +1,7 @@
 //! Dropping files anywhere on the page, with a visible hint while they are dragged over it.
 
 use crate::app::App;
-use crate::files;
+use crate::{class, files};
 use view::browser;
 use view::views::*;
 use web_sys::{DragEvent, Event};
@@ -36,7 +36,11 @@ pub fn listen(app: App) {
             return;
         }
         event.prevent_default();
-        if let Some(files) = event.data_transfer().and_then(|data| data.files()) {
+        let Some(data) = event.data_transfer() else { return };
+        let folders = class::folders(&data);
+        if !folders.is_empty() {
+            wasm_bindgen_futures::spawn_local(class::add_of_folders(app, folders));
+        } else if let Some(files) = data.files() {
             files::open(app, &files);
         }
     });

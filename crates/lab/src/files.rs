@@ -1,7 +1,7 @@
 //! Opening files picked or dropped by the user.
 
 use crate::app::App;
-use crate::{film, intake, opening, project};
+use crate::{class, film, intake, opening, project};
 use document::BlockKind;
 use document::page::{self, Source};
 use js_sys::Uint8Array;
@@ -34,6 +34,10 @@ pub fn open(app: App, files: &FileList) {
         let (films, files): (Vec<File>, Vec<File>) = files.into_iter().partition(film::is_film);
         if let Some(file) = films.into_iter().next() {
             film::open(app, file);
+        }
+        let (hand_ins, files): (Vec<File>, Vec<File>) = files.into_iter().partition(class::is_hand_in);
+        if !hand_ins.is_empty() {
+            class::add(app, hand_ins).await;
         }
         let (projects, files): (Vec<File>, Vec<File>) = files.into_iter().partition(project::is_project);
         if let Some(file) = projects.into_iter().next() {

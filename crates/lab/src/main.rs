@@ -4,6 +4,7 @@
 
 mod app;
 mod carried;
+mod class;
 mod cycles;
 mod data;
 mod derivatives;

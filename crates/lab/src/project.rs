@@ -11,7 +11,7 @@ pub fn is_project(file: &File) -> bool {
     file.name().to_lowercase().ends_with(PROJECT_ENDING)
 }
 
-/// Opens a project as a new history entry. Existing records stay.
+/// Opens the project in a file; see [`show`].
 pub async fn open(app: App, file: &File) {
     let name = file.name();
     let project = match read(file).await {
@@ -22,6 +22,11 @@ pub async fn open(app: App, file: &File) {
         }
         Err(None) => return app.complain(format!("{} {name}", app.words().file_not_read)),
     };
+    show(app, &name, project);
+}
+
+/// Opens the project of this name as a new history entry. Existing records stay.
+pub fn show(app: App, name: &str, project: Project) {
     opening::go_to(app, project.documents, &project.state);
     let runs = app.read(|_| true);
     let refused = app.act_on_desk(|desk| desk.take_project_items(&project.items));

@@ -147,6 +147,16 @@ impl Collection {
         &self.entries
     }
 
+    /// Pseudonym or name of the sender of a hand-in; empty if there is none.
+    pub fn sender(&self, hand_in: usize) -> &str {
+        self.entries.get(hand_in).map_or("", Entry::sender)
+    }
+
+    /// The answer of a group at this place of [`Work::answers`].
+    pub fn answer(&self, hand_in: usize, answer: usize) -> Option<&GivenAnswer> {
+        self.entries.get(hand_in)?.work()?.answers.get(answer)
+    }
+
     /// Number of hand-ins that are still to be computed.
     pub fn waiting(&self) -> usize {
         self.entries.iter().filter(|entry| matches!(entry.state, State::Waiting)).count()

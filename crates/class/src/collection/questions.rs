@@ -41,6 +41,14 @@ pub struct ErrorKind {
     pub examples: Vec<(String, String, usize)>,
 }
 
+impl QuestionTally {
+    /// True if an answer belongs to the question.
+    pub fn is_of(&self, answer: &GivenAnswer) -> bool {
+        let GivenAnswer { document, question, prompt, .. } = answer;
+        (&self.document, self.question, &self.prompt) == (document, *question, prompt)
+    }
+}
+
 impl Collection {
     /// The answers by document and question.
     pub fn questions(&self) -> Vec<QuestionTally> {

@@ -1,6 +1,6 @@
 //! Answers by question, and groups that are stuck.
 
-use crate::collection::{Collection, Entry, ErrorKind, QuestionTally};
+use crate::collection::{Collection, ErrorKind, QuestionTally};
 use crate::results::Quantity;
 use desk::play::Grade;
 use report::{Page, escaped};
@@ -26,14 +26,13 @@ pub fn questions(questions: &[QuestionTally], language: Language) -> String {
             ),
         );
         let (revealed, without) = (tally.revealed, tally.without);
-        if revealed + without > 0 {
-            page.element(
-                "p",
-                &language.pick(
-                    format!("The answer was shown to {revealed} groups; {without} have not tried."),
-                    format!("La respuesta se mostró a {revealed} grupos; {without} no lo han intentado."),
-                ),
-            );
+        if without > 0 {
+            let text = language.pick("Groups that have not tried", "Grupos que no lo han intentado");
+            page.element("p", &format!("{text}: {without}."));
+        }
+        if revealed > 0 {
+            let text = language.pick("Groups that have looked at the answer", "Grupos que han mirado la respuesta");
+            page.element("p", &format!("{text}: {revealed}."));
         }
         errors(&mut page, &tally.errors, language);
     }
@@ -86,7 +85,7 @@ pub fn stuck(collection: &Collection, quantities: &[Quantity], language: Languag
     }
     page.raw("<ul>\n");
     for one in stuck {
-        let sender = collection.entries().get(one.hand_in).map_or("", Entry::sender);
+        let sender = collection.sender(one.hand_in);
         page.element("li", &format!("{sender}: {}", one.why.text(language)));
     }
     page.raw("</ul>\n");

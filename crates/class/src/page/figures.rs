@@ -25,6 +25,8 @@ const POOLED: u8 = 1;
 pub struct Look {
     /// Width in pixels.
     pub width: f64,
+    /// Height of the figure of measured curves in pixels.
+    pub height: f64,
     /// Colours.
     pub palette: &'static Palette,
     /// Language of the texts.
@@ -51,20 +53,30 @@ fn thinned(values: &[f64]) -> Vec<f64> {
 /// A drawn curve: horizontal and vertical values.
 type Points = (Vec<f64>, Vec<f64>);
 
-/// The measured curves of these groups over the fitted curve of one of them. At most 200 curves are drawn.
-pub fn curves(collection: &Collection, group: &CurveGroup, members: &[Member], look: Look) -> String {
+/// The measured curves of these groups over the fitted curve of one of them. At most 200 curves are drawn. `labels`: a name
+/// for each curve, or empty for faint curves without a legend.
+pub fn curves(
+    collection: &Collection,
+    group: &CurveGroup,
+    members: &[Member],
+    labels: &[String],
+    look: Look,
+) -> String {
     let language = look.language;
     let own = |member: &Member| collection.curve(*member);
     let points = |curve: &MeasuredCurve| (thinned(&curve.times), thinned(&curve.values));
     let drawn: Vec<Points> = members.iter().take(MOST_CURVES).filter_map(own).map(points).collect();
     let typical = collection.typical_fit(&CurveGroup { members: members.to_vec(), ..group.clone() });
     let mut series = ghosts(&drawn);
+    for ((number, series), label) in series.iter_mut().enumerate().zip(labels) {
+        (series.style, series.label, series.colour) = (Style::Run(number as u8), label, 0);
+    }
     if let Some((_, FittedCurve { curve_times, curve_values, .. })) = typical {
         let label = language.pick("theory", "teoría");
         series.push(Series { label, colour: THEORY, x: curve_times, y: curve_values, ..Series::default() });
     }
     let description = language.pick("measured curves of all groups", "curvas medidas de todos los grupos");
-    draw(group, ("", description), series, look, 300.0)
+    draw(group, ("", description), series, look, look.height)
 }
 
 /// What is left over of the fits of these groups: measured minus fitted. `None` without a fit.

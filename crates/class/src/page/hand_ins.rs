@@ -75,7 +75,7 @@ pub fn state_text(entry: &Entry, collection: &Collection, language: Language) ->
 /// Sentence about data that two hand-ins share.
 pub fn copied_text(copied: &Copied, collection: &Collection, language: Language) -> String {
     let place = |(index, record, column): &(usize, String, String)| {
-        let sender = collection.entries().get(*index).map_or("", |entry| entry.sender());
+        let sender = collection.sender(*index);
         format!("{sender}, {record}, {column}")
     };
     let relation = match copied.relation {

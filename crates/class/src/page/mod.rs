@@ -24,7 +24,7 @@ const MOST_GROUPS: usize = 12;
 /// A report of all groups as one self-contained HTML page. `date` and `version` stand at its end; an empty date is left out.
 pub fn html(collection: &Collection, language: Language, version: &str, date: &str) -> String {
     let title = language.pick("Results of a class", "Resultados de una clase");
-    let look = Look { width: 700.0, palette: &Palette::LIGHT, language };
+    let look = Look { width: 700.0, height: 300.0, palette: &Palette::LIGHT, language };
     let mut page = Page::default();
     page.raw("<header>\n");
     page.element("p class=\"kicker\"", language.pick("Class", "Clase"));
@@ -76,7 +76,7 @@ fn curves_section(page: &mut Page, collection: &Collection, look: Look) {
     page.heading(language.pick("Measured curves", "Curvas medidas"));
     for group in groups.iter().take(MOST_GROUPS) {
         page.raw("<figure>\n");
-        page.raw(&curves(collection, group, &group.members, look));
+        page.raw(&curves(collection, group, &group.members, &[], look));
         page.raw(&residuals(collection, group, &group.members, look).unwrap_or_default());
         page.element("figcaption", &curves_caption(collection, group, language));
         page.raw("</figure>\n");
@@ -93,7 +93,7 @@ pub fn curves_caption(collection: &Collection, group: &crate::collection::CurveG
     let count = group.members.len();
     let mut text = language.pick(format!("{count} measured curves."), format!("{count} curvas medidas."));
     if let Some((member, fit)) = collection.typical_fit(group) {
-        let sender = collection.entries().get(member.hand_in).map_or("", |entry| entry.sender());
+        let sender = collection.sender(member.hand_in);
         let theory = &fit.theory;
         text += &language.pick(
             format!(

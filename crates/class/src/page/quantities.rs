@@ -1,12 +1,12 @@
 //! A fitted quantity: results of the groups and the pooled value.
 
 use super::figures::{Look, histogram, results, scale};
-use crate::collection::{Collection, Entry};
+use crate::collection::Collection;
 use crate::pooling::{Measured, Pool, Pooled};
 use crate::results::Quantity;
 use report::{Page, escaped, symbol};
-use units::Language;
-use units::number::{Layout, plain, unit_text, with_error};
+use units::number::{Layout, plain, unit_text, with_error, with_unit};
+use units::{Language, Unit};
 
 /// Number of results from which on a histogram is drawn.
 const FOR_HISTOGRAM: usize = 8;
@@ -29,7 +29,7 @@ pub fn quantity(quantity: &Quantity, collection: &Collection, look: Look) -> Str
     let headings = language.pick(["#Group", "Name", "#Result", ""], ["#Grupo", "Nombre", "#Resultado", ""]);
     page.table("", &headings);
     for (place, (index, measured)) in quantity.results.iter().enumerate() {
-        let sender = collection.entries().get(*index).map_or("", Entry::sender);
+        let sender = collection.sender(*index);
         let (number, value) = (format!("#{}", place + 1), format!("#{}", result_text(quantity, *measured, language)));
         page.row(&[&number, &escaped(sender), &value, &escaped(&far_text(quantity, place, language))]);
     }
@@ -65,7 +65,12 @@ pub fn pooled(quantity: &Quantity, language: Language) -> Vec<String> {
     let (scale, style) = (scale(quantity), language.style());
     let unit = unit_text(&quantity.unit);
     let gap = if unit.is_empty() { "" } else { " " };
-    let number = |value: f64| format!("{}{gap}{unit}", plain(value / scale, DIGITS, style));
+    // In a unit with a prefix, so that a small scatter needs no power of ten.
+    let number = |si: f64| {
+        let Ok(own) = Unit::parse(&quantity.unit) else { return plain(si, DIGITS, style) };
+        let shown = own.for_residuals(si / scale);
+        with_unit(&plain(si / scale * (own.factor / shown.factor), DIGITS, style), &shown)
+    };
     let line = |title: &str, pooled: &Pooled| {
         // The ends of the interval have the digits that the error allows.
         let layout = Layout::of_errors([(pooled.value / scale, pooled.error / scale)]);

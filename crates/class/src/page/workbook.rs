@@ -3,7 +3,7 @@
 use super::figures::scale;
 use super::hand_ins::{copied_text, state_text};
 use super::quantities::far_text;
-use crate::collection::{Collection, Entry};
+use crate::collection::Collection;
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 use units::Language;
 
@@ -15,10 +15,6 @@ pub fn workbook(collection: &Collection, language: Language) -> Vec<u8> {
 
 fn head<const N: usize>(names: [&str; N]) -> Vec<Cell> {
     names.map(Cell::from).to_vec()
-}
-
-fn sender(collection: &Collection, index: usize) -> &str {
-    collection.entries().get(index).map_or("", Entry::sender)
 }
 
 fn results(collection: &Collection, language: Language) -> Sheet {
@@ -34,7 +30,7 @@ fn results(collection: &Collection, language: Language) -> Sheet {
                 quantity.theory.as_str().into(),
                 quantity.name.as_str().into(),
                 quantity.unit.as_str().into(),
-                sender(collection, *index).into(),
+                collection.sender(*index).into(),
                 (measured.value / scale).into(),
                 (measured.error / scale).into(),
                 far.into(),
@@ -68,7 +64,7 @@ fn answers(collection: &Collection, language: Language) -> Sheet {
         for answer in &work.answers {
             for (attempt, number) in answer.attempts.iter().zip(1..) {
                 rows.push(vec![
-                    sender(collection, index).into(),
+                    collection.sender(index).into(),
                     answer.document.as_str().into(),
                     (answer.question as f64 + 1.0).into(),
                     f64::from(number).into(),

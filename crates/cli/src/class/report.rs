@@ -8,7 +8,7 @@ use crate::terminal::Terminal;
 use crate::terminal::output;
 use crate::terminal::visible::visible;
 use analysis::csv::Dialect;
-use class::collection::{Collection, Entry, State};
+use class::collection::{Collection, State};
 use class::page;
 use class::pooling::{Measured, Pooled};
 use class::results::Quantity;
@@ -59,16 +59,12 @@ fn computed(handed: Vec<Handed>, terminal: Terminal) -> Collection {
     class
 }
 
-fn sender_name(class: &Collection, index: usize) -> &str {
-    class.entries().get(index).map_or("", Entry::sender)
-}
-
 fn as_text(quantities: &[Quantity], class: &Collection, language: Language) -> String {
     let mut text = String::new();
     for quantity in quantities {
         let unit = if quantity.unit.is_empty() { String::new() } else { format!(" [{}]", quantity.unit) };
         text += &format!("{}: {}{unit}\n", quantity.theory, quantity.name);
-        let names: Vec<&str> = quantity.results.iter().map(|(index, _)| sender_name(class, *index)).collect();
+        let names: Vec<&str> = quantity.results.iter().map(|(index, _)| class.sender(*index)).collect();
         let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
         for (place, (name, (_, measured))) in names.iter().zip(&quantity.results).enumerate() {
             let far = page::far_text(quantity, place, language);
@@ -90,7 +86,7 @@ fn as_csv(quantities: &[Quantity], class: &Collection) -> String {
         for (place, (index, measured)) in quantity.results.iter().enumerate() {
             let marked = quantity.pool.as_ref().is_ok_and(|pool| pool.outliers.iter().any(|one| one.index == place));
             // Writing to a string cannot fail.
-            for word in [&quantity.theory, &quantity.name, &quantity.unit, sender_name(class, *index)] {
+            for word in [&quantity.theory, &quantity.name, &quantity.unit, class.sender(*index)] {
                 let _ = Dialect::Commas.text(&mut text, word);
                 text.push(',');
             }
@@ -121,7 +117,7 @@ fn as_json(quantities: &[Quantity], class: &Collection, language: Language) -> S
             let pool = quantity.pool.as_ref().ok();
             let outlier = pool.and_then(|pool| pool.outliers.iter().find(|one| one.index == place));
             json!({
-                "group": sender_name(class, *index),
+                "group": class.sender(*index),
                 "value": measured.value / scale,
                 "standard_error": measured.error / scale,
                 "outlier": outlier.is_some(),

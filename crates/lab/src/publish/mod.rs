@@ -9,7 +9,7 @@ mod window;
 mod words;
 
 use crate::app::App;
-use crate::write;
+use crate::{class, write};
 use view::views::*;
 use view::{icons, views};
 
@@ -47,6 +47,7 @@ fn contents(app: App) -> View {
         .child(section_of(words.page, page.view(app)))
         .child(section_of(words.frame, frame::view(app)))
         .child(section_of(words.files, files::view(app)))
+        .child(section_of(class::title(app), class::door(app)))
         .into()
 }
 

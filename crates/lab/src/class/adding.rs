@@ -1,0 +1,84 @@
+//! Hand-ins that are chosen or dropped, also as folders.
+
+use super::folder::files_in;
+use super::words;
+use crate::app::App;
+use desk::saved::hand_in::{HAND_IN_ENDING, HandInError, LONGEST_HAND_IN};
+use view::browser;
+use view::views::*;
+use web_sys::{File, FileSystemEntry, HtmlInputElement};
+
+/// Time between two updates of the views while files are read, in milliseconds.
+const UPDATE: f64 = 500.0;
+
+/// True if a file is a hand-in, by the ending of its name.
+pub fn is_hand_in(file: &File) -> bool {
+    file.name().to_lowercase().ends_with(HAND_IN_ENDING)
+}
+
+/// Reads hand-ins into the dashboard, which opens, and computes them.
+pub async fn add(app: App, files: Vec<File>) {
+    super::open(app);
+    let mut shown = js_sys::Date::now();
+    for file in files {
+        let text = text_of(&file).await;
+        app.class.add(&file.name(), text);
+        let now = js_sys::Date::now();
+        if now - shown > UPDATE {
+            shown = now;
+            app.class.show();
+        }
+    }
+    app.class.show();
+    app.class.compute();
+}
+
+/// Reads the hand-ins of dropped folders; a message if there are none.
+pub async fn add_of_folders(app: App, folders: Vec<FileSystemEntry>) {
+    let files = files_in(folders).await;
+    choose(app, files).await;
+}
+
+/// Adds the hand-ins among files; a message if there are none.
+async fn choose(app: App, mut files: Vec<File>) {
+    files.retain(is_hand_in);
+    if !files.is_empty() {
+        return add(app, files).await;
+    }
+    let why = words::of(app).no_hand_in;
+    if !app.class.refuse(why) {
+        app.complain(why.to_owned());
+    }
+}
+
+/// Text of a file. Too large files are refused without reading them.
+async fn text_of(file: &File) -> Result<String, HandInError> {
+    if file.size() > LONGEST_HAND_IN as f64 {
+        return Err(HandInError::TooLarge);
+    }
+    let text = browser::wait(file.text()).await.ok().and_then(|text| text.as_string());
+    text.ok_or(HandInError::Damaged)
+}
+
+/// Button that lets the user choose files, or a folder.
+pub fn choice(app: App, id: &'static str, label: &'static str, is_folder: bool) -> View {
+    let mut input = input().r#type("file");
+    let node: HtmlInputElement = input.node();
+    let chosen = node.clone();
+    let read = move |_| {
+        let list = chosen.files();
+        let all = list.iter().flat_map(|files| (0..files.length()).filter_map(|index| files.get(index)));
+        let files: Vec<File> = all.collect();
+        chosen.set_value("");
+        wasm_bindgen_futures::spawn_local(choose(app, files));
+    };
+    let input = input
+        .id(format!("{id}-files"))
+        .hidden(true)
+        .multiple(true)
+        .attr("aria-label", label)
+        .attr("webkitdirectory", is_folder.then_some(""))
+        .when(events::change, read);
+    let input = if is_folder { input } else { input.accept(HAND_IN_ENDING) };
+    View::from((button().class("quiet").id(id).when(events::click, move |_| node.click()).child(label), input))
+}

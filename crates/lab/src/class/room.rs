@@ -1,0 +1,211 @@
+//! State of the dashboard: the hand-ins, what is collected for the wall, and the names on this device.
+
+use class::collection::{Collection, Snapshot, Snapshots};
+use desk::saved::hand_in::HandInError;
+use std::collections::BTreeMap;
+use units::Language;
+use view::browser;
+use view::views::*;
+
+/// Storage key of the names beside pseudonyms: a line with pseudonym, tabulator and name for each.
+const NAMES: &str = "class-names";
+/// Duration of a slice of the computation, in milliseconds.
+const SLICE: f64 = 12.0;
+/// Time between two updates of the views during a computation, in milliseconds.
+const UPDATE: f64 = 1000.0;
+
+/// The hand-ins of a class in the page; cheap to copy.
+#[derive(Clone, Copy)]
+pub struct Room {
+    collection: Signal<Collection>,
+    snapshots: Signal<Snapshots>,
+    names: Signal<BTreeMap<String, String>>,
+    is_open: Signal<bool>,
+    is_computing: Signal<bool>,
+    /// Reason why the last files were refused; empty if they were not.
+    refusal: Signal<String>,
+    /// Part of the collected work that the wall shows.
+    wall: Signal<Wall>,
+}
+
+/// Shown part of the collected work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wall {
+    /// Nothing is shown.
+    Closed,
+    /// All curves of the same quantity in one figure.
+    Together,
+    /// The piece of work at this place.
+    One(usize),
+}
+
+impl Room {
+    /// An empty room. `language`: language of the questions.
+    pub fn new(language: Language) -> Self {
+        Self {
+            collection: create_signal(Collection::new(env!("CARGO_PKG_VERSION"), language)),
+            snapshots: create_signal(Snapshots::default()),
+            names: create_signal(BTreeMap::new()),
+            is_open: create_signal(false),
+            is_computing: create_signal(false),
+            refusal: create_signal(String::new()),
+            wall: create_signal(Wall::Closed),
+        }
+    }
+
+    /// True while the dashboard is open.
+    pub fn is_open(self) -> bool {
+        self.is_open.get()
+    }
+
+    /// Opens the dashboard, or closes it. Names are read from this device.
+    pub fn set_open(self, open: bool) {
+        if open == self.is_open.get_untracked() {
+            return;
+        }
+        if open {
+            let stored = browser::remembered(NAMES).unwrap_or_default();
+            let names = stored.lines().filter_map(|line| line.split_once('\t'));
+            let names = names.map(|(pseudonym, name)| (pseudonym.to_owned(), name.to_owned()));
+            self.names.set_silent(names.collect());
+        }
+        self.is_open.set(open);
+    }
+
+    /// Reads the hand-ins; a view that does is rebuilt when they change. No view may be built inside.
+    pub fn read<T>(self, read: impl FnOnce(&Collection) -> T) -> T {
+        self.collection.with(read)
+    }
+
+    /// Reads the hand-ins without following them.
+    pub fn read_once<T>(self, read: impl FnOnce(&Collection) -> T) -> T {
+        self.collection.with_untracked(read)
+    }
+
+    /// Reason why the last files were refused; empty if they were not.
+    pub fn refusal(self) -> String {
+        self.refusal.get_clone()
+    }
+
+    /// Shows why files were refused. Returns false if the dashboard is not open.
+    pub fn refuse(self, why: &str) -> bool {
+        self.refusal.set(why.to_owned());
+        self.is_open.get_untracked()
+    }
+
+    /// Adds the file of this name; the views follow with [`Room::show`].
+    pub fn add(self, name: &str, text: Result<String, HandInError>) {
+        self.refusal.set(String::new());
+        self.collection.update_silent(|collection| match text {
+            Ok(text) => collection.add(name, &text),
+            Err(error) => collection.add_read(name, Err(error)),
+        });
+    }
+
+    /// Rebuilds the views of the hand-ins. The focus stays.
+    pub fn show(self) {
+        let focused = browser::focused();
+        self.snapshots.update_silent(|snapshots| self.collection.with_untracked(|all| snapshots.retain(all)));
+        self.collection.update(|_| ());
+        if !focused.is_empty() {
+            browser::focus_in_place(&focused);
+        }
+    }
+
+    /// Removes all hand-ins.
+    pub fn clear(self) {
+        self.collection.update_silent(Collection::clear);
+        self.snapshots.set(Snapshots::default());
+        self.show();
+    }
+
+    /// Computes the hand-ins in slices, between which the page reacts.
+    pub fn compute(self) {
+        if self.is_computing.replace(true) {
+            return;
+        }
+        wasm_bindgen_futures::spawn_local(async move {
+            let mut shown = js_sys::Date::now();
+            while self.work_for_a_slice() {
+                browser::breathe().await;
+                let now = js_sys::Date::now();
+                if now - shown > UPDATE {
+                    shown = now;
+                    self.show();
+                }
+            }
+            self.is_computing.set_silent(false);
+            self.show();
+        });
+    }
+
+    /// Returns false if nothing is left to do.
+    fn work_for_a_slice(self) -> bool {
+        let end = js_sys::Date::now() + SLICE;
+        let mut goes_on = true;
+        self.collection.update_silent(|collection| {
+            while goes_on && js_sys::Date::now() < end {
+                goes_on = collection.advance();
+            }
+        });
+        goes_on
+    }
+
+    /// The work collected for the wall.
+    pub fn snapshots(self) -> Snapshots {
+        self.snapshots.get_clone()
+    }
+
+    /// Collects a piece of work, or removes it.
+    pub fn toggle(self, snapshot: Snapshot) {
+        self.snapshots.update(|snapshots| snapshots.toggle(snapshot));
+    }
+
+    /// Shows a collected piece of work earlier.
+    pub fn move_up(self, place: usize) {
+        self.snapshots.update(|snapshots| snapshots.move_up(place));
+    }
+
+    /// True if a piece of work is collected.
+    pub fn is_collected(self, snapshot: Snapshot) -> bool {
+        self.snapshots.with(|snapshots| snapshots.list().contains(&snapshot))
+    }
+
+    /// Part of the collected work that the wall shows.
+    pub fn wall(self) -> Wall {
+        self.wall.get()
+    }
+
+    /// Changes the part of the collected work that the wall shows.
+    pub fn set_wall(self, wall: Wall) {
+        self.wall.set(wall);
+    }
+
+    /// Name of a pseudonym on this device; empty if there is none.
+    pub fn name(self, pseudonym: &str) -> String {
+        self.names.with_untracked(|names| names.get(pseudonym).cloned().unwrap_or_default())
+    }
+
+    /// Name of a pseudonym, or the pseudonym if there is none.
+    pub fn called(self, pseudonym: &str) -> String {
+        let name = self.name(pseudonym);
+        if name.is_empty() { pseudonym.to_owned() } else { name }
+    }
+
+    /// Stores the name of a pseudonym on this device; an empty name removes it. Returns false if the browser refuses.
+    pub fn set_name(self, pseudonym: &str, name: &str) -> bool {
+        let name: String = name.chars().filter(|c| !c.is_control()).collect();
+        self.names.update_silent(|names| {
+            if name.trim().is_empty() {
+                names.remove(pseudonym);
+            } else {
+                names.insert(pseudonym.to_owned(), name.trim().to_owned());
+            }
+        });
+        let mut lines = String::new();
+        self.names.with_untracked(|names| {
+            names.iter().for_each(|(pseudonym, name)| lines.extend([pseudonym, "\t", name, "\n"]));
+        });
+        browser::remember(NAMES, &lines)
+    }
+}

@@ -36,7 +36,7 @@ pub fn html(collection: &Collection, language: Language, version: &str, date: &s
     if !quantities.is_empty() {
         page.heading(language.pick("Fitted quantities", "Magnitudes ajustadas"));
         for one in &quantities {
-            page.raw(&quantity(one, collection, look));
+            page.raw(&quantity(one, collection, usize::MAX, look));
         }
     }
     let questions = questions(&collection.questions(), language);
@@ -53,18 +53,19 @@ pub fn html(collection: &Collection, language: Language, version: &str, date: &s
     report::page_of(title, language.tag(), version, &page.out)
 }
 
-/// Number of groups, and of files that do not count.
+/// Number of groups, of hand-ins that are still to be computed, and of files that do not count.
 pub fn count_text(collection: &Collection, language: Language) -> String {
-    let (groups, files) = (collection.works().count(), collection.entries().len());
-    let more = files - groups;
-    let text = language.pick(format!("{groups} groups"), format!("{groups} grupos"));
-    match more {
-        0 => text,
-        _ => language.pick(
-            format!("{text}, {more} further files that do not count"),
-            format!("{text}, {more} archivos más que no cuentan"),
-        ),
+    let (groups, waiting) = (collection.works().count(), collection.waiting());
+    let more = collection.entries().len() - groups - waiting;
+    let mut text = language.pick(format!("{groups} groups"), format!("{groups} grupos"));
+    if waiting > 0 {
+        text += &language.pick(format!(", {waiting} still to be computed"), format!(", {waiting} por calcular"));
     }
+    if more > 0 {
+        let rest = language.pick("further files that do not count", "archivos más que no cuentan");
+        text += &format!(", {more} {rest}");
+    }
+    text
 }
 
 fn curves_section(page: &mut Page, collection: &Collection, look: Look) {

@@ -13,8 +13,8 @@ const FOR_HISTOGRAM: usize = 8;
 /// Significant digits of a number without an error.
 const DIGITS: usize = 3;
 
-/// Section of a quantity: figure, table of the results, pooled value, histogram.
-pub fn quantity(quantity: &Quantity, collection: &Collection, look: Look) -> String {
+/// Section of a quantity: figure, pooled value, table of the first `most` results, histogram.
+pub fn quantity(quantity: &Quantity, collection: &Collection, most: usize, look: Look) -> String {
     let language = look.language;
     let mut page = Page::default();
     let unit = unit_text(&quantity.unit);
@@ -26,14 +26,20 @@ pub fn quantity(quantity: &Quantity, collection: &Collection, look: Look) -> Str
     for sentence in pooled(quantity, language) {
         page.element("p", &sentence);
     }
-    let headings = language.pick(["#Group", "Name", "#Result", ""], ["#Grupo", "Nombre", "#Resultado", ""]);
+    let headings =
+        language.pick(["#Group", "Name", "#Result", "Remark"], ["#Grupo", "Nombre", "#Resultado", "Observación"]);
     page.table("", &headings);
-    for (place, (index, measured)) in quantity.results.iter().enumerate() {
+    for (place, (index, measured)) in quantity.results.iter().enumerate().take(most) {
         let sender = collection.sender(*index);
         let (number, value) = (format!("#{}", place + 1), format!("#{}", result_text(quantity, *measured, language)));
         page.row(&[&number, &escaped(sender), &value, &escaped(&far_text(quantity, place, language))]);
     }
     page.end_table();
+    let rest = quantity.results.len().saturating_sub(most);
+    if rest > 0 {
+        let text = language.pick("Further groups, listed in the report", "Otros grupos, que están en el informe");
+        page.element("p class=\"note\"", &format!("{text}: {rest}."));
+    }
     if quantity.results.len() >= FOR_HISTOGRAM {
         page.raw("<figure>\n");
         page.raw(&histogram(quantity, look));

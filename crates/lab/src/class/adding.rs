@@ -8,9 +8,6 @@ use view::browser;
 use view::views::*;
 use web_sys::{File, FileSystemEntry, HtmlInputElement};
 
-/// Time between two updates of the views while files are read, in milliseconds.
-const UPDATE: f64 = 500.0;
-
 /// True if a file is a hand-in, by the ending of its name.
 pub fn is_hand_in(file: &File) -> bool {
     file.name().to_lowercase().ends_with(HAND_IN_ENDING)
@@ -19,15 +16,10 @@ pub fn is_hand_in(file: &File) -> bool {
 /// Reads hand-ins into the dashboard, which opens, and computes them.
 pub async fn add(app: App, files: Vec<File>) {
     super::open(app);
-    let mut shown = js_sys::Date::now();
     for file in files {
         let text = text_of(&file).await;
         app.class.add(&file.name(), text);
-        let now = js_sys::Date::now();
-        if now - shown > UPDATE {
-            shown = now;
-            app.class.show();
-        }
+        app.class.show_sometimes();
     }
     app.class.show();
     app.class.compute();

@@ -29,16 +29,17 @@ pub fn view(app: App) -> View {
     let words = words::of(app);
     let language = app.language.get_untracked();
     let is_whole = create_signal(false);
-    let rows = memo(move || app.class.read(|collection| rows(collection, language)));
+    let count = memo(move || app.class.read(|collection| collection.entries().len()));
+    let most = move || if is_whole.get() { usize::MAX } else { FEW };
+    let rows = memo(move || app.class.read(|collection| rows(collection, most(), language)));
     let table = move || {
-        let most = if is_whole.get() { usize::MAX } else { FEW };
-        let head = [words.number, words.pseudonym, words.name, words.seat, words.file, words.verification, words.work];
+        let head = [words.number, words.pseudonym, words.verification, words.work, words.name, words.seat, words.file];
         let head = tr().each(head, column_head);
-        let body = tbody().each(rows.get_clone().into_iter().take(most), |own| row(app, own));
+        let body = tbody().each(rows.get_clone(), |own| row(app, own));
         table_in("table", words.table, Some(head), body)
     };
     let more = move || {
-        let count = rows.with(Vec::len);
+        let count = count.get();
         if count <= FEW || is_whole.get() {
             return View::new();
         }
@@ -60,7 +61,7 @@ pub fn view(app: App) -> View {
     View::from((changing(table), changing(more), changing(copies), note(meaning().text(language).to_owned())))
 }
 
-fn rows(collection: &Collection, language: Language) -> Vec<Row> {
+fn rows(collection: &Collection, most: usize, language: Language) -> Vec<Row> {
     let row = |(index, entry): (usize, &class::collection::Entry)| Row {
         index,
         sender: entry.sender().to_owned(),
@@ -69,7 +70,7 @@ fn rows(collection: &Collection, language: Language) -> Vec<Row> {
         lines: state_text(entry, collection, language),
         is_hand_in: entry.hand_in().is_some(),
     };
-    collection.entries().iter().enumerate().map(row).collect()
+    collection.entries().iter().enumerate().take(most).map(row).collect()
 }
 
 fn row(app: App, row: Row) -> HtmlTr {
@@ -99,11 +100,11 @@ fn row(app: App, row: Row) -> HtmlTr {
     });
     tr().child(row_head((index + 1).to_string()))
         .child(td().child(sender))
+        .child(td().each(lines, |line| div().child(line)))
+        .child(td().maybe(open))
         .child(td().maybe(name))
         .child(td().child(seat.map_or_else(String::new, |seat| seat.to_string())))
         .child(td().child(file))
-        .child(td().each(lines, |line| div().child(line)))
-        .child(td().maybe(open))
 }
 
 fn file_name(app: App, index: usize) -> String {

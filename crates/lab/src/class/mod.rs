@@ -89,17 +89,11 @@ fn contents(app: App) -> View {
         .child(adding::choice(app, "class-choose", words.choose_files, false))
         .child(adding::choice(app, "class-folder", words.choose_folder, true))
         .child(changing(move || if any.get() { exports(app) } else { View::new() }));
-    let status = p().class("note").role("status").id("class-said").child(text(move || said(app)));
+    let language = app.language.get_untracked();
+    let said = move || app.class.read(|collection| page::count_text(collection, language));
+    let status = p().class("note").role("status").id("class-said").child(text(said));
     let refusal = p().class("refusal").role("alert").child(text(move || app.class.refusal()));
     div().class("room").child(note(words.intro)).child(tools).child(refusal).child(status).child(changing(parts)).into()
-}
-
-/// Number of groups, and of hand-ins that are still to be computed.
-fn said(app: App) -> String {
-    let language = app.language.get_untracked();
-    let (count, waiting) = app.class.read(|collection| (page::count_text(collection, language), collection.waiting()));
-    let rest = words::of(app).computing.replace('#', &waiting.to_string());
-    if waiting > 0 { format!("{count}; {rest}") } else { count }
 }
 
 /// Buttons that save a report, or remove everything.

@@ -9,6 +9,9 @@ use units::number::{error_with_unit, unit_text};
 use view::views::*;
 use web_sys::HtmlDetailsElement;
 
+/// Maximum number of results in a table; the report has all.
+const MOST_ROWS: usize = 100;
+
 /// The section: a fold for each quantity, the first open.
 pub fn view(app: App) -> View {
     changing(move || {
@@ -30,7 +33,7 @@ fn fold(app: App, quantity: Quantity, number: usize) -> HtmlDetails {
         if !open.get() {
             return View::new();
         }
-        let html = app.class.read_once(|collection| page::quantity(&quantity, collection, look(app)));
+        let html = app.class.read_once(|collection| page::quantity(&quantity, collection, MOST_ROWS, look(app)));
         div().class("class-report").inner_html(html).into()
     };
     details

@@ -11,8 +11,10 @@ use view::views::*;
 const NAMES: &str = "class-names";
 /// Duration of a slice of the computation, in milliseconds.
 const SLICE: f64 = 12.0;
-/// Time between two updates of the views during a computation, in milliseconds.
-const UPDATE: f64 = 1000.0;
+/// Least time between two updates of the views while files are read or computed, in milliseconds, and in multiples of the
+/// duration of the last update: many hand-ins are shown less often.
+const UPDATE: f64 = 500.0;
+const SPACING: f64 = 20.0;
 
 /// The hand-ins of a class in the page; cheap to copy.
 #[derive(Clone, Copy)]
@@ -24,6 +26,8 @@ pub struct Room {
     is_computing: Signal<bool>,
     /// Reason why the last files were refused; empty if they were not.
     refusal: Signal<String>,
+    /// End of the last update of the views, and its duration, in milliseconds.
+    updated: Signal<(f64, f64)>,
     /// Part of the collected work that the wall shows.
     wall: Signal<Wall>,
 }
@@ -49,6 +53,7 @@ impl Room {
             is_open: create_signal(false),
             is_computing: create_signal(false),
             refusal: create_signal(String::new()),
+            updated: create_signal((0.0, 0.0)),
             wall: create_signal(Wall::Closed),
         }
     }
@@ -102,14 +107,25 @@ impl Room {
         });
     }
 
+    /// Rebuilds the views of the hand-ins if the last update is long enough ago.
+    pub fn show_sometimes(self) {
+        let (ended, duration) = self.updated.get_untracked();
+        if js_sys::Date::now() - ended > UPDATE.max(SPACING * duration) {
+            self.show();
+        }
+    }
+
     /// Rebuilds the views of the hand-ins. The focus stays.
     pub fn show(self) {
+        let begun = js_sys::Date::now();
         let focused = browser::focused();
         self.snapshots.update_silent(|snapshots| self.collection.with_untracked(|all| snapshots.retain(all)));
         self.collection.update(|_| ());
         if !focused.is_empty() {
             browser::focus_in_place(&focused);
         }
+        let now = js_sys::Date::now();
+        self.updated.set_silent((now, now - begun));
     }
 
     /// Removes all hand-ins.
@@ -125,14 +141,9 @@ impl Room {
             return;
         }
         wasm_bindgen_futures::spawn_local(async move {
-            let mut shown = js_sys::Date::now();
             while self.work_for_a_slice() {
                 browser::breathe().await;
-                let now = js_sys::Date::now();
-                if now - shown > UPDATE {
-                    shown = now;
-                    self.show();
-                }
+                self.show_sometimes();
             }
             self.is_computing.set_silent(false);
             self.show();

@@ -13,7 +13,6 @@ table_of_words! {
     save_report: "Save report", "Guardar informe";
     save_workbook: "Save as XLSX", "Guardar como XLSX";
     clear: "Remove all", "Quitar todas";
-    computing: "# are still to be computed", "quedan # por calcular";
     no_hand_in: "No hand-in is among these files. Their names end in .hand-in", "Entre estos archivos no hay ninguna entrega. Sus nombres acaban en .hand-in";
 
     curves: "Measured curves", "Curvas medidas";

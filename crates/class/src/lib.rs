@@ -2,6 +2,7 @@
 //!
 //! | module | content |
 //! |---|---|
+//! | [`against`] | a straight line through results of groups against a parameter |
 //! | [`collection`] | the hand-ins of a class, computed again one after the other, and what follows from all of them |
 //! | [`page`] | a report of a class as a page and as a workbook, and its figures |
 //! | [`pooling`] | the pooled value of the results of groups, and outliers |
@@ -9,6 +10,7 @@
 //! | [`share`] | shares with their intervals |
 //! | [`verify`] | hand-ins: making them, computing them again, and data that two of them share |
 
+pub mod against;
 pub mod collection;
 pub mod page;
 pub mod pooling;

@@ -29,6 +29,7 @@ pub use trace::Trace;
 pub use uncertainty::estimate::Estimate;
 pub use uncertainty::identify::{Lack, Undetermined};
 pub use uncertainty::profile::{Interval, profile, profiles};
+pub use uncertainty::student::student;
 
 /// Upper bound of the number of varied numbers, over all records.
 pub const MOST_VARIED: usize = 64;

@@ -4,12 +4,17 @@
 mod measured;
 mod outliers;
 mod quantiles;
+mod reach;
+mod scatter;
 
 pub use measured::Measured;
 pub use outliers::Reason;
 
+pub(crate) use reach::Reach;
+pub(crate) use scatter::scatter;
+
 use outliers::{is_outlier, reason};
-use quantiles::{bisected, chi_squared, student};
+use quantiles::chi_squared;
 use units::{Language, Words, words};
 
 /// A pooled value. Intervals hold with a probability of 95 %.
@@ -19,9 +24,10 @@ pub struct Pooled {
     pub count: usize,
     /// Weighted mean.
     pub value: f64,
-    /// Standard error of the mean after Hartung and Knapp (Statist. Med. 20 (2001) 1771).
+    /// Standard error of the mean after Hartung and Knapp (Statist. Med. 20 (2001) 1771), at least that of the weighted mean.
+    /// See [`Reach`].
     pub error: f64,
-    /// Interval of the mean, from Student's distribution with `count - 1` degrees of freedom.
+    /// Interval of the mean. See [`Reach`].
     pub interval: (f64, f64),
     /// Standard deviation between the groups, after Paule and Mandel (J. Res. NBS 87 (1982) 377).
     pub tau: f64,
@@ -61,6 +67,22 @@ pub fn pool(results: &[Measured]) -> Result<Pool, Words> {
             "un valor conjunto necesita los resultados de al menos dos grupos",
         ));
     }
+    check(results)?;
+    let marked: Vec<bool> = is_outlier(results);
+    let rest: Vec<Measured> =
+        results.iter().zip(&marked).filter(|(_, marked)| !**marked).map(|(one, _)| *one).collect();
+    let outliers = (0..results.len()).filter(|index| marked[*index]);
+    let outliers: Vec<Outlier> =
+        outliers.map(|index| Outlier { index, reason: reason(results[index], &rest) }).collect();
+    let without = (!outliers.is_empty() && rest.len() >= 2).then(|| pooled(&rest));
+    Ok(Pool { all: pooled(results), outliers, without })
+}
+
+/// Refuses results that cannot be computed with.
+///
+/// # Errors
+/// A value that is not finite, an error that is not above 0, or numbers so extreme that their squares cannot be computed.
+pub(crate) fn check(results: &[Measured]) -> Result<(), Words> {
     for (index, one) in results.iter().enumerate() {
         let number = index + 1;
         if !one.value.is_finite() {
@@ -79,14 +101,7 @@ pub fn pool(results: &[Measured]) -> Result<Pool, Words> {
             ));
         }
     }
-    let marked: Vec<bool> = is_outlier(results);
-    let rest: Vec<Measured> =
-        results.iter().zip(&marked).filter(|(_, marked)| !**marked).map(|(one, _)| *one).collect();
-    let outliers = (0..results.len()).filter(|index| marked[*index]);
-    let outliers: Vec<Outlier> =
-        outliers.map(|index| Outlier { index, reason: reason(results[index], &rest) }).collect();
-    let without = (!outliers.is_empty() && rest.len() >= 2).then(|| pooled(&rest));
-    Ok(Pool { all: pooled(results), outliers, without })
+    Ok(())
 }
 
 /// True if squares of value and error, and of their ratio, neither overflow nor vanish, with room for sums of many.
@@ -106,27 +121,15 @@ fn weighted(results: &[Measured], variance: f64) -> (f64, f64, f64) {
 
 fn pooled(results: &[Measured]) -> Pooled {
     let freedom = results.len() as u32 - 1;
-    // A larger variance makes the sum of squares smaller. At the square of 1000 ranges and errors it is negligible.
-    let low = results.iter().map(|one| one.value).fold(f64::INFINITY, f64::min);
-    let high = results.iter().map(|one| one.value).fold(f64::NEG_INFINITY, f64::max);
-    let largest_error = results.iter().map(|one| one.error).fold(0.0, f64::max);
-    let largest = 1000.0 * (high - low + largest_error);
-    // The bisection is over the standard deviation.
-    let tau_of = |squares: f64| {
-        if weighted(results, 0.0).0 <= squares {
-            return 0.0;
-        }
-        bisected(0.0, largest, |tau| weighted(results, tau * tau).0 > squares)
-    };
+    let tau_of = |squares: f64| scatter(results, squares, |variance| weighted(results, variance).0);
     let tau = tau_of(f64::from(freedom));
     let (squares, value, weights) = weighted(results, tau * tau);
-    let error = (squares / f64::from(freedom) / weights).sqrt();
-    let reach = student(0.95, freedom) * error;
+    let reach = Reach::new(squares, freedom);
     Pooled {
         count: results.len(),
         value,
-        error,
-        interval: (value - reach, value + reach),
+        error: reach.error(1.0 / weights),
+        interval: reach.interval(value, 1.0 / weights),
         tau,
         tau_interval: (tau_of(chi_squared(0.975, freedom)), tau_of(chi_squared(0.025, freedom))),
     }

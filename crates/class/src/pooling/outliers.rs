@@ -45,14 +45,31 @@ impl Reason {
 }
 
 /// For each result, true if it is an outlier: |x - median| > 3.5 sqrt(error² + scatter²). The scatter is that of all results
-/// beyond their errors, from the median of |x - median|, so that outliers do not hide each other.
+/// beyond their errors, from the median of |x - median|, so that outliers do not hide each other. Because outliers shift and
+/// widen both medians a little, these are taken again from the results that are not marked, until none is marked anew.
 pub(super) fn is_outlier(results: &[Measured]) -> Vec<bool> {
-    let center = median(results.iter().map(|one| one.value).collect());
-    let whole = SCALE * median(results.iter().map(|one| (one.value - center).abs()).collect());
-    let error = median(results.iter().map(|one| one.error).collect());
-    let scatter = (whole * whole - error * error).max(0.0);
-    let far = |one: &Measured| (one.value - center).abs() > FAR * (one.error * one.error + scatter).sqrt();
-    results.iter().map(far).collect()
+    let mut marked = vec![false; results.len()];
+    loop {
+        let kept = || results.iter().zip(&marked).filter(|(_, marked)| !**marked).map(|(one, _)| one);
+        let center = median(kept().map(|one| one.value).collect());
+        let whole = normal_factor(kept().count()) * median(kept().map(|one| (one.value - center).abs()).collect());
+        let error = median(kept().map(|one| one.error).collect());
+        let scatter = (whole * whole - error * error).max(0.0);
+        let far = |one: &Measured| (one.value - center).abs() > FAR * (one.error * one.error + scatter).sqrt();
+        let next: Vec<bool> = results.iter().zip(&marked).map(|(one, marked)| *marked || far(one)).collect();
+        if next == marked {
+            return marked;
+        }
+        marked = next;
+    }
+}
+
+/// Factor from the median of |x - median| of this many values to the standard deviation of a normal distribution. Of few
+/// values the median is too small on average (Croux and Rousseeuw, Computational Statistics 1 (1992) 411).
+fn normal_factor(count: usize) -> f64 {
+    const FEW: [f64; 8] = [1.196, 1.495, 1.363, 1.206, 1.200, 1.140, 1.129, 1.107];
+    let few = count.checked_sub(2).and_then(|place| FEW.get(place));
+    SCALE * few.copied().unwrap_or(count as f64 / (count as f64 - 0.8))
 }
 
 /// Likely reason why a result differs from the median of the others.

@@ -1,20 +1,7 @@
-//! Quantiles of Student's t and of the chi-squared distribution, to ten digits.
+//! Quantile of the chi-squared distribution, to ten digits.
 
-/// Steps of the integration of Student's density.
-const STEPS: u32 = 200;
 /// Steps of the bisection for a quantile; each halves the interval.
 const HALVINGS: u32 = 60;
-
-/// Quantile t of Student's distribution such that |T| is below it with this probability. `freedom` at least 1.
-pub(super) fn student(probability: f64, freedom: u32) -> f64 {
-    let n = f64::from(freedom.max(1));
-    // With T = sqrt(n) tan(angle) the density is proportional to cos(angle)^(n-1).
-    let density = |angle: f64| libm::pow(libm::cos(angle), n - 1.0);
-    let log_factor = libm::lgamma(0.5 * (n + 1.0)) - libm::lgamma(0.5 * n) - 0.5 * libm::log(core::f64::consts::PI);
-    let inside = |angle: f64| 2.0 * libm::exp(log_factor) * simpson(density, angle);
-    let angle = bisected(0.0, core::f64::consts::FRAC_PI_2, |angle| inside(angle) < probability);
-    n.sqrt() * libm::tan(angle)
-}
 
 /// Quantile of the chi-squared distribution: the value below which it lies with this probability. `freedom` at least 1.
 pub(super) fn chi_squared(probability: f64, freedom: u32) -> f64 {
@@ -37,14 +24,6 @@ fn lower_gamma(a: f64, x: f64) -> f64 {
     sum * libm::exp(a * libm::log(x) - x - libm::lgamma(a))
 }
 
-/// Integral from 0 to `end` by Simpson's rule.
-fn simpson(integrand: impl Fn(f64) -> f64, end: f64) -> f64 {
-    let width = end / f64::from(STEPS);
-    let at = |step: u32| integrand(f64::from(step) * width);
-    let inner: f64 = (1..STEPS).map(|step| if step.is_multiple_of(2) { 2.0 } else { 4.0 } * at(step)).sum();
-    (at(0) + inner + at(STEPS)) * width / 3.0
-}
-
 /// Place between two numbers up to which a condition holds.
 pub(super) fn bisected(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..HALVINGS {
@@ -62,18 +41,9 @@ pub(super) fn bisected(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool)
 mod tests {
     use super::*;
 
-    /// Values of scipy.stats 1.11: `t.ppf(0.975, n)`, `chi2.ppf(p, n)`.
+    /// Values of scipy.stats 1.11: `chi2.ppf(p, n)`.
     #[test]
     fn quantiles_are_those_of_scipy() {
-        let cases =
-            [(1, 12.706_204_736), (2, 4.302_652_730), (5, 2.570_581_836), (12, 2.178_812_830), (39, 2.022_690_920)];
-        for (freedom, expected) in cases {
-            assert!(
-                (student(0.95, freedom) - expected).abs() < 1e-7 * expected,
-                "{freedom}: {}",
-                student(0.95, freedom)
-            );
-        }
         for (probability, freedom, expected) in [
             (0.025, 1, 9.820_691_171e-4),
             (0.975, 1, 5.023_886_187),

@@ -16,8 +16,9 @@ pub(crate) fn normal(probability: f64) -> f64 {
 }
 
 /// Two-sided quantile of Student's t with `freedom` degrees of freedom, at least 1 and not necessarily whole: 12.7 for 0.05
-/// and one degree, 1.96 for many. Accurate to 0.001 (G. W. Hill, Comm. ACM 13 (1970) 619, algorithm 396).
-pub(crate) fn student(probability: f64, freedom: f64) -> f64 {
+/// and one degree, 1.96 for many. Accurate to 0.001, for 0.05 and 5 degrees or more to 5e-5 (G. W. Hill, Comm. ACM 13 (1970)
+/// 619, algorithm 396).
+pub fn student(probability: f64, freedom: f64) -> f64 {
     let n = freedom.max(1.0);
     if n < 1.5 {
         // Cauchy distribution.

@@ -19,13 +19,27 @@ pub struct Quantity {
     pub unit: String,
     /// Index of each hand-in that has it, and its result.
     pub results: Vec<(usize, Measured)>,
+    /// For each result the parameters that were held fixed in its fit.
+    pub fixed: Vec<Vec<Fixed>>,
     /// The pooled value, or the reason why there is none.
     pub pool: Result<Pool, Words>,
 }
 
-/// Prefixes of the facts with standard errors and with units.
+/// A parameter that was held fixed in a fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fixed {
+    /// Name of the parameter.
+    pub name: String,
+    /// Value, SI.
+    pub value: f64,
+    /// Unit in which it is shown; empty for a pure number.
+    pub unit: String,
+}
+
+/// Prefixes of the facts with standard errors, with units and with fixed parameters.
 const ERROR: &str = "standard error of ";
 const UNIT: &str = "unit of ";
+const FIXED: &str = "fixed ";
 /// Prefix of quantities that follow from the fitted parameters.
 const DERIVED: &str = "derived ";
 
@@ -33,7 +47,7 @@ const DERIVED: &str = "derived ";
 #[derive(Default)]
 struct Found {
     unit: Option<String>,
-    results: BTreeMap<usize, Measured>,
+    results: BTreeMap<usize, (Measured, Vec<Fixed>)>,
 }
 
 /// Fitted quantities of hand-ins, by theory and name. `hand_ins`: index and computed facts of each. Of several fits of a
@@ -49,22 +63,42 @@ pub fn quantities<'a>(hand_ins: impl Iterator<Item = (usize, &'a [Fact])>) -> Ve
                 let value = fit.iter().find(|fact| fact.quantity == name).and_then(number);
                 let measured = value.zip(number(error)).map(|(value, error)| Measured { value, error });
                 if let Some(measured) = measured.filter(|one| one.value.is_finite() && one.error > 0.0) {
-                    let unit = fit.iter().find(|fact| fact.quantity.strip_prefix(UNIT) == Some(name)).and_then(text);
+                    let unit = unit(fit, name);
                     let found = found.entry((theory.clone(), name.to_owned())).or_default();
-                    found.unit.get_or_insert(unit.unwrap_or_default());
-                    found.results.insert(index, measured);
+                    found.unit.get_or_insert(unit);
+                    found.results.insert(index, (measured, fixed(fit, name)));
                 }
             }
         }
     }
     let quantity = |((theory, name), found): ((String, String), Found)| {
-        let (unit, results) = (found.unit.unwrap_or_default(), Vec::from_iter(found.results));
+        let unit = found.unit.unwrap_or_default();
+        let (results, fixed): (Vec<_>, Vec<_>) =
+            found.results.into_iter().map(|(index, (measured, fixed))| ((index, measured), fixed)).unzip();
         let pool = pool(&results.iter().map(|(_, measured)| *measured).collect::<Vec<_>>());
         let derived = name.strip_prefix(DERIVED).map(str::to_owned);
         let is_derived = derived.is_some();
-        Quantity { theory, name: derived.unwrap_or(name), is_derived, unit, results, pool }
+        Quantity { theory, name: derived.unwrap_or(name), is_derived, unit, results, fixed, pool }
     };
     found.into_iter().map(quantity).collect()
+}
+
+/// Unit of a quantity of a fit; empty if none is stated.
+fn unit(fit: &[Fact], name: &str) -> String {
+    fit.iter().find(|fact| fact.quantity.strip_prefix(UNIT) == Some(name)).and_then(text).unwrap_or_default()
+}
+
+/// Parameters that were held fixed for a quantity of a fit. In a fit of several records, a quantity of one of them ends in its
+/// name in parentheses, as do the values of that record's own.
+fn fixed(fit: &[Fact], quantity: &str) -> Vec<Fixed> {
+    let record = quantity.find(" (").map_or("", |place| &quantity[place..]);
+    let of_record = |fact: &Fact| {
+        let stated = fact.quantity.strip_prefix(FIXED)?;
+        let name = stated.strip_suffix(record).unwrap_or(stated);
+        let (value, unit) = (number(fact)?, unit(fit, &fact.quantity));
+        (!name.contains(" (")).then(|| Fixed { name: name.to_owned(), value, unit })
+    };
+    fit.iter().filter_map(of_record).collect()
 }
 
 fn text(fact: &Fact) -> Option<String> {

@@ -79,3 +79,26 @@ pub fn handed(rows: &[(f64, f64)], name: &str) -> HandIn {
     let sender = Sender { name: name.to_owned(), ..Sender::default() };
     hand_in(work(rows), sender, 1_763_812_900_000, VERSION).unwrap()
 }
+
+/// Hand-in of a group that held the length of its column, in m, fixed and fitted g to these rows.
+pub fn weighed(length: f64, rows: &[(f64, f64)], name: &str) -> HandIn {
+    let mut documents = linear();
+    let changes = [
+        ("vary: L,", "vary: g,"),
+        ("g       = 9.8 [m/s^2]\n", ""),
+        ("parameter y_0", "parameter g = 9.5 [m/s^2] in 1..100 \"Gravity\"\nparameter y_0"),
+    ];
+    for (from, to) in changes {
+        assert!(documents[0].text.contains(from), "{from}");
+        documents[0].text = documents[0].text.replacen(from, to, 1);
+    }
+    let mut desk = Desk::open(document::open(&documents[0].text, &[]).sound().unwrap());
+    let index = desk.play().model().parameters.iter().position(|one| one.name == "L").unwrap();
+    desk.play_mut().set_parameter(index, length).unwrap();
+    desk.add_record("tube.csv", file(rows).as_bytes()).unwrap();
+    desk.begin_fit("linear.md").unwrap();
+    while desk.advance_fit() {}
+    let project = Project { documents, state: desk.play().share(), items: desk.project_items(1_763_812_800_000) };
+    let sender = Sender { name: name.to_owned(), ..Sender::default() };
+    hand_in(project, sender, 1_763_812_900_000, VERSION).unwrap()
+}

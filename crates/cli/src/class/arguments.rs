@@ -21,6 +21,7 @@ Examples:
   meniscus class report hand-ins/ --output class.html           a page: curves, results, answers, who is stuck, verification
   meniscus class report hand-ins/ --output class.xlsx           a workbook of results, attempts and hand-ins
   meniscus class report hand-ins/ --output class.csv            the results
+  meniscus class report hand-ins/ --against 1/L --power omega_0^2    with the straight line of omega_0^2 over 1/L
 
 The fits are computed again from the curves of the hand-ins. The pooled value is that of random effects (Paule-Mandel, Hartung-Knapp),
 which allows for groups that really differ. Outliers are marked with their likely reason; the pooled value is given with and without them.";
@@ -35,6 +36,14 @@ pub struct Report {
     /// The form of the report [default: by the ending of FILE, or text]
     #[arg(long, value_enum)]
     pub format: Option<ReportFormat>,
+
+    /// Set the results against a parameter that each group held fixed, or a power of it, as L, L^2, 1/L, with a straight line
+    #[arg(long, value_name = "POWER")]
+    pub against: Option<String>,
+
+    /// Of all quantities, set this one or a power of it against the parameter
+    #[arg(long, value_name = "POWER", requires = "against")]
+    pub power: Option<String>,
 
     /// Write into this file, which appears whole or not at all [default: the standard output]
     #[arg(long, short, value_name = "FILE")]

@@ -8,6 +8,7 @@ use crate::terminal::Terminal;
 use crate::terminal::output;
 use crate::terminal::visible::visible;
 use analysis::csv::Dialect;
+use class::against::{Against, Power};
 use class::collection::{Collection, State};
 use class::page;
 use class::pooling::{Measured, Pooled};
@@ -34,14 +35,73 @@ pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
         ));
     }
     let language = terminal.language;
+    let against = against(arguments, format, &quantities)?;
     let bytes = match format {
-        ReportFormat::Text => visible(&as_text(&quantities, &class, language)).into_owned().into_bytes(),
+        ReportFormat::Text => {
+            let text = as_text(&quantities, &class, language) + &against_text(&against, &class, language);
+            visible(&text).into_owned().into_bytes()
+        }
         ReportFormat::Csv => as_csv(&quantities, &class).into_bytes(),
         ReportFormat::Json => as_json(&quantities, &class, language).into_bytes(),
         ReportFormat::Html => page::html(&class, language, VERSION, "").into_bytes(),
         ReportFormat::Xlsx => page::workbook(&class, language),
     };
     output::deliver(arguments.output.as_deref(), &paths, &bytes)
+}
+
+/// Quantities against a parameter, as asked for.
+///
+/// # Errors
+/// What is asked for is no power, or there are no such results, or the form has no place for them.
+fn against(arguments: &Report, format: ReportFormat, quantities: &[Quantity]) -> Result<Vec<Against>, Failure> {
+    let Some(asked) = &arguments.against else { return Ok(Vec::new()) };
+    if format != ReportFormat::Text {
+        return Err(Failure::in_words(
+            words(
+                "only the report as text has results against a parameter",
+                "solo el informe como texto tiene resultados en función de un parámetro",
+            ),
+            words(
+                "leave out `--format` and `--output`, or `--against`",
+                "quita `--format` y `--output`, o `--against`",
+            ),
+        ));
+    }
+    let power = |text: &String| {
+        let hint = words("for example `--against 1/L --power omega^2`", "por ejemplo `--against 1/L --power omega^2`");
+        Power::parse(text).map_err(|why| Failure::in_words(why, hint))
+    };
+    let (x, y) = (power(asked)?, arguments.power.as_ref().map(power).transpose()?);
+    let found: Vec<Against> = quantities.iter().filter_map(|quantity| Against::new(quantity, y.as_ref(), &x)).collect();
+    if found.is_empty() {
+        let name = x.name();
+        return Err(Failure::in_words(
+            words!(
+                "no such result has {name} held fixed in its fit",
+                "ningún resultado así tiene {name} fijo en su ajuste"
+            ),
+            words(
+                "the report without `--against` lists the quantities",
+                "el informe sin `--against` enumera las magnitudes",
+            ),
+        ));
+    }
+    Ok(found)
+}
+
+fn against_text(all: &[Against], class: &Collection, language: Language) -> String {
+    let mut text = String::new();
+    for one in all {
+        text += &format!("{}\n", one.title(language));
+        let names: Vec<&str> = one.points.iter().map(|(index, _)| sender_name(class, *index)).collect();
+        let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+        for (name, (_, point)) in names.iter().zip(&one.points) {
+            let [x, y] = one.texts(*point, language);
+            text += &format!("  {name:<width$}  {x:<9}  {y}\n");
+        }
+        text += &format!("  {}\n\n", one.sentence(language));
+    }
+    text
 }
 
 /// The hand-ins, computed again. What is left out is said.

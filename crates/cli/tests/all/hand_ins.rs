@@ -141,6 +141,18 @@ fn the_results_of_a_class_are_pooled() {
         two.stdout
     );
     assert!(two.stderr.contains("cut.hand-in is damaged"), "{}", two.stderr);
+    let line = ["class", "report", folder_name, "--against", "1/drift", "--power"];
+    let against = meniscus(&[&line[..], &["omega_0^2"]].concat());
+    assert!(
+        against.stdout.contains("omega_0^2 [1/s²] against 1/drift [s/m]") && against.stdout.contains("No line: "),
+        "{}",
+        against.stdout
+    );
+    for (words, expected) in [("omega_0^x", "is no power of a quantity"), ("b", "has drift held fixed")] {
+        let refused = meniscus(&[&line[..], &[words]].concat());
+        assert!(refused.code == 2 && refused.stderr.contains(expected), "{}", refused.stderr);
+    }
+    assert_eq!(meniscus(&[&line[..], &["omega_0", "--format", "csv"]].concat()).code, 2);
     let found = meniscus(&["class", "report", folder_name, "--format", "json"]);
     let found: Value = serde_json::from_str(&found.stdout).unwrap();
     let gamma = found.as_array().unwrap().iter().find(|one| one["quantity"] == "gamma").unwrap();

@@ -3,7 +3,7 @@
 use crate::Desk;
 use crate::films::record::text;
 use crate::fits::fit::Fitted;
-use analysis::fit::Estimate;
+use analysis::fit::{Estimate, Target};
 use play::name_of;
 use saved::Number;
 use saved::hand_in::{Fact, FactValue, Part};
@@ -122,11 +122,30 @@ fn facts_of_fit(fit: &Fitted, facts: &mut Facts) {
         let error = stderr_hac.or(*stderr).unwrap_or(f64::NAN);
         facts.number(Part::Fit, &item, format!("standard error of {label}{record}"), error);
     }
+    facts_of_fixed(fit, &item, facts);
     for (place, correlation) in outcome.correlation.iter().enumerate() {
         let (row, column) = (place / outcome.parameters.len().max(1), place % outcome.parameters.len().max(1));
         if row < column {
             let name = |index: usize| outcome.parameters.get(index).map_or("", |one| one.name.as_str());
             facts.number(Part::Fit, &item, format!("correlation of {} and {}", name(row), name(column)), *correlation);
+        }
+    }
+}
+
+/// Values and units of the parameters that readers see and that were held fixed: once if all records have the same value.
+fn facts_of_fixed(fit: &Fitted, item: &str, facts: &mut Facts) {
+    for (index, parameter) in fit.document.program.model.shown_parameters() {
+        if fit.task.varied.iter().any(|varied| varied.target == Target::Parameter(index)) {
+            continue;
+        }
+        let values = fit.outcome.settings.iter().filter_map(|row| row.get(index)).copied();
+        let values: Vec<f64> = values.collect();
+        let is_same = values.windows(2).all(|pair| pair[0].to_bits() == pair[1].to_bits());
+        for (value, record) in values.iter().zip(&fit.task.records).take(if is_same { 1 } else { values.len() }) {
+            let record = if is_same { String::new() } else { format!(" ({})", record.name) };
+            let label = format!("fixed {}{record}", parameter.name);
+            facts.text(Part::Fit, item, &format!("unit of {label}"), parameter.unit.text.clone());
+            facts.number(Part::Fit, item, label, *value);
         }
     }
 }

@@ -1,5 +1,4 @@
-//! Results of groups against a parameter that each group has set: a weighted straight line, with a scatter between the
-//! groups as for a pooled value.
+//! A weighted straight line through results, with a scatter between the groups as for a pooled value.
 
 use crate::pooling::{Measured, Reach, check, scatter};
 use units::{Words, words};

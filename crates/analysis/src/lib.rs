@@ -12,7 +12,6 @@ pub mod fit;
 pub mod import;
 pub mod inspection;
 pub mod lookup;
-pub mod order;
 pub mod origin;
 mod packed;
 pub mod reading;

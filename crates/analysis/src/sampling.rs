@@ -1,6 +1,6 @@
 //! Sampling of a measurement: the time steps between its rows.
 
-use crate::order::median;
+use units::order::median;
 
 /// Frame rates of cameras whose step is not a short decimal, 1/s.
 const RATES: [f64; 17] = [

@@ -55,7 +55,7 @@ fn is_even(times: &[f64]) -> bool {
 
 /// Ranges of rows between gaps; a gap is a step longer than 2.5 median steps.
 fn parts(times: &[f64]) -> Vec<core::ops::Range<usize>> {
-    let usual = crate::order::median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
+    let usual = units::order::median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
     let mut parts = Vec::new();
     let mut start = 0;
     for (index, pair) in times.windows(2).enumerate() {

@@ -1,7 +1,7 @@
 //! Derivatives by finite differences, and recognition of columns that were computed so.
 
-use crate::order::median;
 use crate::sampling::{self, Sampling};
+use units::order::median;
 
 /// Formula of finite differences on even steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,7 +14,7 @@ use program::State;
 use program::functions::Function;
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
-use units::words;
+use units::{fnv, words};
 
 /// Name of the function that returns one of its arguments at random.
 const PICK: &str = "pick";
@@ -224,10 +224,7 @@ impl Writer {
 
 /// Stable integer hash of a text: 64-bit FNV-1a, of which the highest 53 bits are kept to fit an `f64`.
 fn site(text: &str) -> f64 {
-    let hash = text
-        .bytes()
-        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
-    (hash >> 11) as f64
+    (fnv::hashed(fnv::START, text.bytes()) >> 11) as f64
 }
 
 /// `if u < 1/3 then a else if u < 2/3 then b else c`, where u is uniform between 0 and 1.

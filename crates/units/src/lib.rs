@@ -4,11 +4,13 @@
 pub mod alphabet;
 mod dimension;
 mod exponent;
+pub mod fnv;
 mod language;
 pub mod markup;
 pub mod mathml;
 mod nearest;
 pub mod number;
+pub mod order;
 mod parse;
 mod prefix;
 mod quantity;

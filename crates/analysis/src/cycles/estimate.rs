@@ -3,7 +3,7 @@
 use super::damped::{Damped, Points};
 use super::lobes::{Swings, scatter, swings};
 use super::rows::without_gaps;
-use crate::order::median;
+use units::order::median;
 
 /// Damped sinusoid `offset + amplitude exp(-damping (t - origin)) cos(angular_frequency (t - origin) + phase)` close to a
 /// record. Values and times are in the units of the record.

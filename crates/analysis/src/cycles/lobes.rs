@@ -3,7 +3,7 @@
 use super::damped::Points;
 use crate::fit::autoregression::correlated;
 use crate::fit::linear::dot;
-use crate::order::median;
+use units::order::median;
 
 /// Part of a record between two crossings.
 #[derive(Clone, Copy, Debug)]

@@ -7,8 +7,8 @@ use super::estimate::{Estimate, estimate};
 use super::rows::without_gaps;
 use super::shape;
 use super::sinusoids::{Windows, windows};
-use crate::order::median;
 use core::f64::consts::TAU;
+use units::order::median;
 
 /// Cycles of a record.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,9 +8,9 @@ use super::estimate::centre;
 use super::lobes::{Lobe, Swings, correlated_scatter, scatter, swings};
 use crate::fit::autoregression::{Block, common_correlation, correlated, orthonormal, subtract_projection};
 use crate::fit::linear::{dot, norm};
-use crate::order::median;
 use crate::smoothing;
 use core::f64::consts::TAU;
+use units::order::median;
 
 /// Half-widths, in periods, of the ranges about a crossing and a turning point to which a polynomial is fitted.
 const CROSSING: f64 = 0.08;

@@ -1,6 +1,7 @@
 //! Results that lie far from the others, and likely reasons.
 
 use super::measured::Measured;
+use units::order::middle;
 use units::{Words, words};
 
 /// Distance from the median from which on a result is an outlier, in standard deviations of its error and of the scatter
@@ -51,9 +52,9 @@ pub(super) fn is_outlier(results: &[Measured]) -> Vec<bool> {
     let mut marked = vec![false; results.len()];
     loop {
         let kept = || results.iter().zip(&marked).filter(|(_, marked)| !**marked).map(|(one, _)| one);
-        let center = median(kept().map(|one| one.value).collect());
-        let whole = normal_factor(kept().count()) * median(kept().map(|one| (one.value - center).abs()).collect());
-        let error = median(kept().map(|one| one.error).collect());
+        let center = middle(kept().map(|one| one.value).collect());
+        let whole = normal_factor(kept().count()) * middle(kept().map(|one| (one.value - center).abs()).collect());
+        let error = middle(kept().map(|one| one.error).collect());
         let scatter = (whole * whole - error * error).max(0.0);
         let far = |one: &Measured| (one.value - center).abs() > FAR * (one.error * one.error + scatter).sqrt();
         let next: Vec<bool> = results.iter().zip(&marked).map(|(one, marked)| *marked || far(one)).collect();
@@ -74,7 +75,7 @@ fn normal_factor(count: usize) -> f64 {
 
 /// Likely reason why a result differs from the median of the others.
 pub(super) fn reason(outlier: Measured, others: &[Measured]) -> Option<Reason> {
-    let center = median(others.iter().map(|one| one.value).collect());
+    let center = middle(others.iter().map(|one| one.value).collect());
     let factor = outlier.value / center;
     let is_near = |expected: f64| (factor / expected - 1.0).abs() < NEAR || (factor * expected - 1.0).abs() < NEAR;
     if !factor.is_finite() || factor == 0.0 {
@@ -90,12 +91,4 @@ pub(super) fn reason(outlier: Measured, others: &[Measured]) -> Option<Reason> {
         return Some(Reason::Double);
     }
     is_near(core::f64::consts::TAU).then_some(Reason::Angular)
-}
-
-/// Median; for an even number the mean of the two middle values. NaN without values.
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    let value = |index: usize| values.get(index).copied().unwrap_or(f64::NAN);
-    if values.len().is_multiple_of(2) { 0.5 * (value(middle.wrapping_sub(1)) + value(middle)) } else { value(middle) }
 }

@@ -1,5 +1,7 @@
 //! Identification of a film at the next visit.
 
+use units::fnv;
+
 /// Key by which a film is recognised, since films are not stored.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FilmIdentity {
@@ -17,13 +19,9 @@ impl FilmIdentity {
 
     /// Identity of a file of `size` bytes with the first bytes `start`, of which at most [`Self::START`] count.
     ///
-    /// The hash is 64-bit FNV-1a (draft-eastlake-fnv). It distinguishes the films of one user and has no security
-    /// purpose.
+    /// The hash ([`fnv`]) distinguishes the films of one user and has no security purpose.
     pub fn new(name: &str, size: u64, start: &[u8]) -> Self {
-        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-        for byte in start.iter().take(Self::START) {
-            hash = (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-        }
+        let hash = fnv::hashed(fnv::START, start.iter().take(Self::START).copied());
         let name = name.chars().take(200).collect();
         Self { name, size, hash: format!("{hash:016x}") }
     }

@@ -236,5 +236,5 @@ fn usual_pause(times: &[f64]) -> f64 {
     if pauses.is_empty() {
         return f64::INFINITY;
     }
-    3.0 * analysis::order::nth(&pauses, pauses.len() / 2)
+    3.0 * units::order::median(pauses)
 }

@@ -1,6 +1,7 @@
 //! Recorded rows of a run, in columns.
 
 use crate::{AfterJump, Record};
+use units::fnv;
 
 /// The recorded rows of a run. A row has the independent variable, the states, the parameters in force and the segment. A
 /// new segment begins at each jump of the state; no line and no interpolation may cross it.
@@ -131,12 +132,8 @@ impl History {
 
     /// Hash of all bits of all rows (FNV-1a, 64 bits), to compare runs on different machines.
     pub fn fingerprint(&self) -> u64 {
-        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-        let mut take = |bits: u64| {
-            for byte in bits.to_le_bytes() {
-                hash = (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
-            }
-        };
+        let mut hash = fnv::START;
+        let mut take = |bits: u64| hash = fnv::hashed(hash, bits.to_le_bytes());
         for row in 0..self.len() {
             take(self.times[row].to_bits());
             for column in &self.columns {

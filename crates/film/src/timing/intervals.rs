@@ -1,6 +1,7 @@
 //! Statistics of the intervals between frames.
 
 use super::finding::Finding;
+use units::order::middle;
 
 /// Minimum length of a gap, relative to the larger median of the intervals before and after.
 const GAP: f64 = 1.5;
@@ -52,7 +53,10 @@ impl Intervals {
     pub fn of(times: &[f64]) -> Option<Self> {
         let all: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let positive: Vec<f64> = all.iter().copied().filter(|&interval| interval > 0.0).collect();
-        let usual = median(&positive)?;
+        if positive.is_empty() {
+            return None;
+        }
+        let usual = middle(positive);
         let doubled: Vec<usize> = (1..times.len()).filter(|&at| all[at - 1] <= SAME * usual).collect();
         // Index of the frame and duration, without doubled times.
         let lasting: Vec<(usize, f64)> =
@@ -115,25 +119,17 @@ impl Intervals {
 
 /// Gaps among intervals, which are pairs of the index of the frame before and the duration in s.
 fn gaps(intervals: &[(usize, f64)], times: &[f64]) -> Vec<Gap> {
-    let middle = |part: &[(usize, f64)]| median(&part.iter().map(|&(_, interval)| interval).collect::<Vec<f64>>());
+    let usual = |part: &[(usize, f64)]| middle(part.iter().map(|&(_, interval)| interval).collect());
     let found: Vec<Gap> = (0..intervals.len())
         .filter_map(|at| {
-            let before = middle(&intervals[at.saturating_sub(AROUND)..at]);
-            let behind = middle(&intervals[at + 1..intervals.len().min(at + 1 + AROUND)]);
-            let usual = before.into_iter().chain(behind).reduce(f64::max)?;
+            let before = usual(&intervals[at.saturating_sub(AROUND)..at]);
+            let behind = usual(&intervals[at + 1..intervals.len().min(at + 1 + AROUND)]);
+            // The greater one, of which one is not a number at an end.
+            let usual = before.max(behind);
             let (after, interval) = intervals[at];
             let missing = (interval / usual).round() - 1.0;
             (interval > GAP * usual).then_some(Gap { after, time: times[after], missing: missing as usize })
         })
         .collect();
     if found.len() as f64 > MOST_GAPS * intervals.len() as f64 { Vec::new() } else { found }
-}
-
-/// Median; `None` for an empty list.
-fn median(values: &[f64]) -> Option<f64> {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let middle = sorted.len() / 2;
-    let upper = *sorted.get(middle)?;
-    Some(if sorted.len() % 2 == 1 { upper } else { (sorted[middle - 1] + upper) / 2.0 })
 }

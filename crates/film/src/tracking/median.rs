@@ -1,10 +1,6 @@
-//! Median.
+//! Median of samples, of which there may be none.
 
 /// Median, of an even number the upper one; 0 for an empty list.
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
-    let middle = values.len() / 2;
-    if middle >= values.len() {
-        return 0.0;
-    }
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+pub(crate) fn median(values: Vec<f64>) -> f64 {
+    if values.is_empty() { 0.0 } else { units::order::median(values) }
 }

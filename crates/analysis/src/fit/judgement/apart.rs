@@ -2,7 +2,7 @@
 //! the large residuals. This also happens with a robust loss if such a value begins or ends a record.
 
 use super::outliers::Off;
-use crate::order::median;
+use units::order::median;
 
 /// Least distance from the median, in ranges of the other values.
 const FAR: f64 = 5.0;

@@ -6,7 +6,7 @@
 //! is judged again.
 
 use crate::fit::uncertainty::student::student;
-use crate::order::median;
+use units::order::median;
 
 /// Probability that any value of a record with normal errors is reported as an outlier.
 const BY_CHANCE: f64 = 0.005;

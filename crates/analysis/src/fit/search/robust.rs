@@ -13,7 +13,7 @@ use crate::fit::judgement::outliers::NORMAL;
 use crate::fit::linear::dot;
 use crate::fit::task::weights::EXACT;
 use crate::fit::uncertainty::covariance::{Covariance, series};
-use crate::order::median;
+use units::order::median;
 
 /// Effect of a robust loss.
 #[derive(Clone, Debug, PartialEq)]

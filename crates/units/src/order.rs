@@ -35,8 +35,15 @@ pub fn nth(values: &[f64], rank: usize) -> f64 {
 }
 
 /// Median, for an even number the upper one of the two middle values; NaN without values.
-pub(crate) fn median(values: Vec<f64>) -> f64 {
+pub fn median(values: Vec<f64>) -> f64 {
     nth(&values, values.len() / 2)
+}
+
+/// Median, for an even number the mean of the two middle values; NaN without values.
+pub fn middle(values: Vec<f64>) -> f64 {
+    let (half, is_even) = (values.len() / 2, values.len().is_multiple_of(2));
+    let upper = nth(&values, half);
+    if is_even && half > 0 { 0.5 * (nth(&values, half - 1) + upper) } else { upper }
 }
 
 const SIGN: u64 = 1 << 63;
@@ -53,7 +60,7 @@ fn value(key: u64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::nth;
+    use super::{median, middle, nth};
     use proptest::prelude::*;
 
     fn agrees(values: &[f64]) {
@@ -63,6 +70,14 @@ mod tests {
             assert_eq!(nth(values, rank).to_bits(), expected.to_bits(), "{rank} of {values:?}");
         }
         assert!(nth(values, values.len()).is_nan());
+    }
+
+    #[test]
+    fn medians_of_even_numbers_are_the_upper_one_or_the_mean() {
+        for (values, upper, mean) in [(vec![3.0, 1.0, 2.0], 2.0, 2.0), (vec![4.0, 1.0, 2.0, 3.0], 3.0, 2.5)] {
+            assert_eq!((median(values.clone()), middle(values)), (upper, mean));
+        }
+        assert!(median(Vec::new()).is_nan() && middle(Vec::new()).is_nan());
     }
 
     #[test]

@@ -50,7 +50,7 @@ pub use fits::{
     ChoiceView, EstimateView, Export, ExportKind, FitDetail, FitProgress, FitRecordView, FitView, Imprint, KnownView,
     MOST_FITS,
 };
-pub use measured::{CurveAxis, FittedCurve, MeasuredCurve};
+pub use measured::{CurveAxis, FittedCurve, MeasuredCurve, TheoryCurve};
 pub use records::{
     ColumnView, LONGEST_RECORD, MEASUREMENT_FIELDS, MOST_RECORDS, MeasurementForm, RecordProgress, RecordView, SAMPLES,
     Sample, VariableView,

@@ -15,6 +15,7 @@ pub use work::{GivenAnswer, Work};
 
 use crate::results::{Quantity, quantities};
 use crate::verify::{Copied, Recomputation, copied};
+use desk::TheoryCurve;
 use saved::hand_in::{HandIn, HandInError};
 use units::{Language, Words};
 
@@ -87,12 +88,21 @@ pub struct Collection {
     entries: Vec<Entry>,
     step: Option<Step>,
     copies: Vec<Copied>,
+    /// Curves of the theories, each from the first fit with it.
+    theories: Vec<TheoryCurve>,
 }
 
 impl Collection {
     /// An empty collection. `program`: version of the program that computes. `language`: language of the questions.
     pub fn new(program: &str, language: Language) -> Self {
-        Self { program: program.to_owned(), language, entries: Vec::new(), step: None, copies: Vec::new() }
+        Self {
+            program: program.to_owned(),
+            language,
+            entries: Vec::new(),
+            step: None,
+            copies: Vec::new(),
+            theories: Vec::new(),
+        }
     }
 
     /// Adds a file: of several hand-ins of a sender the one that was made last counts, of equal times the one added last.
@@ -139,7 +149,7 @@ impl Collection {
 
     /// Removes everything.
     pub fn clear(&mut self) {
-        (self.entries, self.copies, self.step) = (Vec::new(), Vec::new(), None);
+        *self = Self::new(&self.program, self.language);
     }
 
     /// The files in the order in which they were added.
@@ -165,6 +175,14 @@ impl Collection {
     /// Measured data that two hand-ins share.
     pub fn copies(&self) -> &[Copied] {
         &self.copies
+    }
+
+    /// A derived quantity of a theory against a parameter, with the other values of the first fit with that theory.
+    pub fn theory_curve(&self, theory: &str, quantity: &str, parameter: &str) -> Option<&TheoryCurve> {
+        let is_asked = |curve: &&TheoryCurve| {
+            (&*curve.theory, &*curve.quantity, &*curve.parameter) == (theory, quantity, parameter)
+        };
+        self.theories.iter().find(is_asked)
     }
 
     /// Works for one trial of a fit or one comparison. Returns false if nothing is left to do.
@@ -206,7 +224,9 @@ impl Collection {
     fn finish(&mut self, index: usize, recomputation: Recomputation) {
         let entry = &mut self.entries[index];
         if let Ok(hand_in) = &entry.content {
-            let work = Work::of(index, hand_in, recomputation, &self.program, self.language.tag());
+            let (work, mut theories) = Work::of(index, hand_in, recomputation, &self.program, self.language.tag());
+            theories.retain(|new| self.theories.iter().all(|known| known.theory != new.theory));
+            self.theories.append(&mut theories);
             entry.state = State::Done(Box::new(work));
             self.step = Some(Step::Comparing(index, 0));
         }

@@ -2,7 +2,7 @@
 
 use crate::verify::{Curve, Recomputation, Verdict, compare};
 use desk::play::{Attempt, Grade, Play};
-use desk::{FittedCurve, MeasuredCurve};
+use desk::{FittedCurve, MeasuredCurve, TheoryCurve};
 use saved::hand_in::{Fact, HandIn};
 
 /// Work of a group, computed again.
@@ -49,25 +49,26 @@ impl GivenAnswer {
 }
 
 impl Work {
-    /// The finished recomputation of a hand-in. `index`: index of the hand-in in the collection. `program`: version of the
-    /// program that has computed.
+    /// Work of a finished recomputation of a hand-in, and the curves of its theories. `index`: index of the hand-in in the
+    /// collection. `program`: version of the program that has computed.
     pub(super) fn of(
         index: usize,
         hand_in: &HandIn,
         recomputation: Recomputation,
         program: &str,
         language: &str,
-    ) -> Self {
+    ) -> (Self, Vec<TheoryCurve>) {
         let refused = recomputation.refused();
         let (desk, facts) = recomputation.finish(language);
-        Self {
+        let work = Self {
             verdict: compare(hand_in, &facts, refused, program),
             facts,
             curves: desk.measured_curves(),
             fits: desk.fitted_curves(),
             answers: answers(desk.play()),
             columns: Curve::of(index, hand_in),
-        }
+        };
+        (work, desk.theory_curves())
     }
 }
 

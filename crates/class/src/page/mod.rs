@@ -1,5 +1,6 @@
 //! A report of a class as a page and as a workbook. The sections are also those of the dashboard in the laboratory.
 
+mod against;
 mod answers;
 mod figures;
 mod hand_ins;

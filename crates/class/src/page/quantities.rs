@@ -1,5 +1,6 @@
 //! A fitted quantity: results of the groups and the pooled value.
 
+use super::against;
 use super::figures::{Look, histogram, results, scale};
 use crate::collection::Collection;
 use crate::pooling::{Measured, Pool, Pooled};
@@ -40,6 +41,7 @@ pub fn quantity(quantity: &Quantity, collection: &Collection, most: usize, look:
         let text = language.pick("Further groups, listed in the report", "Otros grupos, que están en el informe");
         page.element("p class=\"note\"", &format!("{text}: {rest}."));
     }
+    page.raw(&against::section(quantity, collection, look));
     if quantity.results.len() >= FOR_HISTOGRAM {
         page.raw("<figure>\n");
         page.raw(&histogram(quantity, look));

@@ -1,8 +1,10 @@
 //! Straight lines through results of groups.
 
-use crate::support::{Noise, weighed};
+use crate::support::{Noise, VERSION, weighed};
 use analysis::virtual_record::Chance;
 use class::against::{Against, Line, Point, Power, line};
+use class::collection::Collection;
+use class::page::html;
 use class::pooling::Measured;
 use class::results::quantities;
 use saved::hand_in::HandIn;
@@ -100,10 +102,10 @@ fn against(hand_ins: &[HandIn], y: &str, x: &str) -> Against {
     one
 }
 
-#[test]
-fn g_follows_from_columns_of_different_lengths() {
+/// Hand-ins of groups with columns of these lengths, in metres, which their fits held fixed; g is 9.81 m/s².
+fn of_lengths(lengths: &[f64]) -> Vec<HandIn> {
     let mut noise = Noise::new(3);
-    let mut group = |(length, seed): (f64, u64)| {
+    let group = |(&length, number): (&f64, usize)| {
         let omega = (2.0 * 9.81 / length - 0.42 * 0.42_f64).sqrt();
         let row = |index: u32| {
             let time = f64::from(index) / 30.0;
@@ -111,9 +113,34 @@ fn g_follows_from_columns_of_different_lengths() {
                 0.04 * libm::exp(-0.42 * time) * (libm::cos(omega * time) + 0.42 / omega * libm::sin(omega * time));
             (time, swing + 5e-4 * noise.normal())
         };
-        weighed(length, &(0..90).map(row).collect::<Vec<_>>(), &format!("group {seed}"))
+        weighed(length, &(0..90).map(row).collect::<Vec<_>>(), &format!("group {number}"))
     };
-    let hand_ins: Vec<HandIn> = [(0.18, 1), (0.18, 2), (0.24, 3), (0.32, 4)].into_iter().map(&mut group).collect();
+    lengths.iter().zip(1..).map(group).collect()
+}
+
+/// Natural frequency in the theory: sqrt(2 g/L), with the fitted g.
+#[test]
+fn a_report_draws_results_over_the_theory() {
+    let mut class = Collection::new(VERSION, Language::English);
+    for one in of_lengths(&[0.18, 0.24, 0.32]) {
+        class.add(&one.sender.name, &one.write());
+    }
+    while class.advance() {}
+    let quantities = class.quantities();
+    let omega = quantities.iter().find(|one| one.name == "omega_0").unwrap();
+    let curve = class.theory_curve(&omega.theory, "omega_0", "L").unwrap();
+    assert!(curve.x.len() > 50 && curve.x.is_sorted());
+    for (length, omega) in curve.x.iter().zip(&curve.y) {
+        assert!((omega / (2.0 * 9.81 / length).sqrt() - 1.0).abs() < 0.01, "{length} {omega}");
+    }
+    let page = html(&class, Language::English, VERSION, "");
+    assert!(page.contains("omega_0 [1/s] against L [m]. Straight line, n = 3"), "the sentence");
+    assert!(page.contains("against L</title>") && page.contains(">theory<"), "the figure");
+}
+
+#[test]
+fn g_follows_from_columns_of_different_lengths() {
+    let hand_ins = of_lengths(&[0.18, 0.18, 0.24, 0.32]);
     let found = against(&hand_ins, "omega_0^2", "2/L");
     let xs: Vec<f64> = found.points.iter().map(|(_, point)| point.x).collect();
     assert_eq!(xs, [2.0 / 0.18, 2.0 / 0.18, 2.0 / 0.24, 2.0 / 0.32]);

@@ -5,5 +5,7 @@ pub(crate) mod data;
 mod outline;
 mod points;
 mod residuals;
+mod theory;
 
 pub use curves::{CurveAxis, FittedCurve, MeasuredCurve};
+pub use theory::TheoryCurve;

@@ -5,6 +5,7 @@ mod host;
 use crate::class::Room;
 use crate::film::{Films, Player};
 use crate::stored::{Kept, Saved, VersionTimes};
+use crate::verified::Verified;
 use crate::words::{Words, words_in};
 use crate::write::{Editor, Panel};
 use desk::{Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};
@@ -106,6 +107,8 @@ pub struct Laboratory {
     pub library_asked_for: Signal<bool>,
     /// True while the publishing dialog is open.
     pub publishing: Signal<bool>,
+    /// The hand-in that is verified in a dialog, with the result.
+    pub verified: Signal<Option<Verified>>,
     /// Raised when a text in the editor has been checked.
     pub written: Signal<u64>,
     /// Raised when a text has been changed from outside the editor, before it is checked.
@@ -189,6 +192,7 @@ impl App {
             record_refusal: create_signal(None),
             library_asked_for: create_signal(false),
             publishing: create_signal(false),
+            verified: create_signal(None),
             written: counter(),
             typed: counter(),
             written_file: create_signal(0),

@@ -1,7 +1,8 @@
 //! Opening files picked or dropped by the user.
 
 use crate::app::App;
-use crate::{class, film, intake, opening, project};
+use crate::{class, film, intake, opening, project, verified};
+use desk::saved::hand_in::{HandIn, HandInError};
 use document::BlockKind;
 use document::page::{self, Source};
 use js_sys::Uint8Array;
@@ -22,7 +23,8 @@ fn has_model(text: &str) -> bool {
     document::read(text).blocks_of(BlockKind::Model).next().is_some()
 }
 
-/// Opens files picked by the user: a document with its translations, one exported page, a project, or records.
+/// Opens files picked by the user: a document with its translations, one exported page, a project, a hand-in or
+/// report to be verified, or records.
 pub fn open(app: App, files: &FileList) {
     let files: Vec<File> = (0..files.length()).filter_map(|index| files.get(index)).collect();
     wasm_bindgen_futures::spawn_local(async move {
@@ -36,8 +38,11 @@ pub fn open(app: App, files: &FileList) {
             film::open(app, file);
         }
         let (hand_ins, files): (Vec<File>, Vec<File>) = files.into_iter().partition(class::is_hand_in);
-        if !hand_ins.is_empty() {
-            class::add(app, hand_ins).await;
+        match <[File; 1]>::try_from(hand_ins) {
+            Ok([file]) if !app.class.is_open() => verified::open(app, &file).await,
+            Ok([file]) => class::add(app, vec![file]).await,
+            Err(several) if several.is_empty() => {}
+            Err(several) => class::add(app, several).await,
         }
         let (projects, files): (Vec<File>, Vec<File>) = files.into_iter().partition(project::is_project);
         if let Some(file) = projects.into_iter().next() {
@@ -57,6 +62,12 @@ pub fn open(app: App, files: &FileList) {
             if let Some(embedded) = page::read(&text) {
                 sources = embedded;
                 break;
+            }
+            if text.trim_start().starts_with('<') {
+                match HandIn::open(text.as_bytes()) {
+                    Err(HandInError::NoData) => {}
+                    report => return verified::show(app, &name, report).await,
+                }
             }
             if !name.to_lowercase().ends_with(".html") {
                 sources.push(Source { name, text });

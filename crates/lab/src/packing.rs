@@ -15,6 +15,11 @@ pub async fn gzip(bytes: &[u8]) -> Option<Vec<u8>> {
     through("CompressionStream", "gzip", bytes, usize::MAX).await
 }
 
+/// Deflates bytes with a zlib header; `None` if the browser does not support it.
+pub async fn zlib(bytes: &[u8]) -> Option<Vec<u8>> {
+    through("CompressionStream", "deflate", bytes, usize::MAX).await
+}
+
 /// Inflates a text of at most `most` bytes; `None` if it is longer. The limit protects against decompression bombs in
 /// links.
 pub async fn inflate(bytes: &[u8], most: usize) -> Option<String> {

@@ -2,7 +2,9 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{class, drop, film, header, idle, library_list, links, navigation, opening, panel, publish, served, tabs};
+use crate::{
+    class, drop, film, header, idle, library_list, links, navigation, opening, panel, publish, served, tabs, verified,
+};
 use units::Language;
 use view::views::*;
 use view::{browser, shell, stage};
@@ -49,5 +51,12 @@ fn build(app: App) -> View {
     });
     let stage = move || if runs.get() { stage::view(app.page) } else { idle::stage(app).into() };
     let body = main().class("laboratory").child(changing(stage)).child(panel::view(app));
-    View::from((header::view(app), body, library_list::dialog(app), publish::dialog(app), class::dialogs(app)))
+    View::from((
+        header::view(app),
+        body,
+        library_list::dialog(app),
+        publish::dialog(app),
+        class::dialogs(app),
+        verified::dialog(app),
+    ))
 }

@@ -23,7 +23,6 @@ mod basis;
 mod changes;
 mod claims;
 mod controls;
-mod name;
 mod play;
 mod plots;
 mod questions;
@@ -37,7 +36,7 @@ pub mod words;
 pub use engine;
 pub use figure;
 pub use program;
-pub use units::{Language, number};
+pub use units::{Language, name_of, number};
 
 pub use announcement::{Announcement, Prominence};
 pub use basis::Basis;
@@ -48,7 +47,6 @@ pub use controls::{
     ButtonView, ChoiceView, Controls, DrawingView, Grips, MethodView, ParameterGroup, ParameterView, PresetGroup,
     PresetView, SizeView, Slider,
 };
-pub use name::name_of;
 pub use play::Play;
 pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};
 pub use questions::{Answer, AnswerView, Answers, Attempt, Grade, Verdict};

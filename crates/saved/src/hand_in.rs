@@ -7,13 +7,17 @@
 //!  "facts":[{"part":"fit","item":"Linear damping: film.csv","quantity":"gamma","number":0.4}]}
 //! ```
 //!
+//! A file can also hold it deflated with a zlib header, or inside of a report ([`crate::carried`]): [`HandIn::open`] reads all.
+//!
 //! The facts can be computed again from the work, bit for bit. Unknown fields are ignored.
 
-use crate::Number;
+use crate::carried;
 use crate::project::{Project, ProjectError};
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use units::{Words, words};
+
+pub use crate::fact::{Fact, FactValue, Part};
 
 /// Version of the format.
 const VERSION: u32 = 1;
@@ -44,72 +48,6 @@ pub struct Sender {
     pub assignment: String,
 }
 
-/// The part of the work that a fact is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Part {
-    /// The run that is shown.
-    Run,
-    /// An answer to a question.
-    Answer,
-    /// A record.
-    Record,
-    /// The work on a film.
-    Film,
-    /// A fit.
-    Fit,
-}
-
-impl Part {
-    /// Name of the part.
-    pub fn words(self) -> Words {
-        match self {
-            Self::Run => words("run", "simulación"),
-            Self::Answer => words("answer", "respuesta"),
-            Self::Record => words("record", "serie de datos"),
-            Self::Film => words("film", "vídeo"),
-            Self::Fit => words("fit", "ajuste"),
-        }
-    }
-}
-
-/// Value of a fact.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum FactValue {
-    /// A number, in SI units.
-    Number(Number),
-    /// A text, such as a grade or the hash of a table.
-    Text(String),
-}
-
-impl PartialEq for FactValue {
-    /// Compares numbers by their bits: 0 differs from -0. Two values that are not a number are equal.
-    fn eq(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Number(Number(one)), Self::Number(Number(other))) => {
-                one.to_bits() == other.to_bits() || one.is_nan() && other.is_nan()
-            }
-            (Self::Text(one), Self::Text(other)) => one == other,
-            _ => false,
-        }
-    }
-}
-
-/// A value that follows from the work.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Fact {
-    /// Part of the work.
-    pub part: Part,
-    /// The record, fit or film by its name, or the question by its number.
-    pub item: String,
-    /// Name of the quantity.
-    pub quantity: String,
-    /// The value.
-    #[serde(flatten)]
-    pub value: FactValue,
-}
-
 /// Content of a hand-in.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct HandIn {
@@ -123,6 +61,8 @@ pub struct HandIn {
     pub work: Project,
     /// The values stated to follow from the work.
     pub facts: Vec<Fact>,
+    /// Facts about the report that carries it, computed when it is opened; empty if no report carries it.
+    pub page: Vec<Fact>,
 }
 
 /// Reason why a file cannot be read as a hand-in.
@@ -134,6 +74,8 @@ pub enum HandInError {
     LaterVersion,
     /// JSON of another kind.
     Other,
+    /// A page without the data of a hand-in.
+    NoData,
     /// Cut off, or changed so that it cannot be read.
     Damaged,
 }
@@ -148,6 +90,9 @@ impl HandInError {
                 "se hizo con una versión posterior de Meniscus; compruébalo con esa versión",
             ),
             Self::Other => words("is no hand-in of Meniscus", "no es una entrega de Meniscus"),
+            Self::NoData => {
+                words("is a page without the data of a hand-in", "es una página sin los datos de una entrega")
+            }
             Self::Damaged => words("is damaged; ask for it again", "está dañado; pide que te lo envíen otra vez"),
         }
     }
@@ -173,6 +118,13 @@ struct Version {
 }
 
 impl HandIn {
+    /// The hand-in to be carried by a page ([`carried::carry`]): it also states the text of the page.
+    #[must_use]
+    pub fn of_page(mut self, page: &str) -> Self {
+        self.facts.extend(carried::sections(page));
+        self
+    }
+
     /// Content of the file.
     pub fn write(&self) -> String {
         // A project, texts and numbers can always be serialised.
@@ -188,7 +140,28 @@ impl HandIn {
         serde_json::to_string(&written).unwrap_or_default()
     }
 
-    /// Reads the content of a file.
+    /// Reads a file that holds a hand-in: its text, also deflated, or a report that carries it.
+    ///
+    /// # Errors
+    /// If the file holds no hand-in, or is too large.
+    pub fn open(file: &[u8]) -> Result<Self, HandInError> {
+        if file.len() > LONGEST_HAND_IN {
+            return Err(HandInError::TooLarge);
+        }
+        if is_deflated(file) {
+            return Self::read(&inflated(file)?);
+        }
+        let text = String::from_utf8_lossy(file);
+        if !text.trim_start_matches('\u{feff}').trim_start().starts_with('<') {
+            return Self::read(&text);
+        }
+        let (packed, page) = carried::carried(&text).ok_or(HandInError::NoData)?;
+        let text =
+            if is_deflated(&packed) { inflated(&packed)? } else { String::from_utf8_lossy(&packed).into_owned() };
+        Ok(Self { page, ..Self::read(&text)? })
+    }
+
+    /// Reads the text of a hand-in.
     ///
     /// # Errors
     /// If the text is not a hand-in, or is too large.
@@ -215,13 +188,29 @@ impl HandIn {
             ProjectError::Unreadable => HandInError::Damaged,
         })?;
         sender.name = sender.name.chars().filter(|c| !c.is_control()).take(LONGEST_NAME).collect();
-        Ok(Self { program, made, sender, work, facts })
+        Ok(Self { program, made, sender, work, facts, page: Vec::new() })
     }
+}
+
+/// True if bytes begin with the header of zlib, with which no text begins.
+fn is_deflated(bytes: &[u8]) -> bool {
+    matches!(bytes, [0x78, second, ..] if (0x7800 | u32::from(*second)).is_multiple_of(31))
+}
+
+/// Inflates a text of at most [`LONGEST_HAND_IN`] bytes.
+fn inflated(bytes: &[u8]) -> Result<String, HandInError> {
+    let inflated = miniz_oxide::inflate::decompress_to_vec_zlib_with_limit(bytes, LONGEST_HAND_IN);
+    let inflated = inflated.map_err(|error| match error.status {
+        miniz_oxide::inflate::TINFLStatus::HasMoreOutput => HandInError::TooLarge,
+        _ => HandInError::Damaged,
+    })?;
+    String::from_utf8(inflated).map_err(|_| HandInError::Damaged)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Number;
     use document::page::Source;
 
     fn hand_in() -> HandIn {
@@ -246,12 +235,34 @@ mod tests {
                 fact("grade", FactValue::Text("right".to_owned())),
                 fact("typed", FactValue::Text("0.3".to_owned())),
             ],
+            page: Vec::new(),
         }
     }
 
     #[test]
     fn what_is_written_reads_back() {
         assert_eq!(HandIn::read(&hand_in().write()), Ok(hand_in()));
+    }
+
+    #[test]
+    fn a_file_is_read_in_each_of_its_forms() {
+        let text = hand_in().write();
+        let packed = miniz_oxide::deflate::compress_to_vec_zlib(text.as_bytes(), 6);
+        let page = "<!doctype html><html><body><h1>a</h1><p>0.4</p><footer>f</footer></body></html>";
+        let carrying = carried::carry(page, &packed, units::Language::English);
+        let carrying_text = carried::carry(page, text.as_bytes(), units::Language::Spanish);
+        assert_eq!(HandIn::open(text.as_bytes()), Ok(hand_in()));
+        assert_eq!(HandIn::open(&packed), Ok(hand_in()));
+        let expected = HandIn { page: carried::sections(page), ..hand_in() };
+        for page in [carrying, carrying_text] {
+            assert_eq!(HandIn::open(page.as_bytes()), Ok(expected.clone()));
+        }
+        assert_eq!(HandIn::open(page.as_bytes()), Err(HandInError::NoData));
+        for end in 0..packed.len() {
+            assert_eq!(HandIn::open(&packed[..end]), Err(HandInError::Damaged), "{end}");
+        }
+        let bomb = miniz_oxide::deflate::compress_to_vec_zlib(&vec![b' '; LONGEST_HAND_IN + 1], 1);
+        assert_eq!(HandIn::open(&bomb), Err(HandInError::TooLarge));
     }
 
     #[test]

@@ -6,11 +6,14 @@
 //! | [`item`] | an item as one JSON object |
 //! | [`project`] | a document with its items as one file |
 //! | [`hand_in`] | a project with its sender and the numbers that follow from it |
+//! | [`carried`] | a report that carries a hand-in |
 //! | [`storage`] | the storage of a page, as a trait |
 //! | [`shelf`] | synchronisation of the items of a page with its storage |
 //!
 //! The types of [`mod@format`] are not those of the laboratory, so that a change there does not change what is stored.
 
+pub mod carried;
+mod fact;
 pub mod format;
 pub mod hand_in;
 pub mod item;

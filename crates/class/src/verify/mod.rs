@@ -22,7 +22,7 @@ use units::Words;
 /// If the document of the work cannot be opened.
 pub fn hand_in(work: Project, sender: Sender, made: u64, program: &str) -> Result<HandIn, Words> {
     let facts = Recomputation::complete(&work)?.facts();
-    Ok(HandIn { program: program.to_owned(), made, sender, work, facts })
+    Ok(HandIn { program: program.to_owned(), made, sender, work, facts, page: Vec::new() })
 }
 
 /// Computes a hand-in again at once, and compares. `program`: version of the program that verifies.

@@ -42,6 +42,35 @@ impl Verdict {
     pub fn holds(&self) -> bool {
         self.differences.is_empty() && self.refused == 0
     }
+
+    /// Description in lines: the number of equal values, another version, refused parts, and each difference.
+    pub fn lines(&self, language: Language) -> Vec<String> {
+        let (equal, all) = (self.equal, self.equal + self.differences.len());
+        let mut lines = vec![if self.differences.is_empty() {
+            language.pick(
+                format!("{equal} values computed again, all equal"),
+                format!("{equal} valores calculados de nuevo, todos iguales"),
+            )
+        } else {
+            language.pick(format!("{equal} of {all} values equal"), format!("{equal} de {all} valores iguales"))
+        }];
+        lines.extend(self.other_version.as_ref().map(|version| {
+            let version = shortened(version);
+            language.pick(
+                format!("made by version {version}; numbers are compared to a relative deviation of 1e-6"),
+                format!("hecha con la versión {version}; los números se comparan con una desviación relativa de 1e-6"),
+            )
+        }));
+        if self.refused > 0 {
+            let refused = self.refused;
+            lines.push(language.pick(
+                format!("parts of the work that could not be restored: {refused}"),
+                format!("partes del trabajo que no se pudieron recuperar: {refused}"),
+            ));
+        }
+        lines.extend(self.differences.iter().map(|difference| difference.text(language)));
+        lines
+    }
 }
 
 impl Difference {
@@ -80,9 +109,11 @@ pub fn meaning() -> Words {
 pub fn compare(hand_in: &HandIn, computed: &[Fact], refused: usize, program: &str) -> Verdict {
     let other_version = (hand_in.program != program).then(|| hand_in.program.clone());
     let mut rest: BTreeMap<(Part, &str, &str), &FactValue> =
-        computed.iter().map(|fact| (key(fact), &fact.value)).collect();
+        computed.iter().chain(&hand_in.page).map(|fact| (key(fact), &fact.value)).collect();
     let (mut equal, mut differences) = (0, Vec::new());
-    for fact in &hand_in.facts {
+    // The data that were saved from a report stand without its page.
+    let stated = hand_in.facts.iter().filter(|fact| fact.part != Part::Report || !hand_in.page.is_empty());
+    for fact in stated {
         let value = rest.remove(&key(fact));
         if value.is_some_and(|value| is_equal(&fact.value, value, other_version.is_some())) {
             equal += 1;

@@ -2,7 +2,7 @@
 
 use super::VERSION;
 use super::arguments::HandIn;
-use super::read::text;
+use super::read::bytes;
 use crate::failure::Failure;
 use crate::terminal::Terminal;
 use crate::terminal::output::file;
@@ -18,7 +18,8 @@ use units::{Words, words};
 pub fn hand_in(arguments: &HandIn, terminal: Terminal) -> Result<(), Failure> {
     let path = &arguments.project;
     let refused = |why: Words| Failure::about(path, &why);
-    let project = Project::read(&text(path, LONGEST_PROJECT)?).map_err(|error| refused(error.words()))?;
+    let project = Project::read(&String::from_utf8_lossy(&bytes(path, LONGEST_PROJECT)?))
+        .map_err(|error| refused(error.words()))?;
     let sender =
         Sender { name: arguments.name.clone(), seat: arguments.seat, assignment: arguments.assignment.clone() };
     let made = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_millis() as u64);

@@ -21,44 +21,52 @@ impl Handed {
     }
 }
 
-/// Text of a file of at most `most` bytes. One byte more is read, so that its reader refuses a longer file.
-pub fn text(path: &Path, most: usize) -> Result<String, Failure> {
+/// Content of a file of at most `most` bytes. One byte more is read, so that its reader refuses a longer file.
+pub fn bytes(path: &Path, most: usize) -> Result<Vec<u8>, Failure> {
     let fails = |error| Failure::file("read", path, &error);
     let file = std::fs::File::open(path).map_err(fails)?;
     let mut bytes = Vec::new();
     file.take(most as u64 + 1).read_to_end(&mut bytes).map_err(fails)?;
-    // The reader of the format reports damage.
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    Ok(bytes)
 }
 
-/// The hand-ins of files and folders, in the order of their names.
+/// True if a file of a folder is a hand-in or a page, by its name.
+fn is_candidate(path: &Path) -> bool {
+    let name = path.to_string_lossy().to_lowercase();
+    [HAND_IN_ENDING, ".html", ".htm"].iter().any(|ending| name.ends_with(ending))
+}
+
+/// The hand-ins of files and folders, in the order of their names. Of the pages in a folder only those that carry the data of
+/// a hand-in are taken.
 ///
 /// # Errors
 /// A file or folder cannot be read, or a folder has no hand-ins.
 pub fn all(paths: &[PathBuf]) -> Result<Vec<Handed>, Failure> {
-    let mut files = Vec::new();
+    let read = |path: PathBuf| -> Result<Handed, Failure> {
+        let content = HandIn::open(&bytes(&path, LONGEST_HAND_IN)?);
+        Ok(Handed { path, content })
+    };
+    let mut handed = Vec::new();
     for path in paths {
         if !path.is_dir() {
-            files.push(path.clone());
+            handed.push(read(path.clone())?);
             continue;
         }
         let entries = std::fs::read_dir(path).map_err(|error| Failure::file("read", path, &error))?;
         let names = entries.filter_map(|entry| Some(entry.ok()?.path()));
-        let mut inside: Vec<PathBuf> = names.filter(|path| path.to_string_lossy().ends_with(HAND_IN_ENDING)).collect();
-        if inside.is_empty() {
+        let mut inside: Vec<PathBuf> = names.filter(|path| is_candidate(path)).collect();
+        inside.sort();
+        let inside: Vec<Handed> = inside.into_iter().map(read).collect::<Result<_, _>>()?;
+        let before = handed.len();
+        handed.extend(inside.into_iter().filter(|one| one.content != Err(HandInError::NoData)));
+        if handed.len() == before {
             return Err(Failure::with_hint(
                 format!("{} has no hand-ins", path.display()),
                 format!("their names end in {HAND_IN_ENDING}"),
             ));
         }
-        inside.sort();
-        files.append(&mut inside);
     }
-    let read = |path: PathBuf| -> Result<Handed, Failure> {
-        let content = HandIn::read(&text(&path, LONGEST_HAND_IN)?);
-        Ok(Handed { path, content })
-    };
-    files.into_iter().map(read).collect()
+    Ok(handed)
 }
 
 /// Name, seat and assignment of a sender.
@@ -69,11 +77,14 @@ pub fn sender(hand_in: &HandIn) -> Sender<'_> {
     (&hand_in.sender.name, hand_in.sender.seat, &hand_in.sender.assignment)
 }
 
-/// Index of the last hand-in of each sender.
+/// Index of the last hand-in of each sender with a name.
 pub fn last_of_each(handed: &[Handed]) -> HashMap<Sender<'_>, usize> {
     let mut last: HashMap<Sender<'_>, (u64, usize)> = HashMap::new();
     for (index, one) in handed.iter().enumerate() {
-        let Ok(hand_in) = &one.content else { continue };
+        // Reports have no sender.
+        let Some(hand_in) = one.content.as_ref().ok().filter(|hand_in| !hand_in.sender.name.is_empty()) else {
+            continue;
+        };
         let place = last.entry(sender(hand_in)).or_insert((hand_in.made, index));
         if hand_in.made >= place.0 {
             *place = (hand_in.made, index);

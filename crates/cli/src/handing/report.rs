@@ -61,7 +61,10 @@ impl Report<'_> {
                     );
                     format!("{file} ({sender}) {why}\n")
                 }
-                State::Verified(verdict) => format!("{file} ({sender}): {}", found(verdict, language)),
+                State::Verified(verdict) if sender.is_empty() => {
+                    format!("{file}: {}\n", verdict.lines(language).join("\n  "))
+                }
+                State::Verified(verdict) => format!("{file} ({sender}): {}\n", verdict.lines(language).join("\n  ")),
             };
         }
         for copied in &self.copies {
@@ -127,34 +130,6 @@ impl Report<'_> {
         });
         format!("{whole:#}\n")
     }
-}
-
-/// Description of a verdict: one line, and one for each difference.
-fn found(verdict: &Verdict, language: Language) -> String {
-    let (equal, all) = (verdict.equal, verdict.equal + verdict.differences.len());
-    let mut text = if verdict.holds() {
-        language.pick(
-            format!("{equal} values computed again, all equal\n"),
-            format!("{equal} valores calculados de nuevo, todos iguales\n"),
-        )
-    } else {
-        language.pick(format!("{equal} of {all} values equal\n"), format!("{equal} de {all} valores iguales\n"))
-    };
-    if let Some(version) = &verdict.other_version {
-        text += &language.pick(
-            format!("  made by version {version}; numbers are compared to a relative deviation of 1e-6\n"),
-            format!("  hecha con la versión {version}; los números se comparan con una desviación relativa de 1e-6\n"),
-        );
-    }
-    if verdict.refused > 0 {
-        let refused = verdict.refused;
-        text += &language.pick(
-            format!("  parts of the work that could not be restored: {refused}\n"),
-            format!("  partes del trabajo que no se pudieron recuperar: {refused}\n"),
-        );
-    }
-    verdict.differences.iter().for_each(|difference| text += &format!("  {}\n", difference.text(language)));
-    text
 }
 
 fn differences(verdict: &Verdict, language: Language) -> Vec<Value> {

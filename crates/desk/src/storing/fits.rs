@@ -6,7 +6,7 @@ use saved::{Item, Number};
 
 use super::records::{line, take_uses, write_uses};
 use crate::Desk;
-use crate::fits::fit::{Definition, Found, Part, Waiting, texts};
+use crate::fits::fit::{Definition, Fitted, Found, Part, Waiting, texts};
 use analysis::fit::{Loss, Rival, Target, Varied};
 use play::name_of;
 
@@ -18,9 +18,7 @@ impl Desk {
     /// not stored are left out, and those that exceed the maximum length.
     pub fn saved_fits(&self) -> Vec<(String, Item)> {
         let mut saved = SavedFits { records: self.record_names(), fits: Vec::new(), length: 0 };
-        for fit in &self.fits.finished {
-            saved.add(&fit.definition, texts(&fit.document), &Found::of(&fit.outcome));
-        }
+        saved.add_finished(self.fits.finished.iter());
         if let Some(job) = self.being_remade()
             && let Some(found) = &job.found
         {
@@ -29,6 +27,13 @@ impl Desk {
         for Waiting { definition, texts, found } in &self.fits.waiting {
             saved.add(definition, texts.clone(), found);
         }
+        saved.fits
+    }
+
+    /// Finished fits in the form of [`Desk::saved_fits`].
+    pub(super) fn fits_to_save<'a>(&self, fits: impl Iterator<Item = &'a Fitted>) -> Vec<(String, Item)> {
+        let mut saved = SavedFits { records: self.record_names(), fits: Vec::new(), length: 0 };
+        saved.add_finished(fits);
         saved.fits
     }
 
@@ -92,6 +97,12 @@ struct SavedFits {
 }
 
 impl SavedFits {
+    fn add_finished<'a>(&mut self, fits: impl Iterator<Item = &'a Fitted>) {
+        for fit in fits {
+            self.add(&fit.definition, texts(&fit.document), &Found::of(&fit.outcome));
+        }
+    }
+
     /// Adds a fit, unless it exceeds the maximum length, is stored already, or one of its records is not stored.
     fn add(&mut self, definition: &Definition, documents: Vec<String>, found: &Found) {
         let Some(task) = task(definition, &self.records) else { return };

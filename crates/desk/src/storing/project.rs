@@ -1,8 +1,10 @@
 //! Items of a project file besides its document.
 
 use super::films::MOST_WORKS;
+use crate::fits::fit::Fitted;
 use crate::{Desk, MOST_FITS, MOST_RECORDS};
 use saved::Item;
+use saved::format::Content;
 use std::collections::HashSet;
 
 /// Maximum number of items that are tried, because a file of unknown origin may have thousands.
@@ -12,7 +14,28 @@ impl Desk {
     /// Records, works on films, fits and answers: names and texts to store. `now` in milliseconds.
     pub fn project_items(&self, now: u64) -> Vec<(String, String)> {
         let groups = [self.saved_records(), self.saved_films(), self.saved_fits(), self.saved_answers()];
-        groups.into_iter().flatten().zip(now..).map(|((name, item), since)| (name, item.write(since))).collect()
+        written(groups.into_iter().flatten(), now)
+    }
+
+    /// The items that a fit follows from, in the form of [`Desk::project_items`]: its records, the works on their films, and the
+    /// fit, or with `all` every fit of the same values. `now` in milliseconds.
+    pub fn items_of_fit(&self, id: u32, all: bool, now: u64) -> Vec<(String, String)> {
+        let Some(fit) = self.fits.finished.iter().find(|fit| fit.id == id) else { return Vec::new() };
+        let belongs = |other: &&Fitted| other.id == id || all && other.same_values(fit);
+        let fits = self.fits_to_save(self.fits.finished.iter().filter(belongs));
+        let taking_part = |record: u32| fit.definition.parts.iter().any(|part| part.record == record);
+        let records = self.record_names().into_iter().filter(|(id, _)| taking_part(*id));
+        let records: HashSet<String> = records.map(|(_, name)| name).collect();
+        let of_record = |film: &Item| match &film.0 {
+            Content::Film(film) => film.record.as_ref().is_some_and(|record| records.contains(record)),
+            _ => false,
+        };
+        let groups = [
+            self.saved_records().into_iter().filter(|(name, _)| records.contains(name)).collect(),
+            self.saved_films().into_iter().filter(|(_, film)| of_record(film)).collect(),
+            fits,
+        ];
+        written(groups.into_iter().flatten(), now)
     }
 
     /// Restores the items of a project in the order in which they were written, because fits need their records.
@@ -45,4 +68,9 @@ impl Desk {
     fn restore_measured(&mut self, item: &Item) -> Option<String> {
         self.restore_record(item).or_else(|| self.restore_film(item)).or_else(|| self.restore_fit(item))
     }
+}
+
+/// Names and texts of items in their order. `now` in milliseconds.
+fn written(items: impl Iterator<Item = (String, Item)>, now: u64) -> Vec<(String, String)> {
+    items.zip(now..).map(|((name, item), since)| (name, item.write(since))).collect()
 }

@@ -3,7 +3,7 @@
 use super::folder::files_in;
 use super::words;
 use crate::app::App;
-use desk::saved::hand_in::{HAND_IN_ENDING, HandInError, LONGEST_HAND_IN};
+use desk::saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError, LONGEST_HAND_IN};
 use view::browser;
 use view::views::*;
 use web_sys::{File, FileSystemEntry, HtmlInputElement};
@@ -17,8 +17,8 @@ pub fn is_hand_in(file: &File) -> bool {
 pub async fn add(app: App, files: Vec<File>) {
     super::open(app);
     for file in files {
-        let text = text_of(&file).await;
-        app.class.add(&file.name(), text);
+        let content = read(&file).await;
+        app.class.add(&file.name(), content);
         app.class.show_sometimes();
     }
     app.class.show();
@@ -43,13 +43,13 @@ async fn choose(app: App, mut files: Vec<File>) {
     }
 }
 
-/// Text of a file. Too large files are refused without reading them.
-async fn text_of(file: &File) -> Result<String, HandInError> {
+/// The hand-in of a file. Too large files are refused without reading them.
+async fn read(file: &File) -> Result<HandIn, HandInError> {
     if file.size() > LONGEST_HAND_IN as f64 {
         return Err(HandInError::TooLarge);
     }
-    let text = browser::wait(file.text()).await.ok().and_then(|text| text.as_string());
-    text.ok_or(HandInError::Damaged)
+    let buffer = browser::wait(file.array_buffer()).await.map_err(|_| HandInError::Damaged)?;
+    HandIn::open(&js_sys::Uint8Array::new(&buffer).to_vec())
 }
 
 /// Button that lets the user choose files, or a folder.

@@ -1,7 +1,7 @@
 //! State of the dashboard: the hand-ins, what is collected for the wall, and the names on this device.
 
 use class::collection::{Collection, Snapshot, Snapshots};
-use desk::saved::hand_in::HandInError;
+use desk::saved::hand_in::{HandIn, HandInError};
 use std::collections::BTreeMap;
 use units::Language;
 use view::browser;
@@ -99,12 +99,9 @@ impl Room {
     }
 
     /// Adds the file of this name; the views follow with [`Room::show`].
-    pub fn add(self, name: &str, text: Result<String, HandInError>) {
+    pub fn add(self, name: &str, content: Result<HandIn, HandInError>) {
         self.refusal.set(String::new());
-        self.collection.update_silent(|collection| match text {
-            Ok(text) => collection.add(name, &text),
-            Err(error) => collection.add_read(name, Err(error)),
-        });
+        self.collection.update_silent(|collection| collection.add_read(name, content));
     }
 
     /// Rebuilds the views of the hand-ins if the last update is long enough ago.

@@ -1,5 +1,6 @@
 //! Fits in the page: started by a button, computed in slices between frames.
 
+mod report;
 mod results;
 mod setup;
 mod theories;

@@ -1,5 +1,6 @@
 //! Results of fits: comparison, details of one fit, and export.
 
+use super::report;
 use crate::app::App;
 use crate::opening;
 use crate::tabs;
@@ -114,6 +115,9 @@ fn exports(app: App, id: u32, several: bool) -> HtmlDiv {
             if all { desk.export_ranking(id, kind, imprint) } else { desk.export_fit(id, kind, imprint) }
         });
         if let Some(file) = export {
+            if kind == ExportKind::Report {
+                return report::save(app, id, all, file);
+            }
             browser::save_bytes(&file.name, file.kind, &file.bytes);
         }
     };

@@ -2,20 +2,16 @@
 
 use super::words;
 use crate::app::App;
+use crate::recomputing;
 use crate::visited::{files, stem};
 use class::verify::Recomputation;
 use desk::saved::hand_in::{HAND_IN_ENDING, HandIn, LONGEST_NAME, Sender};
 use desk::saved::project::Project;
 use view::browser;
 use view::views::*;
-use wasm_bindgen::JsCast;
-use wasm_bindgen::closure::Closure;
 
 /// Storage key of the name handed in last.
 const NAME: &str = "hand-in-name";
-
-/// Duration of a slice of the computation, in milliseconds.
-const SLICE: f64 = 12.0;
 
 /// Section of the dialog: a field for the name, and a button that saves the hand-in.
 pub fn view(app: App) -> View {
@@ -77,8 +73,10 @@ fn make(app: App, name: String, done: impl FnOnce(String) + 'static) {
     };
     let (seat, assignment) = seat.map_or((None, String::new()), |own| (own.number, own.assignment));
     let sender = Sender { name, seat, assignment };
-    let hand_in = HandIn { program: env!("CARGO_PKG_VERSION").to_owned(), made: now, sender, work, facts: Vec::new() };
-    advance(recomputation, move |recomputation| {
+    let hand_in =
+        HandIn { program: env!("CARGO_PKG_VERSION").to_owned(), made: now, sender, work, ..HandIn::default() };
+    wasm_bindgen_futures::spawn_local(async move {
+        let recomputation = recomputing::finished(recomputation).await;
         let lost = recomputation.refused() + left_out;
         let hand_in = HandIn { facts: recomputation.facts(), ..hand_in };
         let file = format!("{}{HAND_IN_ENDING}", stem(app));
@@ -90,18 +88,4 @@ fn make(app: App, name: String, done: impl FnOnce(String) + 'static) {
         }
         done(sentences);
     });
-}
-
-/// Works for a slice, then yields to the browser.
-fn advance(mut recomputation: Recomputation, done: impl FnOnce(Recomputation) + 'static) {
-    let step = Closure::once_into_js(move || {
-        let end = js_sys::Date::now() + SLICE;
-        while recomputation.advance() {
-            if js_sys::Date::now() >= end {
-                return advance(recomputation, done);
-            }
-        }
-        done(recomputation);
-    });
-    let _ = window().set_timeout_with_callback(step.unchecked_ref());
 }

@@ -1,0 +1,60 @@
+//! Saving a report with the data from which its values are computed again.
+
+use crate::app::App;
+use crate::visited::files;
+use crate::{packing, recomputing};
+use class::verify::Recomputation;
+use desk::Export;
+use desk::document::page::Source;
+use desk::saved::carried::{carry, carry_nothing};
+use desk::saved::hand_in::{HandIn, Part, Sender};
+use desk::saved::project::Project;
+use units::words;
+use view::browser;
+
+/// Computes the values of a report again, and saves the page with them and its data. `all`: the report has all fits of the same
+/// values.
+pub fn save(app: App, id: u32, all: bool, file: Export) {
+    let Ok(page) = String::from_utf8(file.bytes) else { return };
+    let work = work(app, id, all);
+    wasm_bindgen_futures::spawn_local(async move {
+        let page = carrying(app, page, work).await;
+        browser::save_bytes(&file.name, file.kind, page.as_bytes());
+    });
+}
+
+/// The open document as it runs, its state, and what the fit follows from.
+fn work(app: App, id: u32, all: bool) -> Project {
+    let now = js_sys::Date::now() as u64;
+    let (texts, state, items) = app.read_desk(|desk| {
+        let document = desk.document();
+        let texts: Vec<String> = std::iter::once(&document.source).chain(&document.translations).cloned().collect();
+        (texts, desk.play().share(), desk.items_of_fit(id, all, now))
+    });
+    let names = files(app).into_iter().map(|file| file.name);
+    let names = names.chain((1..).map(|number| format!("{number}.md")));
+    let documents = names.zip(texts).map(|(name, text)| Source { name, text }).collect();
+    Project { documents, state, items }
+}
+
+async fn carrying(app: App, page: String, work: Project) -> String {
+    let language = app.language.get_untracked();
+    let seat = app.read_desk(|desk| desk.play().seat());
+    let (seat, assignment) = seat.map_or((None, String::new()), |own| (own.number, own.assignment));
+    let facts = match Recomputation::begin(&work) {
+        Ok(recomputation) => recomputing::finished(recomputation).await.facts(),
+        Err(_) => Vec::new(),
+    };
+    if facts.iter().all(|fact| fact.part != Part::Fit) {
+        let why = words(
+            "This page does not carry its data, because they are too long. It cannot be verified.",
+            "Esta página no lleva sus datos, porque son demasiado largos. No se puede comprobar.",
+        );
+        return carry_nothing(&page, why.text(language), language);
+    }
+    let sender = Sender { name: String::new(), seat, assignment };
+    let (program, made) = (env!("CARGO_PKG_VERSION").to_owned(), js_sys::Date::now() as u64);
+    let text = HandIn { program, made, sender, work, facts, page: Vec::new() }.of_page(&page).write();
+    let packed = packing::zlib(text.as_bytes()).await.unwrap_or_else(|| text.into_bytes());
+    carry(&page, &packed, language)
+}

@@ -19,6 +19,9 @@ use units::Language;
 /// Maximum size of a file, in bytes.
 const MOST_BYTES: u64 = 256 << 20;
 
+/// Maximum size of a file whose data a report carries, in bytes.
+const MOST_CARRIED: usize = 1 << 20;
+
 /// A file of measured data.
 #[derive(Debug)]
 pub struct Measured {
@@ -32,6 +35,8 @@ pub struct Measured {
     pub derived: Vec<Derived>,
     /// Format of the file.
     pub format: Format,
+    /// Content of the file, for the report; `None` if it is too long for one.
+    pub bytes: Option<Vec<u8>>,
 }
 
 /// Reads a file of measured data; `-` is the standard input.
@@ -50,6 +55,7 @@ pub fn read(path: &Path, stated: Stated) -> Result<Measured, Failure> {
         }
         (path.display().to_string(), bounded(&mut File::open(path).map_err(failure)?, path)?)
     };
+    let kept = (bytes.len() <= MOST_CARRIED).then(|| bytes.clone());
     let begin = if workbook::is_old_workbook(&bytes) { Reading::of_old_workbook } else { Reading::new };
     let contents = begin(bytes, MOST_BYTES as usize).and_then(Reading::complete);
     let import = contents.map_err(|error| refused(&name, &error))?.import;
@@ -60,7 +66,7 @@ pub fn read(path: &Path, stated: Stated) -> Result<Measured, Failure> {
     let inspection = inspect(&table);
     findings.extend(inspection.findings);
     findings.extend(doubtful_times(&table));
-    Ok(Measured { name, table, findings, derived: inspection.derived, format: import.format })
+    Ok(Measured { name, table, findings, derived: inspection.derived, format: import.format, bytes: kept })
 }
 
 fn refused(name: &str, error: &ReadingError) -> Failure {

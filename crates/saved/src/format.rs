@@ -134,6 +134,9 @@ pub struct Varied {
     /// True if all records share one value.
     #[serde(default, skip_serializing_if = "is_false")]
     pub shared: bool,
+    /// Lower and upper bound, SI, if they are not those of the parameter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bounds: Option<[Number; 2]>,
 }
 
 /// Kind and index of a varied number.
@@ -164,6 +167,23 @@ pub struct Part {
     pub fixed: Vec<(usize, Number)>,
     /// Uses of the columns.
     pub columns: Vec<Column>,
+    /// Stated standard errors of columns.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub errors: Vec<StatedError>,
+}
+
+/// Standard errors stated for the values of a column, by one of both fields.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct StatedError {
+    /// Index of the column.
+    pub column: usize,
+    /// The same standard error for each value, SI.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<Number>,
+    /// Index of the column with the standard errors.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub beside: Option<usize>,
 }
 
 /// Result of a fit.

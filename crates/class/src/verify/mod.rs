@@ -4,10 +4,12 @@
 //! This shows that the values follow from the data. It does not show who measured the data or did the work.
 
 mod copies;
+mod files;
 mod recomputation;
 mod verdict;
 
 pub use copies::{Copied, Curve, Relation, copied, copies};
+pub use files::{DataFile, project_of_files};
 pub use recomputation::Recomputation;
 pub use verdict::{Difference, Verdict, compare, meaning};
 

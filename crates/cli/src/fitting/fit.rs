@@ -1,6 +1,7 @@
 //! `meniscus fit`: fits one theory to one or more records.
 
 use super::arguments::{Common, Fit as Arguments, Form, LossName};
+use super::carrying::carrying;
 use super::fitted::Fitted;
 use super::prepare::{self, Theory};
 use super::{json, text};
@@ -14,7 +15,6 @@ use crate::terminal::output;
 use analysis::fit::{Fit, FitError, Task, profiles};
 use base64::Engine as _;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use report::Report;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use units::Language;
@@ -39,7 +39,14 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let notes = notes(&data, &fitted.theory);
     if let (Some(path), Some(kind)) = (&arguments.output, kind) {
         let command = command::typed();
-        write(path, kind, &arguments.data, &fitted.report(&notes, &command))?;
+        let report = fitted.report(&notes, &command);
+        let bytes = match kind {
+            FileKind::Html => with_font(&carrying(&report::html(&report), &[&fitted], &data, &arguments.common)),
+            FileKind::Xlsx => report::workbook(&report),
+            FileKind::Csv => report::csv(&report, false).into_bytes(),
+            FileKind::Svg => report::figure(&report).into_bytes(),
+        };
+        output::file(path, &arguments.data, &bytes)?;
     }
     let shown = match arguments.common.format {
         Form::Text => text::fit(&fitted, &notes),
@@ -158,16 +165,6 @@ pub fn kind(path: &Path) -> Result<FileKind, Failure> {
             "end it in .html (a report), .xlsx (a workbook), .csv (a table) or .svg (a figure)",
         )),
     }
-}
-
-fn write(path: &Path, kind: FileKind, data: &[PathBuf], report: &Report) -> Result<(), Failure> {
-    let bytes = match kind {
-        FileKind::Html => with_font(&report::html(report)),
-        FileKind::Xlsx => report::workbook(report),
-        FileKind::Csv => report::csv(report, false).into_bytes(),
-        FileKind::Svg => report::figure(report).into_bytes(),
-    };
-    output::file(path, data, &bytes)
 }
 
 /// Embeds the mathematical font of the laboratory in a report, because the reader's machine may not have one.

@@ -1,6 +1,7 @@
 //! `meniscus fit` and `meniscus rank`: documents as theories of measured data.
 
 pub mod arguments;
+pub mod carrying;
 mod fit;
 mod fitted;
 mod json;

@@ -1,6 +1,7 @@
 //! `meniscus rank`: several theories of the same data, best first.
 
 use super::arguments::{Form, Rank as Arguments};
+use super::carrying::carrying;
 use super::fit::{FileKind, complete, kind, notes, read, with_font};
 use super::fitted::Fitted;
 use super::prepare::{self, Theory};
@@ -61,7 +62,10 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
         let bytes = match kind {
             FileKind::Xlsx => report::ranking_workbook(&ranking),
             FileKind::Csv => report::ranking_csv(&ranking, false).into_bytes(),
-            FileKind::Html | FileKind::Svg => with_font(&report::ranking_html(&ranking)),
+            FileKind::Html | FileKind::Svg => {
+                let fitted: Vec<&Fitted> = contenders.iter().map(|one| &one.fitted).collect();
+                with_font(&carrying(&report::ranking_html(&ranking), &fitted, &data, &arguments.common))
+            }
         };
         output::file(path, &arguments.data, &bytes)?;
     }

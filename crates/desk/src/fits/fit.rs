@@ -33,6 +33,17 @@ pub(crate) struct Part {
     pub origin: Option<f64>,
     /// Parameters with a fixed value of their own in this record: index and value, SI.
     pub fixed: Vec<(usize, f64)>,
+    /// Standard errors stated on the command line, by column.
+    pub errors: Vec<(usize, StatedError)>,
+}
+
+/// Standard errors that replace those of the file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum StatedError {
+    /// The same for each value, SI.
+    Value(f64),
+    /// Those of the column of this index.
+    Column(usize),
 }
 
 /// A fit that is to be made.

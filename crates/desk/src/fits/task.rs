@@ -1,8 +1,8 @@
 //! Construction of a fit task: the fitted columns of each record and their values.
 
-use crate::fits::fit::{Job, Part};
+use crate::fits::fit::{Job, Part, StatedError};
 use crate::records::recognise::observed;
-use crate::records::record::{Record, Use};
+use crate::records::record::Record;
 use crate::records::understood::{lacks_scale, no_scale};
 use crate::words::fit_error;
 use crate::{Desk, Refusal, words};
@@ -31,7 +31,7 @@ impl Desk {
                 1 => Vec::new(),
                 _ => self.fits.setup.fixed(&document.program.model, varied, record),
             };
-            Part { record: record.id, name: record.name.clone(), uses, origin, fixed }
+            Part { record: record.id, name: record.name.clone(), uses, origin, fixed, errors: Vec::new() }
         };
         taking_part.iter().filter_map(|id| self.record(*id)).map(part).collect()
     }
@@ -52,7 +52,7 @@ impl Desk {
                 let why = format!("{}, {}: {}.", record.name, used.meaning.quantity, no_scale(language));
                 return Err(Refusal::Fit { why });
             }
-            let observations = observations(record, &part.uses, model);
+            let observations = observations(record, part, model);
             if observations.is_empty() && definition.parts.len() > 1 {
                 let why = format!("{}: {}", record.name, fit_error(self.play.language(), &FitError::NothingObserved));
                 return Err(Refusal::Fit { why });
@@ -80,7 +80,8 @@ impl Desk {
 }
 
 /// Observations of the fitted columns whose quantity the model has.
-fn observations(record: &Record, uses: &[Use], model: &program::Model) -> Vec<Observation> {
+fn observations(record: &Record, part: &Part, model: &program::Model) -> Vec<Observation> {
+    let uses = &part.uses;
     let independent = &model.independent.name;
     let mut followed: Vec<usize> = Vec::new();
     let mut observations = Vec::new();
@@ -96,7 +97,12 @@ fn observations(record: &Record, uses: &[Use], model: &program::Model) -> Vec<Ob
         let derived_from =
             record.computed_from(column).and_then(|source| followed.iter().position(|&own| own == source));
         followed.push(column);
-        let errors = record.errors_as(uses, column, independent).filter(|errors| errors.len() == values.len());
+        let errors = match part.errors.iter().find(|(stated, _)| *stated == column) {
+            Some((_, StatedError::Value(error))) => Some(vec![*error; values.len()]),
+            Some((_, StatedError::Column(beside))) => record.errors_in(*beside, uses, column, independent),
+            None => record.errors_as(uses, column, independent),
+        };
+        let errors = errors.filter(|errors| errors.len() == values.len());
         observations.push(Observation { name: name.clone(), observed, times, values, errors, derived_from });
     }
     observations

@@ -119,7 +119,12 @@ impl Record {
     /// Standard errors of the values of a column as in [`Record::errors_as`], NaN if missing or not positive. `None` if
     /// the file has no such column.
     pub fn errors_beside(&self, uses: &[Use], column: usize, independent: &str) -> Option<Vec<f64>> {
-        let beside = self.table.columns.get(self.table.errors_of(column)?)?;
+        self.errors_in(self.table.errors_of(column)?, uses, column, independent)
+    }
+
+    /// Standard errors as in [`Record::errors_beside`], from the column of the index `beside`.
+    pub fn errors_in(&self, beside: usize, uses: &[Use], column: usize, independent: &str) -> Option<Vec<f64>> {
+        let beside = self.table.columns.get(beside)?;
         let (own, used) = (self.table.columns.get(column)?, uses.get(column)?);
         // A unit stated by the user for the values also holds for their errors.
         let same = beside.unit == own.unit || beside.unit.is_none();

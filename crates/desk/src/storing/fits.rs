@@ -6,7 +6,7 @@ use saved::{Item, Number};
 
 use super::records::{line, take_uses, write_uses};
 use crate::Desk;
-use crate::fits::fit::{Definition, Fitted, Found, Part, Waiting, texts};
+use crate::fits::fit::{Definition, Fitted, Found, Part, StatedError, Waiting, texts};
 use analysis::fit::{Loss, Rival, Target, Varied};
 use play::name_of;
 
@@ -83,7 +83,8 @@ impl Desk {
         take_uses(&mut uses, &saved.columns).then_some(())?;
         let fixed = saved.fixed.iter().map(|&(index, Number(value))| (index, value)).collect();
         let origin = saved.origin.map(|Number(origin)| origin);
-        Some(Part { record: record.id, name: record.name.clone(), uses, origin, fixed })
+        let errors = saved.errors.iter().filter_map(read_error).collect();
+        Some(Part { record: record.id, name: record.name.clone(), uses, origin, fixed, errors })
     }
 }
 
@@ -138,6 +139,7 @@ fn task(definition: &Definition, records: &[(u32, String)]) -> Option<format::Ta
             origin: part.origin.map(Number),
             fixed: part.fixed.iter().map(|&(index, value)| (index, Number(value))).collect(),
             columns: write_uses(part.uses.iter().enumerate()),
+            errors: part.errors.iter().map(write_error).collect(),
         })
     };
     Some(format::Task {
@@ -156,7 +158,8 @@ fn write_varied(varied: &Varied) -> format::Varied {
         Target::Origin => format::Target::Origin,
         Target::Offset(place) => format::Target::Offset(place),
     };
-    format::Varied { target, shared: varied.shared }
+    let bounds = varied.bounds.map(|(low, high)| [Number(low), Number(high)]);
+    format::Varied { target, shared: varied.shared, bounds }
 }
 
 fn read_varied(saved: &format::Varied) -> Varied {
@@ -165,7 +168,21 @@ fn read_varied(saved: &format::Varied) -> Varied {
         format::Target::Origin => Target::Origin,
         format::Target::Offset(place) => Target::Offset(place),
     };
-    Varied { target, shared: saved.shared, ..Varied::parameter(0) }
+    let bounds = saved.bounds.map(|[Number(low), Number(high)]| (low, high)).filter(|(low, high)| low < high);
+    Varied { target, shared: saved.shared, bounds, ..Varied::parameter(0) }
+}
+
+fn write_error((column, stated): &(usize, StatedError)) -> format::StatedError {
+    let (value, beside) = match stated {
+        StatedError::Value(error) => (Some(Number(*error)), None),
+        StatedError::Column(beside) => (None, Some(*beside)),
+    };
+    format::StatedError { column: *column, value, beside }
+}
+
+fn read_error(saved: &format::StatedError) -> Option<(usize, StatedError)> {
+    let value = saved.value.map(|Number(error)| StatedError::Value(error));
+    Some((saved.column, value.or(saved.beside.map(StatedError::Column))?))
 }
 
 fn write_numbers(numbers: &[f64]) -> Vec<Number> {

@@ -1,0 +1,170 @@
+//! The data that a report of fits carries, from which `meniscus verify` computes the fits again.
+
+use super::arguments::Common;
+use super::fitted::Fitted;
+use crate::data::Measured;
+use analysis::fit::{Estimate, Outcome, Record, Target, Varied};
+use class::verify::{DataFile, Recomputation, project_of_files};
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+use saved::Number;
+use saved::carried::{carry, carry_nothing};
+use saved::format::{self, Column, StatedError};
+use saved::hand_in::{Fact, FactValue, HandIn, Part, Sender};
+use saved::project::Project;
+use std::io::Write;
+use std::time::{SystemTime, UNIX_EPOCH};
+use units::{Language, Unit, words};
+
+/// Largest deviation between a fit and its recomputation from the carried data, in standard errors and relative.
+const AGREEMENT: f64 = 1e-3;
+
+/// A report with the data of its fits. It states why it carries none if the fits cannot be computed again from the data alone.
+pub fn carrying(page: &str, fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> String {
+    let language = fitted.first().map_or(Language::English, |one| Language::of(&one.theory.document.program.language));
+    match work(fitted, data, arguments).and_then(|work| hand_in(work, fitted, arguments)) {
+        Some(hand_in) => carry(page, &packed(&hand_in.of_page(page)), language),
+        None => {
+            let why = words(
+                "This page does not carry its data: they are too long, or the fit uses an expression or an option that a hand-in \
+                 cannot state. It cannot be verified.",
+                "Esta página no lleva sus datos: son demasiado largos, o el ajuste usa una expresión u opción que una entrega no \
+                 puede declarar. No se puede comprobar.",
+            );
+            carry_nothing(page, why.text(language), language)
+        }
+    }
+}
+
+/// The deflated text of a hand-in.
+pub fn packed(hand_in: &HandIn) -> Vec<u8> {
+    let text = hand_in.write();
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
+    // Writing to memory cannot fail; without compression the text is carried as it is.
+    match encoder.write_all(text.as_bytes()).and_then(|()| encoder.finish()) {
+        Ok(packed) => packed,
+        Err(_) => text.into_bytes(),
+    }
+}
+
+/// Present time in milliseconds since 1970.
+pub fn now() -> u64 {
+    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_millis() as u64)
+}
+
+fn hand_in(work: Project, fitted: &[&Fitted], arguments: &Common) -> Option<HandIn> {
+    let recomputation = Recomputation::complete(&work).ok().filter(|done| done.refused() == 0)?;
+    let facts = recomputation.facts();
+    let agrees = |one: &&Fitted| agrees(&facts, &one.theory.document.program.title, &one.outcome);
+    if !fitted.iter().all(agrees) {
+        return None;
+    }
+    let sender = Sender { seat: arguments.seat.map(|seat| seat.number()), ..Sender::default() };
+    let program = env!("CARGO_PKG_VERSION").to_owned();
+    Some(HandIn { program, made: now(), sender, work, facts, page: Vec::new() })
+}
+
+/// True if the recomputed fit of a theory agrees with its outcome: values within a part of their standard errors, errors
+/// relative.
+fn agrees(facts: &[Fact], theory: &str, outcome: &Outcome) -> bool {
+    let number = |quantity: &str, near: f64, within: f64| {
+        let mut stated = facts.iter().filter(|fact| {
+            fact.part == Part::Fit && fact.item.starts_with(theory) && fact.quantity.starts_with(quantity)
+        });
+        stated.any(|fact| match &fact.value {
+            FactValue::Number(Number(number)) => (number - near).abs() <= within || number.is_nan() && near.is_nan(),
+            FactValue::Text(_) => false,
+        })
+    };
+    let determined = outcome.parameters.iter().filter(|one| one.determined);
+    determined.into_iter().all(|Estimate { name, value, stderr, stderr_hac, .. }| {
+        let error = stderr_hac.or(*stderr).unwrap_or(f64::NAN);
+        let within = if error.is_finite() { AGREEMENT * error } else { AGREEMENT * value.abs() };
+        number(name, *value, within.max(f64::MIN_POSITIVE))
+            && number(&format!("standard error of {name}"), error, 2.0 * AGREEMENT * error.abs())
+    })
+}
+
+/// Documents, records and fits as a project; `None` if something of it cannot be stated.
+fn work(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<Project> {
+    let documents = fitted.first()?.theory.sources.embedded();
+    let state = arguments.seat.map_or_else(String::new, |seat| format!("1&seat={}", seat.number()));
+    let observed = |one: &Measured| -> Option<Vec<usize>> {
+        let mut columns = Vec::new();
+        for observe in &arguments.observe {
+            columns.push(one.column(observe, &columns).ok()?);
+        }
+        Some(columns)
+    };
+    let columns: Vec<Vec<usize>> = data.iter().map(observed).collect::<Option<_>>()?;
+    let file = |(one, columns): (&Measured, &Vec<usize>)| {
+        let independent = columns.iter().filter_map(|column| Some(one.table.columns.get(*column)?.independent));
+        let mut against: Vec<usize> = if arguments.against.is_empty() { Vec::new() } else { independent.collect() };
+        against.dedup();
+        let name = one.name.rsplit('/').next().unwrap_or_default().to_owned();
+        Some(DataFile { name, bytes: one.bytes.clone()?, against })
+    };
+    let files = data.iter().zip(&columns).map(file).collect::<Option<_>>()?;
+    let fits = fitted.iter().map(|one| fit(one, data, &columns, arguments)).collect::<Option<_>>()?;
+    project_of_files(documents, state, files, fits)
+}
+
+fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &Common) -> Option<format::Fit> {
+    let (task, outcome) = (&fitted.task, &fitted.outcome);
+    let numbers = |values: &[f64]| values.iter().copied().map(Number).collect();
+    let independent = &fitted.theory.document.program.model.independent;
+    let parts = task.records.iter().zip(data).zip(columns);
+    let part = |((record, measured), columns): ((&Record, &Measured), &Vec<usize>)| {
+        let unit_of = |column: usize, else_in: &Unit| {
+            let own = measured.table.columns.get(column).and_then(|column| column.unit.clone());
+            own.unwrap_or_else(|| else_in.clone()).text
+        };
+        let mut uses: Vec<Column> =
+            (0..measured.table.columns.len()).map(|column| Column { column, ..Column::default() }).collect();
+        let mut errors = Vec::new();
+        for (observation, &column) in record.observations.iter().zip(columns) {
+            let clock = measured.table.columns.get(column)?.independent;
+            let (quantity, unit) = (independent.name.clone(), unit_of(clock, &independent.unit));
+            *uses.get_mut(clock)? = Column { column: clock, quantity, unit, stated: true, fitted: false };
+            let (quantity, unit) = (observation.name.clone(), unit_of(column, &observation.observed.unit));
+            *uses.get_mut(column)? = Column { column, quantity, unit, stated: true, fitted: true };
+            if let Some(stated) = arguments.error.iter().find(|one| one.name == observation.name) {
+                let all = observation.errors.as_deref().unwrap_or_default();
+                let value = all.first().filter(|first| all.iter().all(|one| one == *first)).copied();
+                let beside = if value.is_some() { None } else { Some(measured.table.column(&stated.value).ok()?) };
+                errors.push(StatedError { column, value: value.map(Number), beside });
+            }
+        }
+        let fixed = record.fixed.iter().map(|&(index, value)| (index, Number(value))).collect();
+        let origin = record.origin.map(Number);
+        Some(format::Part { origin, fixed, columns: uses, errors, ..format::Part::default() })
+    };
+    let rival = outcome.rival.as_ref();
+    let theory = &fitted.theory;
+    Some(format::Fit {
+        documents: theory.sources.texts().map(|(_, text)| text.to_owned()).collect(),
+        task: format::Task {
+            file: theory.sources.embedded().first()?.name.clone(),
+            window: [task.from, task.until].map(|end| end.map(Number)),
+            parameters: numbers(&task.parameters),
+            varied: task.varied.iter().map(varied).collect(),
+            loss: Some(task.loss.code().to_owned()).filter(|_| task.loss != analysis::fit::Loss::Squares),
+            records: parts.map(part).collect::<Option<_>>()?,
+        },
+        found: format::Found {
+            values: outcome.parameters.iter().map(|one| Number(one.value)).collect(),
+            starts: outcome.starts,
+            rival: rival.map(|rival| format::Rival { growth: Number(rival.growth), values: numbers(&rival.values) }),
+        },
+    })
+}
+
+fn varied(varied: &Varied) -> format::Varied {
+    let target = match varied.target {
+        Target::Parameter(index) => format::Target::Parameter(index),
+        Target::Origin => format::Target::Origin,
+        Target::Offset(place) => format::Target::Offset(place),
+    };
+    let bounds = varied.bounds.map(|(low, high)| [Number(low), Number(high)]);
+    format::Varied { target, shared: varied.shared, bounds }
+}

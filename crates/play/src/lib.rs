@@ -53,5 +53,7 @@ pub use questions::{Answer, AnswerView, Answers, Attempt, Grade, Verdict};
 pub use refusal::Refusal;
 pub use seat::SeatView;
 pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};
-pub use time::{Course, KeptView, LONGEST_GAP, MOST_KEPT, Problem, SPEEDS, Status, TimeLine, WORK_PER_TICK};
+pub use time::{
+    Course, KeptValues, KeptView, LONGEST_GAP, MOST_KEPT, Problem, SPEEDS, Status, TimeLine, WORK_PER_TICK,
+};
 pub use values::{Follows, Index, Members, Outline, Readout, ReadoutKind, Shown, StateView, Values, symbol};

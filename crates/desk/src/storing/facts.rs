@@ -1,46 +1,17 @@
 //! Values that follow from the work: what a hand-in states, and what is computed again to verify it.
 
+use super::fact_list::Facts;
+use super::fit_facts::facts_of_fit;
 use crate::Desk;
-use crate::films::record::text;
-use crate::fits::fit::Fitted;
-use analysis::fit::{Estimate, Target};
+use crate::films::record::{table, text};
+use crate::films::work::Work;
+use crate::records::record::Record;
 use play::name_of;
-use saved::Number;
-use saved::hand_in::{Fact, FactValue, Part};
-use std::collections::BTreeMap;
-
-/// Facts in the order in which they are made.
-#[derive(Default)]
-struct Facts {
-    facts: Vec<Fact>,
-    /// Number of items of a part with this name.
-    named: BTreeMap<(Part, String), usize>,
-}
-
-impl Facts {
-    /// Name of an item in the facts: items of the same name are numbered from the second one on.
-    fn item(&mut self, part: Part, name: String) -> String {
-        let count = self.named.entry((part, name.clone())).or_default();
-        *count += 1;
-        if *count == 1 { name } else { format!("{name} ({count})") }
-    }
-
-    fn number(&mut self, part: Part, item: &str, quantity: impl Into<String>, value: f64) {
-        self.add(part, item, quantity.into(), FactValue::Number(Number(value)));
-    }
-
-    fn text(&mut self, part: Part, item: &str, quantity: &str, value: impl Into<String>) {
-        self.add(part, item, quantity.to_owned(), FactValue::Text(value.into()));
-    }
-
-    fn add(&mut self, part: Part, item: &str, quantity: String, value: FactValue) {
-        self.facts.push(Fact { part, item: item.to_owned(), quantity, value });
-    }
-}
+use saved::hand_in::{Fact, Part};
 
 impl Desk {
-    /// Values that follow from the present work, in SI units: states of the run at the time shown, grades of the answers,
-    /// contents of the records, tables of the films, and results of the finished fits. The same work gives the same bits.
+    /// Values that follow from the present work, in SI units: states and parameters of the run and of the kept runs at their
+    /// times, grades of the answers, contents and uses of the records, tables of the films, and results of the finished fits. The same work gives the same bits.
     /// Answers are graded again.
     pub fn facts(&mut self) -> Vec<Fact> {
         let mut facts = Facts::default();
@@ -51,11 +22,13 @@ impl Desk {
             let item = facts.item(Part::Record, record.name.clone());
             facts.text(Part::Record, &item, "content", name);
             facts.number(Part::Record, &item, "rows", record.table.rows() as f64);
+            facts_of_record(record, &item, &mut facts);
         }
         for work in &self.films.works {
             let Some(text) = text(work) else { continue };
             let item = facts.item(Part::Film, work.identity.name.clone());
             facts.text(Part::Film, &item, "table", name_of(&[&text]));
+            facts_of_film(work, &item, &mut facts);
         }
         for fit in &self.fits.finished {
             facts_of_fit(fit, &mut facts);
@@ -72,8 +45,29 @@ impl Desk {
             self.document.program.model.independent.name.clone(),
             self.play.course().time(),
         );
-        for state in self.play.values().states() {
-            facts.number(Part::Run, &title, state.name, state.value);
+        let states = self.play.values().states();
+        for state in &states {
+            facts.number(Part::Run, &title, state.name.clone(), state.value);
+        }
+        let model = self.play.model();
+        let shown = |parameters: &[f64]| -> Vec<(String, f64)> {
+            let own =
+                model.shown_parameters().filter_map(|(index, own)| Some((own.name.clone(), *parameters.get(index)?)));
+            own.collect()
+        };
+        for (name, value) in shown(self.play.course().parameters()) {
+            facts.number(Part::Run, &title, format!("parameter {name}"), value);
+        }
+        for kept in self.play.time_line().kept_values(self.play.basis()) {
+            let item = facts.item(Part::Run, format!("{title}: {}", kept.name));
+            facts.number(Part::Run, &item, model.independent.name.clone(), kept.time);
+            for state in &states {
+                let value = kept.state.get(state.index).copied().unwrap_or(f64::NAN);
+                facts.number(Part::Run, &item, state.name.clone(), value);
+            }
+            for (name, value) in shown(&kept.parameters) {
+                facts.number(Part::Run, &item, format!("parameter {name}"), value);
+            }
         }
     }
 
@@ -103,49 +97,47 @@ impl Desk {
     }
 }
 
-fn facts_of_fit(fit: &Fitted, facts: &mut Facts) {
-    let outcome = &fit.outcome;
-    let name = format!("{}: {}", fit.document.program.title, fit.record_names().join(" + "));
-    let item = facts.item(Part::Fit, name);
-    facts.text(Part::Fit, &item, "theory", fit.document.program.title.clone());
-    facts.number(Part::Fit, &item, "values", outcome.n as f64);
-    facts.number(Part::Fit, &item, "RMSE", outcome.rmse);
-    facts.number(Part::Fit, &item, "sum of squares", outcome.chi2);
-    let several = fit.task.records.len() > 1;
-    for (place, one) in outcome.parameters.iter().chain(&outcome.derived).enumerate() {
-        let record = one.record.filter(|_| several).and_then(|record| fit.task.records.get(record));
-        let record = record.map_or(String::new(), |record| format!(" ({})", record.name));
-        let label = if place < outcome.parameters.len() { one.name.clone() } else { format!("derived {}", one.name) };
-        let Estimate { value, stderr, stderr_hac, unit, .. } = one;
-        facts.number(Part::Fit, &item, format!("{label}{record}"), *value);
-        facts.text(Part::Fit, &item, &format!("unit of {label}{record}"), unit.text.clone());
-        let error = stderr_hac.or(*stderr).unwrap_or(f64::NAN);
-        facts.number(Part::Fit, &item, format!("standard error of {label}{record}"), error);
-    }
-    facts_of_fixed(fit, &item, facts);
-    for (place, correlation) in outcome.correlation.iter().enumerate() {
-        let (row, column) = (place / outcome.parameters.len().max(1), place % outcome.parameters.len().max(1));
-        if row < column {
-            let name = |index: usize| outcome.parameters.get(index).map_or("", |one| one.name.as_str());
-            facts.number(Part::Fit, &item, format!("correlation of {} and {}", name(row), name(column)), *correlation);
+/// Mean of each column, in the unit of the file, and the settings of the user.
+fn facts_of_record(record: &Record, item: &str, facts: &mut Facts) {
+    for (index, (column, used)) in record.table.columns.iter().zip(&record.uses).enumerate() {
+        let label = record.table.label(index);
+        facts.number(Part::Record, item, format!("mean of {label}"), mean(&column.values));
+        let meaning = &used.meaning;
+        if !meaning.quantity.is_empty() {
+            let fitted = if used.fitted { ", fitted" } else { "" };
+            let text = format!("{} [{}]{fitted}", meaning.quantity, meaning.unit.text);
+            facts.text(Part::Record, item, &format!("meaning of {label}"), text);
         }
+        if used.offset != 0.0 {
+            facts.number(Part::Record, item, format!("zero of {label}"), used.offset);
+        }
+    }
+    if let Some(origin) = record.origin {
+        facts.number(Part::Record, item, "origin", origin.reading);
+    }
+    for (name, value) in &record.known {
+        facts.number(Part::Record, item, format!("known {name}"), *value);
     }
 }
 
-/// Values and units of the parameters that readers see and that were held fixed: once if all records have the same value.
-fn facts_of_fixed(fit: &Fitted, item: &str, facts: &mut Facts) {
-    for (index, parameter) in fit.document.program.model.shown_parameters() {
-        if fit.task.varied.iter().any(|varied| varied.target == Target::Parameter(index)) {
-            continue;
-        }
-        let values = fit.outcome.settings.iter().filter_map(|row| row.get(index)).copied();
-        let values: Vec<f64> = values.collect();
-        let is_same = values.windows(2).all(|pair| pair[0].to_bits() == pair[1].to_bits());
-        for (value, record) in values.iter().zip(&fit.task.records).take(if is_same { 1 } else { values.len() }) {
-            let record = if is_same { String::new() } else { format!(" ({})", record.name) };
-            let label = format!("fixed {}{record}", parameter.name);
-            facts.text(Part::Fit, item, &format!("unit of {label}"), parameter.unit.text.clone());
-            facts.number(Part::Fit, item, label, *value);
-        }
+/// Number of tracked points, and the mean of each column of the table.
+fn facts_of_film(work: &Work, item: &str, facts: &mut Facts) {
+    let Some(table) = table(work) else { return };
+    let points: usize = work.tracks().iter().map(|track| track.points.len()).sum();
+    facts.number(Part::Film, item, "points", points as f64);
+    for (head, values) in table.columns() {
+        facts.number(Part::Film, item, format!("mean of {head}"), mean(values));
     }
+    if let Some(error) = work.calibration.relative_sigma() {
+        facts.number(Part::Film, item, "relative error of the lengths", error);
+    }
+}
+
+/// Mean of the finite values; NaN if there are none.
+fn mean(values: &[f64]) -> f64 {
+    let (count, sum) = values
+        .iter()
+        .filter(|value| value.is_finite())
+        .fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value));
+    sum / count
 }

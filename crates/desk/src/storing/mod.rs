@@ -2,8 +2,10 @@
 //! storage.
 
 mod answers;
+mod fact_list;
 mod facts;
 mod films;
+mod fit_facts;
 mod fits;
 mod place;
 mod project;

@@ -2,7 +2,7 @@
 
 use super::TimeLine;
 use super::course::Course;
-use super::kept::{Ghost, Kept, KeptView, MOST_KEPT};
+use super::kept::{Ghost, Kept, KeptValues, KeptView, MOST_KEPT};
 use super::recipe::{Moments, Recipe};
 use crate::plots::traces::{Columns, Traces};
 use crate::{Basis, Changes, Refusal};
@@ -13,10 +13,22 @@ const ROWS_KEPT: usize = 20_000;
 /// A ghost with fewer rows does not replace another one: moving a slider leaves many short runs.
 const ROWS_WORTH_SEEING: usize = 20;
 
+/// A recomputed run.
+struct Computed {
+    /// Recipe of the computed part.
+    recipe: Recipe,
+    traces: Traces,
+    /// State at the time of the recipe, SI.
+    state: Vec<f64>,
+    /// True if the work sufficed for the whole run.
+    complete: bool,
+}
+
 impl TimeLine {
     /// Keeps the present run, whose columns must be up to date; it is drawn behind later ones.
     pub(crate) fn keep(&mut self) -> Result<Changes, Refusal> {
-        self.keep_traces(self.course.recipe(), self.traces.thinned(0, ROWS_KEPT))
+        let state = self.course.state().to_vec();
+        self.keep_traces(self.course.recipe(), self.traces.thinned(0, ROWS_KEPT), state)
     }
 
     /// Keeps a run by recomputing it. `work` is the limit in floating-point operations and is reduced by the work done.
@@ -27,25 +39,24 @@ impl TimeLine {
         recipe: &Recipe,
         work: &mut u64,
     ) -> Result<(bool, Changes), Refusal> {
-        let (recipe, traces, complete) = self.compute(basis, recipe, Moments::Rows, work);
-        Ok((complete, self.keep_traces(recipe, traces)?))
+        let Computed { recipe, traces, state, complete } = self.compute(basis, recipe, Moments::Rows, work);
+        Ok((complete, self.keep_traces(recipe, traces, state)?))
     }
 
-    /// Recomputes a run. Returns the recipe of the computed part, its traces, and true if `work` sufficed for the whole
-    /// run.
-    fn compute(&mut self, basis: &Basis, recipe: &Recipe, moments: Moments, work: &mut u64) -> (Recipe, Traces, bool) {
+    /// Recomputes a run.
+    fn compute(&mut self, basis: &Basis, recipe: &Recipe, moments: Moments, work: &mut u64) -> Computed {
         // Drawn curves change the model and therefore the columns.
         let drawn = basis.model().with_drawings(&recipe.setup.drawings);
         let mut own = drawn.map(|model| Columns::new(&model, &basis.program().plots));
         let (mut course, complete) = self.replay(basis, recipe, moments, work);
-        let computed = course.recipe();
+        let (recipe, state) = (course.recipe(), course.state().to_vec());
         course.show(course.front());
         let mut present = Vec::new();
         let mut traces = Traces::default();
         let columns = own.as_mut().unwrap_or(&mut self.columns);
         columns.present(&course, &mut present);
         traces.follow(&course, columns, &present);
-        (computed, traces.thinned(0, ROWS_KEPT), complete)
+        Computed { recipe, traces: traces.thinned(0, ROWS_KEPT), state, complete }
     }
 
     /// Recomputes a run; see [`Course::replay`].
@@ -53,7 +64,7 @@ impl TimeLine {
         Course::replay(basis.model(), recipe, moments, self.columns.bytes_per_row(), work)
     }
 
-    fn keep_traces(&mut self, recipe: Recipe, traces: Traces) -> Result<Changes, Refusal> {
+    fn keep_traces(&mut self, recipe: Recipe, traces: Traces, state: Vec<f64>) -> Result<Changes, Refusal> {
         if self.kept.len() >= MOST_KEPT {
             return Err(Refusal::TooManyRuns { most: MOST_KEPT });
         }
@@ -61,7 +72,7 @@ impl TimeLine {
         let pattern = (0..MOST_KEPT as u8).find(free).unwrap_or(0);
         self.kept_issued += 1;
         let id = self.kept_issued;
-        self.kept.push(Kept { id, recipe, shown: true, pattern, traces });
+        self.kept.push(Kept { id, recipe, shown: true, pattern, traces, state });
         Ok(Changes::RUNS)
     }
 
@@ -76,6 +87,17 @@ impl TimeLine {
             views.push(KeptView { id: kept.id, name, shown: kept.shown, pattern: kept.pattern });
         }
         views
+    }
+
+    /// Values of the kept runs at their times, oldest first.
+    pub fn kept_values(&self, basis: &Basis) -> Vec<KeptValues> {
+        let values = |(kept, view): (&Kept, KeptView)| KeptValues {
+            name: view.name,
+            time: kept.recipe.time,
+            parameters: kept.recipe.last_parameters().to_vec(),
+            state: kept.state.clone(),
+        };
+        self.kept.iter().zip(self.kept(basis)).map(values).collect()
     }
 
     /// Recipes of the kept runs, oldest first.
@@ -134,7 +156,9 @@ impl TimeLine {
             match translated(&kept.recipe) {
                 Some(recipe) if same_columns && recipe == kept.recipe => self.kept.push(kept),
                 Some(recipe) => match self.compute(basis, &recipe, Moments::Times, work) {
-                    (recipe, traces, true) => self.kept.push(Kept { recipe, traces, ..kept }),
+                    Computed { recipe, traces, state, complete: true } => {
+                        self.kept.push(Kept { recipe, traces, state, ..kept });
+                    }
                     _ => lost.push(view.name),
                 },
                 None => lost.push(view.name),

@@ -27,6 +27,21 @@ pub(crate) struct Kept {
     pub shown: bool,
     pub pattern: u8,
     pub traces: Traces,
+    /// State at the time of the recipe, SI.
+    pub state: Vec<f64>,
+}
+
+/// Values of a kept run at its time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeptValues {
+    /// Name from its differences to the document's own run.
+    pub name: String,
+    /// Time shown when it was kept, SI.
+    pub time: f64,
+    /// Parameters at the end, SI, one value per parameter of the model.
+    pub parameters: Vec<f64>,
+    /// State at this time, SI, one value per state of the model.
+    pub state: Vec<f64>,
 }
 
 /// The rows discarded last.

@@ -9,7 +9,7 @@ pub(crate) mod transport;
 mod words;
 
 pub use course::Course;
-pub use kept::{KeptView, MOST_KEPT};
+pub use kept::{KeptValues, KeptView, MOST_KEPT};
 pub use problem::Problem;
 pub use transport::{LONGEST_GAP, SPEEDS, Status, WORK_PER_TICK};
 

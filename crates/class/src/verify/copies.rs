@@ -2,8 +2,9 @@
 //!
 //! Two measurements of the same motion differ by their noise. A copy through a transformation without noise differs by
 //! far less. So the residual of one series after the best shift and scale of the other is compared with the noise, which
-//! is estimated from differences of high order. Rows can have been left out, and times shifted.
+//! is estimated from differences of high order. Rows can have been left out, and times shifted or scaled.
 
+use super::stretched::{Series, TimeMap, maps};
 use analysis::reading::read;
 use desk::LONGEST_RECORD;
 use saved::Item;
@@ -112,6 +113,10 @@ impl Curve {
         curves
     }
 
+    fn series(&self) -> Series<'_> {
+        Series { times: &self.times, values: &self.values }
+    }
+
     fn place(&self) -> (usize, String, String) {
         (self.hand_in, self.record.clone(), self.column.clone())
     }
@@ -188,33 +193,24 @@ fn has_part(longer: &Curve, shorter: &Curve) -> bool {
     })
 }
 
-/// True if `values` are interpolated from `of`, with equal times or with times that begin together.
+/// True if `values` are interpolated from `of`: with equal times, with times that begin together, or with another scale and
+/// zero of the times.
 fn is_resampled(of: &Curve, values: &Curve) -> bool {
     let begin = |curve: &Curve| curve.times.first().copied().unwrap_or(0.0);
-    [0.0, begin(values) - begin(of)].into_iter().any(|shift| {
+    let shifts = [0.0, begin(of) - begin(values)];
+    let shifted = shifts.into_iter().map(|shift| TimeMap { scale: 1.0, shift });
+    let (series, own) = (of.series(), values.series());
+    let follows = |map: TimeMap| {
         let (mut at, mut read) = (Vec::new(), Vec::new());
         for (time, value) in values.times.iter().zip(&values.values) {
-            if let Some(interpolated) = interpolated(of, time - shift) {
+            if let Some((interpolated, _)) = series.interpolated(map.apply(*time)) {
                 at.push(interpolated);
                 read.push(*value);
             }
         }
         2 * at.len() > values.values.len() && is_copy(&at, &read, values.noise)
-    })
-}
-
-/// Linear interpolation of the values; `None` outside of the times.
-fn interpolated(curve: &Curve, time: f64) -> Option<f64> {
-    let after = curve.times.partition_point(|own| *own < time);
-    if curve.times.get(after) == Some(&time) {
-        return curve.values.get(after).copied();
-    }
-    let before = after.checked_sub(1)?;
-    let ([p, q], [y, z]) = (
-        [*curve.times.get(before)?, *curve.times.get(after)?],
-        [*curve.values.get(before)?, *curve.values.get(after)?],
-    );
-    Some(y + (z - y) * (time - p) / (q - p))
+    };
+    shifted.into_iter().any(follows) || maps(series, own).into_iter().any(follows)
 }
 
 /// Standard deviation of the noise of equally spaced values: the smallest estimate from differences of the orders 2 to 8.

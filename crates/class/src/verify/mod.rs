@@ -6,10 +6,11 @@
 mod copies;
 mod files;
 mod recomputation;
+mod stretched;
 mod verdict;
 
 pub use copies::{Copied, Curve, Relation, copied, copies};
-pub use files::{DataFile, project_of_files};
+pub use files::{DataFile, FILM_START, film_hash, project_of_files};
 pub use recomputation::Recomputation;
 pub use verdict::{Difference, Verdict, compare, meaning};
 

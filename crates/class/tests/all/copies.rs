@@ -8,7 +8,7 @@ use saved::format::{Content, Record};
 use saved::hand_in::HandIn;
 use saved::project::Project;
 
-type Rows = Vec<(f64, f64)>;
+pub type Rows = Vec<(f64, f64)>;
 
 fn hand_in(rows: &[(f64, f64)], is_simulated: bool) -> HandIn {
     let truth = is_simulated.then(Vec::new);
@@ -24,10 +24,10 @@ fn found(one: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<Copied> {
 }
 
 /// Name, relation, and the rows made from others.
-type Transformation = (&'static str, Relation, fn(&Rows) -> Rows);
+pub type Transformation = (&'static str, Relation, fn(&Rows) -> Rows);
 
 /// Transformations without noise, with the relation that they are to be found by.
-fn transformations() -> Vec<Transformation> {
+pub fn transformations() -> Vec<Transformation> {
     vec![
         ("equal", Relation::Equal, |rows| rows.clone()),
         ("later", Relation::Equal, |rows| rows.iter().map(|(time, level)| (time + 3.0, *level)).collect()),
@@ -39,16 +39,28 @@ fn transformations() -> Vec<Transformation> {
             rows[..60].iter().map(|(time, level)| (*time, level * 1.05)).collect()
         }),
         ("every third row", Relation::Part, |rows| rows.iter().skip(1).step_by(3).copied().collect()),
-        ("resampled", Relation::Resampled, |rows| {
-            let at = |index: usize| {
-                let time = 0.05 + index as f64 * 0.041;
-                let place = time * 30.0;
-                let (before, part) = (place as usize, place.fract());
-                (time, rows[before].1 * (1.0 - part) + rows[before + 1].1 * part)
-            };
-            (0..60).map(at).collect()
+        ("with other times", Relation::Equal, |rows| rows.iter().map(|(time, level)| (time * 1.07, *level)).collect()),
+        ("with other times, thinned and scaled", Relation::Part, |rows| {
+            rows.iter().step_by(2).map(|(time, level)| (time * 0.9, level * 2.0)).collect()
         }),
+        ("with other times, resampled", Relation::Resampled, |rows| resampled(rows, 0.05, 0.041, 1.07)),
+        ("slower, upside down, resampled", Relation::Resampled, |rows| {
+            let rows = resampled(rows, 0.3, 0.037, 1.9);
+            rows.iter().map(|(time, level)| (time + 2.0, 0.1 - 3.0 * level)).collect()
+        }),
+        ("resampled", Relation::Resampled, |rows| resampled(rows, 0.05, 0.041, 1.0)),
     ]
+}
+
+/// Sixty rows from `begin` on, each `step` after the one before, by linear interpolation; the times multiplied by `scale`.
+fn resampled(rows: &Rows, begin: f64, step: f64, scale: f64) -> Rows {
+    let at = |index: usize| {
+        let time = begin + index as f64 * step;
+        let place = time * 30.0;
+        let (before, part) = (place as usize, place.fract());
+        (time * scale, rows[before].1 * (1.0 - part) + rows[before + 1].1 * part)
+    };
+    (0..60).map(at).collect()
 }
 
 #[test]

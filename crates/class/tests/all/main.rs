@@ -6,6 +6,7 @@ mod against;
 mod collection;
 mod copies;
 mod pooling;
+mod reports;
 mod results;
 mod support;
 mod verify;

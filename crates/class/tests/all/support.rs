@@ -1,11 +1,16 @@
 //! Work of a student, made as the laboratory makes it.
 
 use class::verify::hand_in;
-use desk::Desk;
+use desk::{Desk, ExportKind, Imprint};
 use document::page::Source;
+use miniz_oxide::deflate::compress_to_vec_zlib;
+use saved::carried::carry;
+use saved::format::{Content, Film, Followed, FoundInFilm, TrackInFilm};
 use saved::hand_in::{HandIn, Sender};
 use saved::project::Project;
+use saved::{Item, Number};
 use std::path::Path;
+use units::Language;
 
 /// Version of the program in the tests.
 pub const VERSION: &str = "0.1.0";
@@ -101,4 +106,49 @@ pub fn weighed(length: f64, rows: &[(f64, f64)], name: &str) -> HandIn {
     let project = Project { documents, state: desk.play().share(), items: desk.project_items(1_763_812_800_000) };
     let sender = Sender { name: name.to_owned(), ..Sender::default() };
     hand_in(project, sender, 1_763_812_900_000, VERSION).unwrap()
+}
+
+/// The same work with a film whose points have these rows, in pixels of a millimetre.
+pub fn with_film(made: HandIn, rows: &[(f64, f64)]) -> HandIn {
+    let point = |(frame, (time, level)): (usize, &(f64, f64))| {
+        (frame, [*time, 100.0, 500.0 - level * 1000.0, 0.1, 0.1, 1.0].map(Number), false)
+    };
+    let points: Vec<_> = rows.iter().enumerate().map(point).collect();
+    let track = TrackInFilm { direction: Some([0.0, 1.0].map(Number)), points, ..TrackInFilm::default() };
+    let frames = rows.iter().enumerate().map(|(frame, (time, _))| (frame, Number(*time))).collect();
+    let found = FoundInFilm { factor: Some(Number(1.0)), frames, tracks: vec![track], ..FoundInFilm::default() };
+    let film = Film {
+        name: "tube.mp4".to_owned(),
+        size: 5,
+        hash: "00ff".to_owned(),
+        kind: "surfaces".to_owned(),
+        followed: vec![Followed { clicks: vec![(0, [100.0, 500.0].map(Number))], ..Followed::default() }],
+        points: vec![[0.0, 0.0].map(Number), [0.0, 100.0].map(Number)],
+        lengths: vec!["10 cm".to_owned()],
+        intervals: 1,
+        scale: Some([1e-3, 1e-3].map(Number)),
+        zero: Some([0.0, 500.0].map(Number)),
+        stated_factor: Some(Number(1.0)),
+        ends: [0, rows.len()],
+        found: Some(found),
+        ..Film::default()
+    };
+    let mut work = made.work;
+    work.items.push(("film".to_owned(), Item(Content::Film(Box::new(film))).write(0)));
+    hand_in(work, made.sender, made.made, VERSION).unwrap()
+}
+
+/// The report of a fit of linear damping to these rows, as the laboratory saves it.
+pub fn report(rows: &[(f64, f64)]) -> String {
+    let documents = linear();
+    let mut desk = Desk::open(document::open(&documents[0].text, &[]).sound().unwrap());
+    desk.add_record("tube.csv", file(rows).as_bytes()).unwrap();
+    desk.begin_fit("theories/linear.md").unwrap();
+    while desk.advance_fit() {}
+    let fit = desk.fits()[0].id;
+    let page = desk.export_fit(fit, ExportKind::Report, Imprint::default()).unwrap();
+    let page = String::from_utf8(page.bytes).unwrap();
+    let work = Project { documents, state: desk.play().share(), items: desk.items_of_fit(fit, false, 5) };
+    let made = hand_in(work, Sender::default(), 6, VERSION).unwrap().of_page(&page);
+    carry(&page, &compress_to_vec_zlib(made.write().as_bytes(), 9), Language::English)
 }

@@ -106,7 +106,7 @@ fn work(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<Pro
     };
     let files = data.iter().zip(&columns).map(file).collect::<Option<_>>()?;
     let fits = fitted.iter().map(|one| fit(one, data, &columns, arguments)).collect::<Option<_>>()?;
-    project_of_files(documents, state, files, fits)
+    project_of_files(documents, state, files, Vec::new(), fits)
 }
 
 fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &Common) -> Option<format::Fit> {

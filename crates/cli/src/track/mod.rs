@@ -1,6 +1,7 @@
 //! `meniscus track`: positions from the frames of films.
 
 pub mod arguments;
+mod carrying;
 mod checks;
 mod clock;
 mod decoding;
@@ -82,6 +83,16 @@ fn one(
     output::deliver(targets.table.as_deref(), &arguments.films, &bytes)?;
     if let Some(target) = &targets.report {
         let page = report::page(&film, arguments, &clock, &followed, &notes, language);
+        let table = text(&table, &calibration);
+        let tracked = carrying::Tracked {
+            film: &film,
+            arguments,
+            clock: &clock,
+            followed: &followed,
+            calibration: &calibration,
+            table: &table,
+        };
+        let page = carrying::carrying(&page, tracked, language);
         output::file(target, &arguments.films, page.as_bytes())?;
     }
     let name = if arguments.films.len() > 1 { format!("{}: ", path.display()) } else { String::new() };

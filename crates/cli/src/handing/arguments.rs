@@ -40,7 +40,8 @@ pub struct HandIn {
 pub const VERIFY_EXAMPLES: &str = "\
 Examples:
   meniscus verify group-3.hand-in             computes every value again from the data, and compares the bits
-  meniscus verify hand-ins/                   all hand-ins in a folder, and data that two of them share
+  meniscus verify report.html                 a report that carries its data
+  meniscus verify hand-ins/                   all hand-ins and reports in a folder, and data that two of them share
   meniscus verify hand-ins/ --format json
 
 The exit code is 1 if a value does not follow from its data, a file is damaged, or two hand-ins share measured data. Equal values show
@@ -49,7 +50,7 @@ that the results follow from the data; they do not show who took the data or did
 /// `meniscus verify`
 #[derive(Debug, Args)]
 pub struct Verify {
-    /// Hand-ins, or folders of them
+    /// Hand-ins, reports that carry their data, or folders of them
     #[arg(value_name = "FILE", required = true)]
     pub paths: Vec<PathBuf>,
 

@@ -2,7 +2,7 @@
 
 use super::read::Handed;
 use crate::terminal::visible::visible;
-use class::verify::{Copied, Relation, Verdict, meaning};
+use class::verify::{Copied, Relation, Verdict, meaning, shortened};
 use saved::hand_in::FactValue;
 use serde_json::{Value, json};
 use units::{Language, Words};
@@ -74,8 +74,9 @@ impl Report<'_> {
     }
 
     fn shared(&self, copied: &Copied, language: Language) -> String {
-        let place =
-            |(index, record, column): &(usize, String, String)| format!("{}, {record}, {column}", self.name(*index));
+        let place = |(index, record, column): &(usize, String, String)| {
+            format!("{}, {}, {}", self.name(*index), shortened(record), shortened(column))
+        };
         let relation = match copied.relation {
             Relation::Equal => language.pick("equal data", "datos iguales"),
             Relation::Scaled => {

@@ -7,6 +7,7 @@ mod accuracy;
 mod authoring;
 #[cfg(page_inside)]
 mod build;
+mod carried;
 mod check;
 mod common;
 mod cycles;
@@ -14,6 +15,7 @@ mod derivatives;
 mod fit;
 mod fit_options;
 mod hand_ins;
+mod hostile_hand_ins;
 mod lsp;
 mod office;
 mod pages;

@@ -41,6 +41,13 @@ fn a_report_shows_the_frame_with_its_marks_and_the_space_time_picture() {
     assert_eq!(done.code, 0, "{}", done.stderr);
     assert!(table.is_file());
     let html = std::fs::read_to_string(&page).expect("a report");
+    // The tracked points are in the page, and its table is computed from them again.
+    let verified = crate::common::meniscus(&["verify", word(&page)]);
+    assert!(verified.code == 0 && verified.stdout.contains("all equal"), "{}{}", verified.stdout, verified.stderr);
+    let moved = html.replacen("<h1>", "<h1>1", 1);
+    std::fs::write(&page, moved).expect("a changed report");
+    let verified = crate::common::meniscus(&["verify", word(&page)]);
+    assert!(verified.code == 1 && verified.stdout.contains("report \""), "{}", verified.stdout);
     for part in [
         "<h1>tubes.y4m</h1>",
         "160 × 120 px",

@@ -26,6 +26,9 @@ fn main() {
     let curves: Vec<Curve> = opened.iter().enumerate().flat_map(|(index, one)| Curve::of(index, one)).collect();
     let found = copies(&curves).len();
     let all = begin.elapsed();
-    println!("{held} of {count} hold; {found} shared columns among {} pairs of columns", curves.len() * (curves.len().max(1) - 1) / 2);
+    println!(
+        "{held} of {count} hold; {found} shared columns among {} pairs of columns",
+        curves.len() * (curves.len().max(1) - 1) / 2
+    );
     println!("{:.2} s to verify, {:.2} s with the search for shared data", verified.as_secs_f64(), all.as_secs_f64());
 }

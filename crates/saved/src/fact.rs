@@ -4,6 +4,11 @@ use crate::Number;
 use serde::{Deserialize, Serialize};
 use units::{Words, words};
 
+/// Value of a fact about data that follow from other data of the work, such as the record of a film.
+pub const FOLLOWS: &str = "follows";
+/// Value of such a fact if they do not. It never holds, also if it is stated.
+pub const FOLLOWS_NOT: &str = "does not follow";
+
 /// The part of the work that a fact is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

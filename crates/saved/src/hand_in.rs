@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use units::{Words, words};
 
-pub use crate::fact::{Fact, FactValue, Part};
+pub use crate::fact::{FOLLOWS, FOLLOWS_NOT, Fact, FactValue, Part};
 
 /// Version of the format.
 const VERSION: u32 = 1;

@@ -1,7 +1,8 @@
 //! Reports and hand-ins with one manipulation each, and honest ones.
 
 use crate::support::{Noise, VERSION, handed, measured, report, with_film};
-use class::verify::{Copied, Curve, Difference, copies, verify};
+use class::verify::{Copied, Curve, Difference, copies, hand_in, verify};
+use saved::format::{Content, Record};
 use saved::hand_in::{FactValue, HandIn, Part};
 use saved::{Item, Number};
 
@@ -211,6 +212,35 @@ fn a_report_of_another_version_is_compared_within_the_tolerance() {
     assert!(lines[1].contains("made by version 0.0.9") && lines[1].contains("1e-6"), "{lines:?}");
     let far = carrying(1.01);
     assert_eq!(far.differences.iter().map(|one| one.quantity.as_str()).collect::<Vec<_>>(), ["gamma"]);
+}
+
+/// A record that was made from a film and then changed, with all values stated anew.
+#[test]
+fn a_record_that_does_not_follow_from_its_film_is_found_also_if_that_is_stated() {
+    let rows = measured(6);
+    let mut lines = vec!["t [s],y [m],sigma_y [m]".to_owned()];
+    lines.extend(rows.iter().map(|(time, level)| format!("{time},{},{}", level, 1e-4)));
+    let verdict = |lines: &[String]| {
+        let made = with_film(handed(&rows, "blue heron"), &rows);
+        let table = lines.join("\n") + "\n";
+        let record = Record { name: "film.csv".to_owned(), text: table, ..Record::default() };
+        let mut desk_items = made.work.clone();
+        let place = desk_items.items.iter().position(|(_, text)| text.contains("\"film\":")).unwrap();
+        desk_items.items.insert(place, ("film record".to_owned(), Item(Content::Record(record)).write(1)));
+        // The name of the record in the storage is that which the facts state.
+        let names = hand_in(desk_items.clone(), made.sender.clone(), 5, VERSION).unwrap().facts;
+        let name = names.iter().find(|fact| fact.item == "film.csv" && fact.quantity == "content").unwrap();
+        let FactValue::Text(name) = &name.value else { panic!("a text") };
+        let (_, text) = &mut desk_items.items[place + 1];
+        *text = text.replacen("\"found\":", &format!("\"record\":\"{name}\",\"found\":"), 1);
+        let made = hand_in(desk_items, made.sender, 5, VERSION).unwrap();
+        assert!(made.facts.iter().any(|fact| fact.part == Part::Film && fact.quantity == "record"), "{:?}", made.facts);
+        verify(&made, VERSION).unwrap()
+    };
+    assert!(verdict(&lines).holds(), "{:?}", verdict(&lines).differences);
+    lines[40] = "1.3,0.01,0.0001".to_owned();
+    let found = verdict(&lines).differences;
+    assert_eq!(found.iter().map(|one| (one.part, one.quantity.as_str())).collect::<Vec<_>>(), [(Part::Film, "record")]);
 }
 
 /// The data of a report, saved by its link, hold without the page.

@@ -7,7 +7,7 @@ use crate::films::record::{table, text};
 use crate::films::work::Work;
 use crate::records::record::Record;
 use play::name_of;
-use saved::hand_in::{Fact, Part};
+use saved::hand_in::{FOLLOWS, FOLLOWS_NOT, Fact, Part};
 
 impl Desk {
     /// Values that follow from the present work, in SI units: states and parameters of the run and of the kept runs at their
@@ -29,6 +29,10 @@ impl Desk {
             let item = facts.item(Part::Film, work.identity.name.clone());
             facts.text(Part::Film, &item, "table", name_of(&[&text]));
             facts_of_film(work, &item, &mut facts);
+            if let Some(record) = work.record.and_then(|record| self.record(record)) {
+                let follows = if follows(record, work) { FOLLOWS } else { FOLLOWS_NOT };
+                facts.text(Part::Film, &item, "record", follows);
+            }
         }
         for fit in &self.fits.finished {
             facts_of_fit(fit, &mut facts);
@@ -118,6 +122,22 @@ fn facts_of_record(record: &Record, item: &str, facts: &mut Facts) {
     for (name, value) in &record.known {
         facts.number(Part::Record, item, format!("known {name}"), *value);
     }
+}
+
+/// Relative deviation up to which the record of a film has the numbers of its table.
+const DEVIATION: f64 = 1e-6;
+
+/// True if the record of a film has the numbers of its table.
+fn follows(record: &Record, work: &Work) -> bool {
+    let Some(table) = table(work) else { return false };
+    let columns = table.columns();
+    let is_near = |(one, other): (&f64, &f64)| {
+        (one - other).abs() <= DEVIATION * other.abs() || !one.is_finite() && !other.is_finite()
+    };
+    let is_same = |(own, (_, values)): (&analysis::table::Column, &(String, &[f64]))| {
+        own.values.len() == values.len() && own.values.iter().zip(values.iter()).all(is_near)
+    };
+    record.read_columns() == columns.len() && record.table.columns.iter().zip(&columns).all(is_same)
 }
 
 /// Number of tracked points, and the mean of each column of the table.

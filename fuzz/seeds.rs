@@ -1,17 +1,21 @@
 //! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models; the films and
-//! projects of the tests; old workbooks; and what an archive of phyphox has in its files.
+//! projects of the tests; old workbooks; hand-ins; and what an archive of phyphox has in its files.
 //! `cargo run --manifest-path fuzz/Cargo.toml --bin seeds`
 
 #[path = "../crates/analysis/tests/all/support/old_workbook.rs"]
 mod old_workbook;
 
+use class::verify::hand_in;
 use old_workbook::{Cell, OldWorkbook};
+use saved::carried::carry;
+use saved::hand_in::Sender;
+use saved::project::Project;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 fn main() -> io::Result<()> {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for target in ["bundle", "data_sets", "document", "film", "language", "old_workbook", "tracker"] {
+    for target in ["bundle", "data_sets", "document", "film", "hand_in", "language", "old_workbook", "tracker"] {
         fs::create_dir_all(fuzz.join("corpus").join(target))?;
     }
     let write = |target: &str, name: &str, bytes: &[u8]| fs::write(fuzz.join("corpus").join(target).join(name), bytes);
@@ -42,6 +46,11 @@ fn main() -> io::Result<()> {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         write("data_sets", &name, &fs::read(&path)?)?;
     }
+    for (name, text) in hand_ins(fuzz)? {
+        let page = "<html><body><h1>a</h1><footer></footer></body></html>";
+        write("hand_in", &name, text.as_bytes())?;
+        write("hand_in", &format!("{name}.html"), carry(page, text.as_bytes(), units::Language::English).as_bytes())?;
+    }
     for five in [false, true] {
         let workbook = workbook(five);
         write("old_workbook", &format!("file-{five}"), &workbook.bytes())?;
@@ -58,6 +67,30 @@ fn main() -> io::Result<()> {
         write("tracker", &name, &fs::read(&path)?)?;
     }
     Ok(())
+}
+
+/// Hand-ins of each theory: one without records, and one with the records and fits of the tests.
+fn hand_ins(fuzz: &Path) -> io::Result<Vec<(String, String)>> {
+    let mut stored = Vec::new();
+    for path in files(&fuzz.join("../crates/desk/tests/all/stored"))? {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        stored.push((name, fs::read_to_string(&path)?.trim().to_owned()));
+    }
+    // Records come before the fits that need them.
+    stored.sort_by_key(|(name, _)| !name.contains("record"));
+    let mut hand_ins = Vec::new();
+    for path in files(&fuzz.join("../simulations/theories"))? {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let text = fs::read_to_string(&path)?;
+        for items in [Vec::new(), stored.clone()] {
+            let name = format!("{name}-{}", items.len());
+            let documents = vec![document::page::Source { name: "a.md".to_owned(), text: text.clone() }];
+            let work = Project { documents, items, ..Project::default() };
+            let sender = Sender { name: "blue heron".to_owned(), ..Sender::default() };
+            hand_ins.extend(hand_in(work, sender, 5, "0.1.0").ok().map(|made| (name, made.write())));
+        }
+    }
+    Ok(hand_ins)
 }
 
 /// A workbook with each kind of cell.

@@ -3,6 +3,7 @@
 use crate::fact::{Fact, FactValue, Part};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use std::collections::BTreeMap;
 use units::{Language, name_of};
 
 /// Beginning and end of the section that carries the hand-in. Texts of a page are escaped and cannot contain them.
@@ -12,6 +13,9 @@ const END: &str = "</section>\n";
 const TARGET: &str = "href=\"data:application/octet-stream;base64,";
 /// Element before which the section is inserted.
 const BEFORE: &str = "<footer>";
+
+/// Maximum number of sections; the last one has the rest of the page.
+const MOST_SECTIONS: usize = 10_000;
 
 /// A page with a hand-in. `packed`: the text of the hand-in, which may be deflated with a zlib header. Its facts include
 /// [`sections`] of the page.
@@ -71,23 +75,20 @@ pub(crate) fn carried(page: &str) -> Option<(Vec<u8>, Vec<Fact>)> {
 /// sheets and fonts, is left out.
 pub fn sections(page: &str) -> Vec<Fact> {
     let body = page.split_once("<body>").map_or(page, |(_, body)| body);
-    let starts: Vec<usize> = std::iter::once(0)
-        .chain(body.match_indices("<h").filter(|(at, _)| is_heading(&body[*at..])).map(|(at, _)| at))
-        .collect();
+    let headings = body.match_indices("<h").filter(|(at, _)| is_heading(&body[*at..])).map(|(at, _)| at);
+    let starts: Vec<usize> = std::iter::once(0).chain(headings).take(MOST_SECTIONS).collect();
     let ends = starts.iter().skip(1).copied().chain([body.len()]);
-    let mut facts: Vec<Fact> = Vec::new();
-    for (start, end) in starts.iter().zip(ends) {
+    let mut named: BTreeMap<String, usize> = BTreeMap::new();
+    let fact = |(start, end): (&usize, usize)| {
         let section = &body[*start..end];
         let name = heading(section);
-        let same = |fact: &&Fact| fact.item == name || fact.item.starts_with(&format!("{name} ("));
-        let item = match facts.iter().filter(same).count() {
-            0 => name,
-            count => format!("{name} ({})", count + 1),
-        };
+        let count = named.entry(name.clone()).or_default();
+        *count += 1;
+        let item = if *count == 1 { name } else { format!("{name} ({count})") };
         let value = FactValue::Text(name_of(&[section]));
-        facts.push(Fact { part: Part::Report, item, quantity: "text".to_owned(), value });
-    }
-    facts
+        Fact { part: Part::Report, item, quantity: "text".to_owned(), value }
+    };
+    starts.iter().zip(ends).map(fact).collect()
 }
 
 /// True if a text begins with the tag of a heading of the levels 1 to 3.

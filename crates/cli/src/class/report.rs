@@ -93,7 +93,7 @@ fn against_text(all: &[Against], class: &Collection, language: Language) -> Stri
     let mut text = String::new();
     for one in all {
         text += &format!("{}\n", one.title(language));
-        let names: Vec<&str> = one.points.iter().map(|(index, _)| sender_name(class, *index)).collect();
+        let names: Vec<&str> = one.points.iter().map(|(index, _)| class.sender(*index)).collect();
         let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
         for (name, (_, point)) in names.iter().zip(&one.points) {
             let [x, y] = one.texts(*point, language);

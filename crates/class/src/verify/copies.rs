@@ -5,11 +5,13 @@
 //! is estimated from differences of high order. Rows can have been left out, and times shifted or scaled.
 
 use super::stretched::{Series, TimeMap, maps};
+use super::verdict::shortened;
 use analysis::reading::read;
 use desk::LONGEST_RECORD;
 use saved::Item;
 use saved::format::Content;
 use saved::hand_in::HandIn;
+use units::Language;
 
 /// Number of rows from which on two series are compared.
 const FEWEST: usize = 8;
@@ -74,6 +76,28 @@ pub struct Copied {
     pub relation: Relation,
     /// True if both are simulated, or taken from the same film: a common source and no alarm.
     pub is_common_source: bool,
+}
+
+impl Copied {
+    /// A sentence with the relation and both places. `name`: name of the hand-in of this index.
+    pub fn text(&self, language: Language, name: impl Fn(usize) -> String) -> String {
+        let place = |(index, record, column): &(usize, String, String)| {
+            format!("{}, {}, {}", name(*index), shortened(record), shortened(column))
+        };
+        let relation = match self.relation {
+            Relation::Equal => language.pick("equal data", "datos iguales"),
+            Relation::Scaled => {
+                language.pick("the same data, shifted or scaled", "los mismos datos, desplazados o escalados")
+            }
+            Relation::Part => language.pick("a part of the same data", "una parte de los mismos datos"),
+            Relation::Resampled => language.pick("the same data, resampled", "los mismos datos, remuestreados"),
+        };
+        let source = match self.is_common_source {
+            true => language.pick(" (a common source, no alarm)", " (una fuente común, sin alarma)"),
+            false => "",
+        };
+        format!("{relation}{source}: {} = {}", place(&self.one), place(&self.other))
+    }
 }
 
 impl Curve {

@@ -104,7 +104,7 @@ fn curves_and_results_of_a_class_are_reported() {
     for expected in [
         "11 groups",
         "twice or half as large",
-        "The same data, shifted or scaled: group 1",
+        "the same data, shifted or scaled: group 1",
         "Without those far from the others, n = 10",
         " values equal<br>",
     ] {

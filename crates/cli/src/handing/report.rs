@@ -2,7 +2,7 @@
 
 use super::read::Handed;
 use crate::terminal::visible::visible;
-use class::verify::{Copied, Relation, Verdict, meaning, shortened};
+use class::verify::{Copied, Relation, Verdict, meaning};
 use saved::hand_in::FactValue;
 use serde_json::{Value, json};
 use units::{Language, Words};
@@ -68,28 +68,10 @@ impl Report<'_> {
             };
         }
         for copied in &self.copies {
-            text += &self.shared(copied, language);
+            text += &copied.text(language, |index| self.name(index));
+            text.push('\n');
         }
         visible(&format!("{text}{}\n", meaning().text(language))).into_owned()
-    }
-
-    fn shared(&self, copied: &Copied, language: Language) -> String {
-        let place = |(index, record, column): &(usize, String, String)| {
-            format!("{}, {}, {}", self.name(*index), shortened(record), shortened(column))
-        };
-        let relation = match copied.relation {
-            Relation::Equal => language.pick("equal data", "datos iguales"),
-            Relation::Scaled => {
-                language.pick("the same data, shifted or scaled", "los mismos datos, desplazados o escalados")
-            }
-            Relation::Part => language.pick("a part of the same data", "una parte de los mismos datos"),
-            Relation::Resampled => language.pick("the same data, resampled", "los mismos datos, remuestreados"),
-        };
-        let source = match copied.is_common_source {
-            true => language.pick(" (a common source, no alarm)", " (una fuente común, sin alarma)"),
-            false => "",
-        };
-        format!("{relation}{source}: {} = {}\n", place(&copied.one), place(&copied.other))
     }
 
     /// One JSON object.

@@ -7,7 +7,7 @@
 const MOST_ROWS: usize = 64;
 /// Number of steps of the refinement, and the change of the shift, as a part of the duration, from which on it is finished.
 const STEPS: usize = 8;
-const SETTLED: f64 = 1e-10;
+const SETTLED: f64 = 1e-6;
 /// Number of crossings of the other series that the first crossing can belong to.
 const MOST_STARTS: usize = 6;
 /// Distance from the mean level that a series reaches between two crossings, in standard deviations.

@@ -157,9 +157,9 @@ fn a_manipulation_of_each_kind_is_found_at_its_place() {
     (0..10).for_each(manipulate);
 }
 
-/// `cargo test --release -p class --test all -- --ignored --nocapture two_hundred`
+/// `cargo test -p class --test all -- --ignored --nocapture two_hundred`
 #[test]
-#[ignore = "takes a minute in a release build; the test above has one of each kind"]
+#[ignore = "takes half a minute; the test above has one of each kind"]
 fn two_hundred_manipulations_are_found_at_their_places() {
     (0..200).for_each(manipulate);
     println!("200 reports and hand-ins with one manipulation each: all found at their places");
@@ -182,9 +182,9 @@ fn honest_reports_and_hand_ins_hold() {
     (0..4).for_each(is_honest);
 }
 
-/// `cargo test --release -p class --test all -- --ignored --nocapture two_hundred`
+/// `cargo test -p class --test all -- --ignored --nocapture two_hundred`
 #[test]
-#[ignore = "takes a minute in a release build; the test above has some of them"]
+#[ignore = "takes half a minute; the test above has some of them"]
 fn two_hundred_honest_reports_and_hand_ins_hold() {
     (0..200).for_each(is_honest);
     println!("200 honest reports and hand-ins: no false alarm");

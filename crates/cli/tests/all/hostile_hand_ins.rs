@@ -31,9 +31,9 @@ fn hostile() -> Vec<String> {
 
 /// A hand-in whose texts are all this one: name, record, title, answer. One value is changed, so that its place is named.
 fn handed(folder: &Path, place: usize, text: &str) -> PathBuf {
-    let title = serde_json::to_string(text).unwrap();
+    let title = serde_json::to_string(&text.chars().take(1000).collect::<String>()).unwrap();
     let document = DOCUMENT.replacen("title: Linear damping", &format!("title: {title}"), 1);
-    let question = "\n```question\nWhat?\n\nanswer: gamma within 5 %\n```\n```question\nWhy?\n\nanswer: text\n```\n";
+    let question = "\n```question\nWhat?\n\nanswer: gamma in [1/s] within 5 %\n```\n";
     let rows: String =
         (0..20).map(|index| format!("{index},{}\n", f64::from((index * 7919 + place as u32 * 31) % 11))).collect();
     let record = Record { name: text.to_owned(), text: format!("t [s],y [m]\n{rows}"), ..Record::default() };

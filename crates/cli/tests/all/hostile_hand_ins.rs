@@ -38,11 +38,19 @@ fn handed(folder: &Path, place: usize, text: &str) -> PathBuf {
         (0..20).map(|index| format!("{index},{}\n", f64::from((index * 7919 + place as u32 * 31) % 11))).collect();
     let record = Record { name: text.to_owned(), text: format!("t [s],y [m]\n{rows}"), ..Record::default() };
     let answer = Answer { typed: text.to_owned(), ..Answer::default() };
-    let items = vec![
-        ("r".to_owned(), Item(Content::Record(record)).write(5)),
-        ("0".to_owned(), Item(Content::Answer(answer)).write(6)),
+    let source = document + question;
+    let program = document::open(&source, &[]).sound().unwrap().program;
+    let prompt = program.question_text(&program.language, 0).prompt.as_str();
+    let stored = [
+        ("159d2ddcf951f93c", include_str!("../../../desk/tests/all/stored/record.json")),
+        ("fit", include_str!("../../../desk/tests/all/stored/fit.json")),
     ];
-    let documents = vec![Source { name: text.chars().take(50).collect(), text: document + question }];
+    let mut items = vec![
+        ("r".to_owned(), Item(Content::Record(record)).write(5)),
+        (units::name_of(&[prompt]), Item(Content::Answer(answer)).write(6)),
+    ];
+    items.extend(stored.map(|(name, text)| (name.to_owned(), text.trim().to_owned())));
+    let documents = vec![Source { name: text.chars().take(50).collect(), text: source }];
     let project = folder.join(format!("{place}.meniscus"));
     std::fs::write(&project, Project { documents, items, ..Project::default() }.write()).unwrap();
     let path = folder.join("in").join(format!("{place}.hand-in"));

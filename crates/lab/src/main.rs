@@ -36,6 +36,7 @@ mod served;
 mod stored;
 mod tabs;
 mod titles;
+mod verdict;
 mod verified;
 mod virtual_form;
 mod visited;

@@ -2,10 +2,10 @@
 //! can be opened like a project.
 
 use crate::app::App;
+use crate::verdict::Verified;
 use crate::{class, project, recomputing};
 use ::class::verify::{Recomputation, compare, meaning};
 use desk::saved::hand_in::{HandIn, HandInError, LONGEST_HAND_IN};
-use desk::saved::project::Project;
 use std::rc::Rc;
 use view::views::*;
 use view::{browser, pieces, table_of_words};
@@ -27,20 +27,6 @@ table_of_words! {
     open: "Open this work", "Abrir este trabajo";
     to_class: "Add to the class", "Añadir a la clase";
     open_title: "Opens the document with its records, fits and answers", "Abre el documento con sus series de datos, ajustes y respuestas";
-}
-
-/// A hand-in and the result of its verification.
-#[derive(Clone)]
-pub struct Verified {
-    /// Name of the file, and of the sender if there is one.
-    name: String,
-    /// True if every value follows from the data; `None` while it is being computed.
-    holds: Option<bool>,
-    /// Description in lines: a summary, then details.
-    lines: Vec<String>,
-    work: Rc<Project>,
-    /// The file, if it is a hand-in that the dashboard of a class takes.
-    file: Option<File>,
 }
 
 /// Verifies a file that should be a hand-in.

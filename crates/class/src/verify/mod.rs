@@ -12,7 +12,7 @@ mod verdict;
 pub use copies::{Copied, Curve, Relation, copied, copies};
 pub use files::{DataFile, FILM_START, film_hash, project_of_files};
 pub use recomputation::Recomputation;
-pub use verdict::{Difference, Verdict, compare, meaning, shortened};
+pub use verdict::{Difference, Verdict, compare, meaning};
 
 use saved::hand_in::{HandIn, Sender};
 use saved::project::Project;

@@ -90,7 +90,7 @@ impl Difference {
 }
 
 /// Text of a stranger in one line of bounded length.
-pub fn shortened(text: &str) -> String {
+pub(super) fn shortened(text: &str) -> String {
     const MOST: usize = 120;
     let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(MOST).collect();
     if text.chars().nth(MOST).is_some() { format!("{line}…") } else { line }

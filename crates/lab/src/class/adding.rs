@@ -1,7 +1,7 @@
 //! Hand-ins that are chosen or dropped, also as folders.
 
 use super::folder::files_in;
-use super::words;
+use super::{window, words};
 use crate::app::App;
 use desk::saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError, LONGEST_HAND_IN};
 use view::browser;
@@ -15,7 +15,7 @@ pub fn is_hand_in(file: &File) -> bool {
 
 /// Reads hand-ins into the dashboard, which opens, and computes them.
 pub async fn add(app: App, files: Vec<File>) {
-    super::open(app);
+    window::open(app);
     for file in files {
         let content = read(&file).await;
         app.class.add(&file.name(), content);

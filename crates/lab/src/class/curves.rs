@@ -1,6 +1,7 @@
 //! The measured curves of all groups, and what their fits leave over.
 
-use super::{figure_of, look, words};
+use super::drawn::{figure_of, look};
+use super::words;
 use crate::app::App;
 use class::collection::{CurveGroup, Member, Snapshot};
 use class::page;

@@ -1,6 +1,6 @@
 //! Table of the hand-ins: who, from which file, and how the verification ended.
 
-use super::words;
+use super::{window, words};
 use crate::app::App;
 use crate::project;
 use class::collection::Collection;
@@ -92,7 +92,7 @@ fn row(app: App, row: Row) -> HtmlTr {
         let open = move |_| {
             let work = app.class.read_once(|class| Some(class.entries().get(index)?.hand_in()?.work.clone()));
             if let Some(work) = work {
-                super::close();
+                window::close();
                 project::show(app, &file_name(app, index), work);
             }
         };

@@ -3,43 +3,25 @@
 mod adding;
 mod answers;
 mod curves;
+mod drawn;
 mod folder;
 mod hand_ins;
 mod results;
 mod room;
 mod snapshots;
 mod wall;
+mod window;
 mod words;
 
 pub use adding::{add, add_of_folders, is_hand_in};
 pub use folder::folders;
 pub use room::Room;
+pub use window::open;
 
 use crate::app::App;
-use ::class::page::{self, Look};
+use ::class::page;
 use view::views::*;
-use view::{browser, pieces, theme};
-use web_sys::HtmlDialogElement;
-
-/// Id of the dialog.
-const ID: &str = "class";
-/// Widest figure, in pixels.
-const WIDEST: f64 = 700.0;
-
-/// Opens the dashboard.
-pub fn open(app: App) {
-    app.class.set_open(true);
-    if let Some(dialog) = browser::by_id::<HtmlDialogElement>(ID).filter(|dialog| !dialog.open()) {
-        let _ = dialog.show_modal();
-    }
-}
-
-/// Closes the dashboard.
-fn close() {
-    if let Some(dialog) = browser::by_id::<HtmlDialogElement>(ID) {
-        dialog.close();
-    }
-}
+use view::{browser, pieces};
 
 /// Title of the dashboard.
 pub fn title(app: App) -> &'static str {
@@ -56,7 +38,7 @@ pub fn door(app: App) -> View {
 /// The dialogs of the dashboard and of the wall. Their contents exist only while they are open.
 pub fn dialogs(app: App) -> View {
     let words = words::of(app);
-    let dashboard = pieces::dialog(ID, "class-title", words.title, words.close)
+    let dashboard = pieces::dialog(window::ID, "class-title", words.title, words.close)
         .when(events::close, move |_| app.class.set_open(false))
         .child(changing(move || if app.class.is_open() { contents(app) } else { View::new() }));
     View::from((dashboard, wall::dialog(app)))
@@ -115,16 +97,4 @@ fn exports(app: App) -> View {
         button("class-workbook", words.save_workbook).when(events::click, workbook),
         button("class-clear", words.clear).when(events::click, move |_| app.class.clear()),
     ))
-}
-
-/// Size, colours and language of the figures in the dashboard.
-fn look(app: App) -> Look {
-    let width = window().inner_width().ok().and_then(|width| width.as_f64()).unwrap_or(WIDEST);
-    let width = (width - 80.0).clamp(280.0, WIDEST);
-    Look { width, height: 300.0, palette: theme::palette(), language: app.language.get_untracked() }
-}
-
-/// A figure from its SVG.
-fn figure_of(svg: String) -> HtmlDiv {
-    div().class("class-figure").inner_html(svg)
 }

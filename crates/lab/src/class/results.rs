@@ -1,6 +1,7 @@
 //! The fitted quantities of all groups, and groups that are stuck.
 
-use super::{look, words};
+use super::drawn::look;
+use super::words;
 use crate::app::App;
 use class::page;
 use class::pooling::Measured;

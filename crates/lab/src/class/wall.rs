@@ -1,8 +1,9 @@
 //! View for the projector: collected work without names, together or one after another. Nothing appears before it is shown
 //! from the dashboard.
 
+use super::drawn::figure_of;
 use super::room::Wall;
-use super::{figure_of, words};
+use super::words;
 use crate::app::App;
 use class::collection::{Collection, CurveGroup, Member, Snapshot, Snapshots};
 use class::page::{self, Look};

@@ -44,7 +44,7 @@ impl Against {
         for ((index, measured), fixed) in quantity.results.iter().zip(&quantity.fixed) {
             if let Some(fixed) = fixed.iter().find(|fixed| fixed.name == x.name()) {
                 unit.get_or_insert(&fixed.unit);
-                points.push((*index, Point { x: x.of(fixed.value), measured: y.of_measured(*measured) }));
+                points.push((*index, Point { x: x.raise(fixed.value), measured: y.raise_measured(*measured) }));
             }
         }
         let (x_dimension, y_dimension) = (dimension(unit?, x)?, dimension(&quantity.unit, &y)?);

@@ -58,15 +58,15 @@ impl Power {
     }
 
     /// The power of a value.
-    pub fn of(&self, value: f64) -> f64 {
+    pub fn raise(&self, value: f64) -> f64 {
         self.factor * libm::pow(value, f64::from(self.exponent))
     }
 
     /// The power of a result, with its standard error to first order.
-    pub fn of_measured(&self, Measured { value, error }: Measured) -> Measured {
+    pub fn raise_measured(&self, Measured { value, error }: Measured) -> Measured {
         let exponent = f64::from(self.exponent);
         let slope = self.factor * exponent * libm::pow(value, exponent - 1.0);
-        Measured { value: self.of(value), error: slope.abs() * error }
+        Measured { value: self.raise(value), error: slope.abs() * error }
     }
 
     /// Dimension of the power; `None` if its exponents are too large.

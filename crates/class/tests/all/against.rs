@@ -158,12 +158,12 @@ fn g_follows_from_columns_of_different_lengths() {
 
 #[test]
 fn powers_are_read_as_they_are_typed() {
-    let value = |text: &str| Power::parse(text).map(|power| (power.name().to_owned(), power.of(2.0)));
+    let value = |text: &str| Power::parse(text).map(|power| (power.name().to_owned(), power.raise(2.0)));
     for (text, expected) in [("L", 2.0), ("L^3", 8.0), ("1/L", 0.5), (" 3/L^2", 0.75)] {
         assert_eq!(value(text).unwrap(), ("L".to_owned(), expected), "{text}");
     }
     // d(1/x²) = 2/x³ dx.
-    let measured = Power::parse("1/L^2").unwrap().of_measured(Measured { value: 2.0, error: 0.4 });
+    let measured = Power::parse("1/L^2").unwrap().raise_measured(Measured { value: 2.0, error: 0.4 });
     assert!((measured.value - 0.25).abs() < 1e-15 && (measured.error - 0.1).abs() < 1e-15, "{measured:?}");
     for text in ["", "^2", "L^0", "L^-1", "L^10", "0/L", "inf/L", "x/L", "1/L/2", "L + 1", "<b>", "L^1.5"] {
         assert!(Power::parse(text).is_err(), "{text}");

@@ -14,7 +14,7 @@ pub use stuck::Stuck;
 pub use work::{GivenAnswer, Work};
 
 use crate::results::{Quantity, quantities};
-use crate::verify::{Copied, Recomputation, copied};
+use crate::verify::{Copied, Curve, Recomputation, copied};
 use desk::TheoryCurve;
 use saved::hand_in::{HandIn, HandInError};
 use units::{Language, Words};
@@ -25,6 +25,8 @@ pub struct Entry {
     file: String,
     content: Result<HandIn, HandInError>,
     state: State,
+    /// The measured columns of a hand-in that counts, in the form in which copies are found.
+    columns: Vec<Curve>,
 }
 
 /// State of a file.
@@ -51,9 +53,10 @@ impl Entry {
         self.content.as_ref().ok()
     }
 
-    /// Pseudonym or name of the sender; the name of the file if it is no hand-in.
+    /// Pseudonym or name of the sender; the name of the file if there is none, as for a report.
     pub fn sender(&self) -> &str {
-        self.hand_in().map_or(&self.file, |hand_in| &hand_in.sender.name)
+        let name = self.hand_in().map(|hand_in| &hand_in.sender.name);
+        name.filter(|name| !name.is_empty()).unwrap_or(&self.file)
     }
 
     /// State of the file.
@@ -105,13 +108,9 @@ impl Collection {
         }
     }
 
-    /// Adds a file: of several hand-ins of a sender the one that was made last counts, of equal times the one added last.
-    pub fn add(&mut self, file: &str, text: &str) {
-        self.add_read(file, HandIn::read(text));
-    }
-
-    /// Adds a file that has been read.
-    pub fn add_read(&mut self, file: &str, content: Result<HandIn, HandInError>) {
+    /// Adds the file of this name. Of several hand-ins of a sender the one that was made last counts, of equal times the
+    /// one added last. Reports have no sender, and each counts.
+    pub fn add(&mut self, file: &str, content: Result<HandIn, HandInError>) {
         let index = self.entries.len();
         let mut state = State::Waiting;
         match &content {
@@ -127,11 +126,14 @@ impl Collection {
                 }
             }
         }
-        self.entries.push(Entry { file: file.to_owned(), content, state });
+        self.entries.push(Entry { file: file.to_owned(), content, state, columns: Vec::new() });
     }
 
     /// Index of the hand-in of the same sender that counts so far.
     fn counting(&self, hand_in: &HandIn) -> Option<usize> {
+        if hand_in.sender.name.is_empty() {
+            return None;
+        }
         let counts = |entry: &Entry| !matches!(entry.state, State::Repeated(_));
         let same = |entry: &Entry| entry.hand_in().is_some_and(|other| other.sender == hand_in.sender);
         self.entries.iter().position(|entry| counts(entry) && same(entry))
@@ -140,6 +142,9 @@ impl Collection {
     /// Another hand-in counts instead of this one, and of those that it had replaced.
     fn replace(&mut self, former: usize, index: usize) {
         for (place, entry) in self.entries.iter_mut().enumerate() {
+            if place == former {
+                entry.columns.clear();
+            }
             if place == former || matches!(entry.state, State::Repeated(counting) if counting == former) {
                 entry.state = State::Repeated(index);
             }
@@ -213,10 +218,14 @@ impl Collection {
     fn begin(&mut self) -> bool {
         let Some(index) = (0..self.entries.len()).find(|index| self.is_waiting(*index)) else { return false };
         let entry = &mut self.entries[index];
-        match entry.content.as_ref().map(|hand_in| Recomputation::begin(&hand_in.work)) {
-            Ok(Ok(recomputation)) => self.step = Some(Step::Fitting(index, Box::new(recomputation))),
-            Ok(Err(why)) => entry.state = State::Unreadable(why),
-            Err(error) => entry.state = State::Unreadable(error.words()),
+        let Ok(hand_in) = &entry.content else { return false };
+        entry.columns = Curve::of(index, hand_in);
+        match Recomputation::begin(&hand_in.work) {
+            Ok(recomputation) => self.step = Some(Step::Fitting(index, Box::new(recomputation))),
+            Err(why) => {
+                entry.state = State::Unreadable(why);
+                self.step = Some(Step::Comparing(index, 0));
+            }
         }
         true
     }
@@ -224,7 +233,7 @@ impl Collection {
     fn finish(&mut self, index: usize, recomputation: Recomputation) {
         let entry = &mut self.entries[index];
         if let Ok(hand_in) = &entry.content {
-            let (work, mut theories) = Work::of(index, hand_in, recomputation, &self.program, self.language.tag());
+            let (work, mut theories) = Work::of(hand_in, recomputation, &self.program, self.language.tag());
             theories.retain(|new| self.theories.iter().all(|known| known.theory != new.theory));
             self.theories.append(&mut theories);
             entry.state = State::Done(Box::new(work));
@@ -234,14 +243,13 @@ impl Collection {
 
     /// Compares the data of a hand-in with those of another one that was computed before.
     fn compare(&mut self, index: usize, other: usize) {
-        let work = |index: usize| self.entries.get(index).and_then(Entry::work);
+        let columns = |index: usize| self.entries.get(index).map_or(&[][..], |entry| &entry.columns);
         if index == other {
             return;
         }
-        let (Some(one), Some(other)) = (work(index), work(other)) else { return };
         let mut found = Vec::new();
-        for column in &one.columns {
-            found.extend(other.columns.iter().filter_map(|other| copied(other, column)));
+        for column in columns(other) {
+            found.extend(columns(index).iter().filter_map(|own| copied(column, own)));
         }
         // A pair is compared once: when the later of its two hand-ins is finished. A hand-in that is computed again has been
         // compared before.

@@ -1,6 +1,6 @@
 //! Work of one group, computed again from its hand-in.
 
-use crate::verify::{Curve, Recomputation, Verdict, compare};
+use crate::verify::{Recomputation, Verdict, compare};
 use desk::play::{Attempt, Grade, Play};
 use desk::{FittedCurve, MeasuredCurve, TheoryCurve};
 use saved::hand_in::{Fact, HandIn};
@@ -18,8 +18,6 @@ pub struct Work {
     pub fits: Vec<FittedCurve>,
     /// The questions of the document with their answers.
     pub answers: Vec<GivenAnswer>,
-    /// The measured columns in the form in which copies are found.
-    pub(super) columns: Vec<Curve>,
 }
 
 /// A question, and the answer of the group.
@@ -49,10 +47,9 @@ impl GivenAnswer {
 }
 
 impl Work {
-    /// Work of a finished recomputation of a hand-in, and the curves of its theories. `index`: index of the hand-in in the
-    /// collection. `program`: version of the program that has computed.
+    /// Work of a finished recomputation of a hand-in, and the curves of its theories. `program`: version of the program that
+    /// has computed.
     pub(super) fn of(
-        index: usize,
         hand_in: &HandIn,
         recomputation: Recomputation,
         program: &str,
@@ -66,7 +63,6 @@ impl Work {
             curves: desk.measured_curves(),
             fits: desk.fitted_curves(),
             answers: answers(desk.play()),
-            columns: Curve::of(index, hand_in),
         };
         (work, desk.theory_curves())
     }

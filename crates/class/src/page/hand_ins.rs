@@ -31,20 +31,25 @@ pub fn hand_ins(collection: &Collection, language: Language) -> String {
     page.out
 }
 
-/// Lines about the state of a file: one for its verification, and one for each value that does not follow, at most 20.
-pub fn state_text(entry: &Entry, collection: &Collection, language: Language) -> Vec<String> {
-    let mut lines = match entry.state() {
-        State::Waiting => return vec![language.pick("is being computed", "se está calculando").to_owned()],
-        State::Unreadable(why) => return vec![why.text(language).to_owned()],
+/// Lines about the state of a file: one for its verification, and one for each value that does not follow.
+pub fn state_lines(entry: &Entry, collection: &Collection, language: Language) -> Vec<String> {
+    match entry.state() {
+        State::Waiting => vec![language.pick("is being computed", "se está calculando").to_owned()],
+        State::Unreadable(why) => vec![why.text(language).to_owned()],
         State::Repeated(counts) => {
             let other = collection.entries().get(*counts).map_or("", Entry::file);
-            return vec![language.pick(
+            vec![language.pick(
                 format!("was made before {other}, which counts"),
                 format!("se hizo antes que {other}, que es la que cuenta"),
-            )];
+            )]
         }
         State::Done(work) => work.verdict.lines(language),
-    };
+    }
+}
+
+/// The first 20 lines about the state of a file.
+pub fn state_text(entry: &Entry, collection: &Collection, language: Language) -> Vec<String> {
+    let mut lines = state_lines(entry, collection, language);
     let more = lines.len().saturating_sub(MOST_LINES);
     if more > 0 {
         lines.truncate(MOST_LINES);

@@ -9,7 +9,7 @@ mod workbook;
 
 pub use answers::{questions, stuck};
 pub use figures::{Look, MOST_CURVES, curves, histogram, residuals, results, scale};
-pub use hand_ins::{copied_text, hand_ins, state_text};
+pub use hand_ins::{copied_text, hand_ins, state_lines, state_text};
 pub use quantities::{far_text, pooled, quantity, result_text};
 pub use workbook::workbook;
 

@@ -123,7 +123,7 @@ fn of_lengths(lengths: &[f64]) -> Vec<HandIn> {
 fn a_report_draws_results_over_the_theory() {
     let mut class = Collection::new(VERSION, Language::English);
     for one in of_lengths(&[0.18, 0.24, 0.32]) {
-        class.add(&one.sender.name, &one.write());
+        class.add(&one.sender.name, HandIn::read(&one.write()));
     }
     while class.advance() {}
     let quantities = class.quantities();

@@ -17,7 +17,7 @@ fn of(name: &str, rows: &[(f64, f64)], answers: &[&str]) -> HandIn {
 fn computed(hand_ins: &[HandIn]) -> Collection {
     let mut collection = Collection::new(VERSION, Language::English);
     for (index, one) in hand_ins.iter().enumerate() {
-        collection.add(&format!("{index}.hand-in"), &one.write());
+        collection.add(&format!("{index}.hand-in"), HandIn::read(&one.write()));
     }
     while collection.advance() {}
     assert_eq!(collection.waiting(), 0);
@@ -34,14 +34,14 @@ fn of_repeated_hand_ins_the_last_counts_and_all_are_kept() {
         let all = [&early, &late, &other];
         let mut collection = Collection::new(VERSION, Language::English);
         for index in order {
-            collection.add(&format!("{index}.hand-in"), &all[index].write());
+            collection.add(&format!("{index}.hand-in"), HandIn::read(&all[index].write()));
             // Some are computed before the next one arrives.
             if index == 0 {
                 while collection.advance() {}
             }
         }
-        collection.add("notes.hand-in", "[]");
-        collection.add("cut.hand-in", &early.write()[..500]);
+        collection.add("notes.hand-in", HandIn::read("[]"));
+        collection.add("cut.hand-in", HandIn::read(&early.write()[..500]));
         while collection.advance() {}
         let counting: Vec<&str> = collection.works().map(|(index, _)| collection.entries()[index].file()).collect();
         assert_eq!(counting.len(), 2, "{order:?}");
@@ -130,4 +130,12 @@ fn snapshots_are_shown_in_order_and_without_names() {
     assert_eq!(snapshots.letters(), ["A", "B"]);
     snapshots.retain(&Collection::new(VERSION, Language::English));
     assert!(snapshots.list().is_empty());
+}
+
+#[test]
+fn reports_have_no_sender_and_each_counts() {
+    let class = computed(&[of("", &measured(1), &[]), of("", &measured(2), &[]), of("heron", &measured(3), &[])]);
+    assert_eq!(class.works().count(), 3);
+    let shown: Vec<&str> = class.entries().iter().map(Entry::sender).collect();
+    assert_eq!(shown, ["0.hand-in", "1.hand-in", "heron"]);
 }

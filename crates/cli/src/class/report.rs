@@ -3,7 +3,7 @@
 use super::arguments::{Report, ReportFormat};
 use crate::failure::Failure;
 use crate::handing::VERSION;
-use crate::handing::read::{Handed, all};
+use crate::handing::read::computed;
 use crate::terminal::Terminal;
 use crate::terminal::output;
 use crate::terminal::visible::visible;
@@ -14,7 +14,6 @@ use class::page;
 use class::pooling::{Measured, Pooled};
 use class::results::Quantity;
 use serde_json::{Value, json};
-use std::path::PathBuf;
 use units::{Language, words};
 
 /// Writes the report.
@@ -22,10 +21,13 @@ use units::{Language, words};
 /// # Errors
 /// A file cannot be read, or no hand-in has a fit or an answer.
 pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
-    let handed = all(&arguments.paths)?;
     // The paths given may be folders; none of the hand-ins in them is to be overwritten.
-    let paths: Vec<PathBuf> = handed.iter().map(|one| one.path.clone()).collect();
-    let class = computed(handed, terminal);
+    let (class, paths) = computed(&arguments.paths, terminal.language)?;
+    for entry in class.entries() {
+        if let State::Unreadable(why) = entry.state() {
+            terminal.print(&format!("{} {}\n", entry.file(), why.text(terminal.language)));
+        }
+    }
     let format = ReportFormat::chosen(arguments.format, arguments.output.as_deref());
     let quantities = class.quantities();
     if quantities.is_empty() && !format.has_answers() {
@@ -102,21 +104,6 @@ fn against_text(all: &[Against], class: &Collection, language: Language) -> Stri
         text += &format!("  {}\n\n", one.sentence(language));
     }
     text
-}
-
-/// The hand-ins, computed again. What is left out is said.
-fn computed(handed: Vec<Handed>, terminal: Terminal) -> Collection {
-    let mut class = Collection::new(VERSION, terminal.language);
-    for one in handed {
-        class.add_read(&one.path.display().to_string(), one.content);
-    }
-    while class.advance() {}
-    for entry in class.entries() {
-        if let State::Unreadable(why) = entry.state() {
-            terminal.print(&format!("{} {}\n", entry.file(), why.text(terminal.language)));
-        }
-    }
-    class
 }
 
 fn as_text(quantities: &[Quantity], class: &Collection, language: Language) -> String {

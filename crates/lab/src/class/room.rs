@@ -101,7 +101,7 @@ impl Room {
     /// Adds the file of this name; the views follow with [`Room::show`].
     pub fn add(self, name: &str, content: Result<HandIn, HandInError>) {
         self.refusal.set(String::new());
-        self.collection.update_silent(|collection| collection.add_read(name, content));
+        self.collection.update_silent(|collection| collection.add(name, content));
     }
 
     /// Rebuilds the views of the hand-ins if the last update is long enough ago.

@@ -1,13 +1,13 @@
 //! Results of a class: the same quantity, fitted with the same theory by several groups.
 
-use crate::pooling::{Measured, Pool, pool};
+use crate::pooling::{Measured, Outlier, Pool, pool};
 use saved::Number;
 use saved::hand_in::{Fact, FactValue, Part};
 use std::collections::BTreeMap;
 use units::Words;
 
 /// A quantity fitted with a theory, in SI units.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
     /// Title of the theory.
     pub theory: String,
@@ -23,6 +23,13 @@ pub struct Quantity {
     pub fixed: Vec<Vec<Fixed>>,
     /// The pooled value, or the reason why there is none.
     pub pool: Result<Pool, Words>,
+}
+
+impl Quantity {
+    /// The result at this place of [`Quantity::results`] as an outlier; `None` if it is not far from the others.
+    pub fn outlier(&self, place: usize) -> Option<&Outlier> {
+        self.pool.as_ref().ok()?.outliers.iter().find(|one| one.index == place)
+    }
 }
 
 /// A parameter that was held fixed in a fit.

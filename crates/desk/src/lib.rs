@@ -56,7 +56,7 @@ pub use records::{
     Sample, VariableView,
 };
 pub use refusal::Refusal;
-pub use storing::{Visit, document_data};
+pub use storing::{Visit, document_data, write_varied};
 pub use writing::{
     DrawingPlaces, Insight, LineChanges, Mark, Proposals, TextChange, Writing, insight, line_changes,
     superfluous_versions, text_changes,

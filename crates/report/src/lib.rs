@@ -27,5 +27,5 @@ pub use page::{footer, html};
 pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};
 pub use remarks::remarks;
 pub use report::Report;
-pub use results::{label, once, readable_units};
+pub use results::{label, once, readable_units, size};
 pub use written::{quantity, sizes};

@@ -178,7 +178,7 @@ pub struct Part {
 pub struct StatedError {
     /// Index of the column.
     pub column: usize,
-    /// The same standard error for each value, SI.
+    /// One standard error for all values, SI.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub value: Option<Number>,
     /// Index of the column with the standard errors.

@@ -25,8 +25,7 @@ impl Collection {
         for (hand_in, work) in self.works() {
             let far = |quantity: &&Quantity| {
                 let place = quantity.results.iter().position(|(own, _)| *own == hand_in);
-                let outliers = quantity.pool.as_ref().map_or(&[][..], |pool| &pool.outliers);
-                outliers.iter().any(|outlier| Some(outlier.index) == place)
+                place.is_some_and(|place| quantity.outlier(place).is_some())
             };
             let reasons = work.answers.iter().filter_map(same_errors).chain(undetermined(work));
             let reasons = reasons.chain(quantities.iter().filter(far).map(far_result));

@@ -80,7 +80,7 @@ pub fn curves(
     draw(group, ("", description), series, look, look.height)
 }
 
-/// What is left over of the fits of these groups: measured minus fitted. `None` without a fit.
+/// Residuals of the fits of these groups: measured minus fitted. `None` without a fit.
 pub fn residuals(collection: &Collection, group: &CurveGroup, members: &[Member], look: Look) -> Option<String> {
     let fits = members.iter().take(MOST_CURVES).filter_map(|member| collection.fit_of(*member));
     let drawn: Vec<Points> = fits.map(|fit| (thinned(&fit.times), thinned(&fit.residuals))).collect();
@@ -123,20 +123,14 @@ pub fn scale(quantity: &Quantity) -> f64 {
     Unit::parse(&quantity.unit).map_or(1.0, |unit| unit.to_si(1.0) - unit.to_si(0.0))
 }
 
-/// For each result, true if it is far from the others.
-fn is_far(quantity: &Quantity) -> Vec<bool> {
-    let outliers = quantity.pool.as_ref().map_or(&[][..], |pool| &pool.outliers);
-    (0..quantity.results.len()).map(|place| outliers.iter().any(|one| one.index == place)).collect()
-}
-
 /// Results of the groups with their standard errors, by the number of the group in the list, over the interval of the pooled
 /// value without results far from the others.
 pub fn results(quantity: &Quantity, look: Look) -> String {
     let language = look.language;
-    let (scale, far) = (scale(quantity), is_far(quantity));
+    let scale = scale(quantity);
     let (mut near, mut outside): ([Vec<f64>; 3], [Vec<f64>; 3]) = Default::default();
     for (place, (_, Measured { value, error })) in quantity.results.iter().enumerate() {
-        let [x, y, spread] = if far.get(place) == Some(&true) { &mut outside } else { &mut near };
+        let [x, y, spread] = if quantity.outlier(place).is_some() { &mut outside } else { &mut near };
         x.push(place as f64 + 1.0);
         y.push(value / scale);
         spread.push(error / scale);

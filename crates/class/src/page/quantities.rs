@@ -58,8 +58,7 @@ pub fn result_text(quantity: &Quantity, Measured { value, error }: Measured, lan
 
 /// Text for a result far from the others, with the likely reason; empty for others.
 pub fn far_text(quantity: &Quantity, place: usize, language: Language) -> String {
-    let outliers = quantity.pool.as_ref().map_or(&[][..], |pool| &pool.outliers);
-    let Some(outlier) = outliers.iter().find(|one| one.index == place) else { return String::new() };
+    let Some(outlier) = quantity.outlier(place) else { return String::new() };
     let reason = outlier.reason.map(|reason| format!(": {}", reason.words().text(language)));
     format!("{}{}", language.pick("far from the others", "lejos de los demás"), reason.unwrap_or_default())
 }

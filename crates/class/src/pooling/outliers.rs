@@ -47,7 +47,7 @@ impl Reason {
 
 /// For each result, true if it is an outlier: |x - median| > 3.5 sqrt(error² + scatter²). The scatter is that of all results
 /// beyond their errors, from the median of |x - median|, so that outliers do not hide each other. Because outliers shift and
-/// widen both medians a little, these are taken again from the results that are not marked, until none is marked anew.
+/// widen both medians a little, these are taken again from the results that are not marked, until no further one is marked.
 pub(super) fn is_outlier(results: &[Measured]) -> Vec<bool> {
     let mut marked = vec![false; results.len()];
     loop {

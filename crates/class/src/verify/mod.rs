@@ -10,6 +10,7 @@ mod stretched;
 mod verdict;
 
 pub use copies::{Copied, Curve, Relation, copied, copies};
+pub use desk::write_varied;
 pub use files::{DataFile, FILM_START, film_hash, project_of_files};
 pub use recomputation::Recomputation;
 pub use verdict::{Difference, Verdict, compare, meaning};

@@ -133,7 +133,7 @@ struct Kind {
 /// Greatest ratio of the error of a group to the median of all: between a third and three times, evenly in the logarithm.
 const SPREAD: f64 = 3.0;
 
-/// What was found in synthetic classes, in per cent.
+/// Shares found in synthetic classes, in per cent.
 struct Coverage {
     /// Share of the classes whose interval holds the true value, by method as in [`METHODS`].
     held: [f64; 4],
@@ -223,7 +223,7 @@ fn intervals_hold_in_95_of_100_classes_where_the_weighted_mean_does_not() {
     }
 }
 
-/// The same with other seeds and ten times as many classes, and with errors that differ less from group to group:
+/// Repeats the table with other seeds and ten times as many classes, and with errors that differ less from group to group:
 /// `cargo test -p class --test all other_seeds -- --ignored --nocapture`.
 #[test]
 #[ignore = "takes three minutes"]

@@ -214,7 +214,7 @@ fn a_report_of_another_version_is_compared_within_the_tolerance() {
     assert_eq!(far.differences.iter().map(|one| one.quantity.as_str()).collect::<Vec<_>>(), ["gamma"]);
 }
 
-/// A record that was made from a film and then changed, with all values stated anew.
+/// A record that was made from a film and then changed, with all values stated to match.
 #[test]
 fn a_record_that_does_not_follow_from_its_film_is_found_also_if_that_is_stated() {
     let rows = measured(6);

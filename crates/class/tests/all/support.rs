@@ -108,7 +108,7 @@ pub fn weighed(length: f64, rows: &[(f64, f64)], name: &str) -> HandIn {
     hand_in(project, sender, 1_763_812_900_000, VERSION).unwrap()
 }
 
-/// The same work with a film whose points have these rows, in pixels of a millimetre.
+/// Copy of a work with a film whose points have these rows, in pixels of a millimetre.
 pub fn with_film(made: HandIn, rows: &[(f64, f64)]) -> HandIn {
     let point = |(frame, (time, level)): (usize, &(f64, f64))| {
         (frame, [*time, 100.0, 500.0 - level * 1000.0, 0.1, 0.1, 1.0].map(Number), false)

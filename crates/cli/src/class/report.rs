@@ -54,7 +54,7 @@ pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
 /// Quantities against a parameter, as asked for.
 ///
 /// # Errors
-/// What is asked for is no power, or there are no such results, or the form has no place for them.
+/// The argument is no power, or there are no such results, or the form has no place for them.
 fn against(arguments: &Report, format: ReportFormat, quantities: &[Quantity]) -> Result<Vec<Against>, Failure> {
     let Some(asked) = &arguments.against else { return Ok(Vec::new()) };
     if format != ReportFormat::Text {
@@ -131,7 +131,7 @@ fn as_csv(quantities: &[Quantity], class: &Collection) -> String {
     for quantity in quantities {
         let scale = page::scale(quantity);
         for (place, (index, measured)) in quantity.results.iter().enumerate() {
-            let marked = quantity.pool.as_ref().is_ok_and(|pool| pool.outliers.iter().any(|one| one.index == place));
+            let marked = quantity.outlier(place).is_some();
             // Writing to a string cannot fail.
             for word in [&quantity.theory, &quantity.name, &quantity.unit, class.sender(*index)] {
                 let _ = Dialect::Commas.text(&mut text, word);
@@ -161,8 +161,7 @@ fn as_json(quantities: &[Quantity], class: &Collection, language: Language) -> S
     let quantity = |quantity: &Quantity| {
         let scale = page::scale(quantity);
         let result = |(place, (index, measured)): (usize, &(usize, Measured))| {
-            let pool = quantity.pool.as_ref().ok();
-            let outlier = pool.and_then(|pool| pool.outliers.iter().find(|one| one.index == place));
+            let outlier = quantity.outlier(place);
             json!({
                 "group": class.sender(*index),
                 "value": measured.value / scale,

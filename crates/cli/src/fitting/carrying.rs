@@ -3,17 +3,15 @@
 use super::arguments::Common;
 use super::fitted::Fitted;
 use crate::data::Measured;
-use analysis::fit::{Estimate, Outcome, Record, Target, Varied};
-use class::verify::{DataFile, Recomputation, project_of_files};
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
+use crate::handing::VERSION;
+use crate::handing::write::{now, packed};
+use analysis::fit::{Estimate, Outcome, Record};
+use class::verify::{DataFile, Recomputation, project_of_files, write_varied};
 use saved::Number;
 use saved::carried::{carry, carry_nothing};
 use saved::format::{self, Column, StatedError};
 use saved::hand_in::{Fact, FactValue, HandIn, Part, Sender};
 use saved::project::Project;
-use std::io::Write;
-use std::time::{SystemTime, UNIX_EPOCH};
 use units::{Language, Unit, words};
 
 /// Largest deviation between a fit and its recomputation from the carried data, in standard errors and relative.
@@ -36,22 +34,6 @@ pub fn carrying(page: &str, fitted: &[&Fitted], data: &[Measured], arguments: &C
     }
 }
 
-/// The deflated text of a hand-in.
-pub fn packed(hand_in: &HandIn) -> Vec<u8> {
-    let text = hand_in.write();
-    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
-    // Writing to memory cannot fail; without compression the text is carried as it is.
-    match encoder.write_all(text.as_bytes()).and_then(|()| encoder.finish()) {
-        Ok(packed) => packed,
-        Err(_) => text.into_bytes(),
-    }
-}
-
-/// Present time in milliseconds since 1970.
-pub fn now() -> u64 {
-    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_millis() as u64)
-}
-
 fn hand_in(work: Project, fitted: &[&Fitted], arguments: &Common) -> Option<HandIn> {
     let recomputation = Recomputation::complete(&work).ok().filter(|done| done.refused() == 0)?;
     let facts = recomputation.facts();
@@ -60,8 +42,7 @@ fn hand_in(work: Project, fitted: &[&Fitted], arguments: &Common) -> Option<Hand
         return None;
     }
     let sender = Sender { seat: arguments.seat.map(|seat| seat.number()), ..Sender::default() };
-    let program = env!("CARGO_PKG_VERSION").to_owned();
-    Some(HandIn { program, made: now(), sender, work, facts, page: Vec::new() })
+    Some(HandIn { program: VERSION.to_owned(), made: now(), sender, work, facts, page: Vec::new() })
 }
 
 /// True if the recomputed fit of a theory agrees with its outcome: values within a part of their standard errors, errors
@@ -147,7 +128,7 @@ fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &C
             file: theory.sources.embedded().first()?.name.clone(),
             window: [task.from, task.until].map(|end| end.map(Number)),
             parameters: numbers(&task.parameters),
-            varied: task.varied.iter().map(varied).collect(),
+            varied: task.varied.iter().map(write_varied).collect(),
             loss: Some(task.loss.code().to_owned()).filter(|_| task.loss != analysis::fit::Loss::Squares),
             records: parts.map(part).collect::<Option<_>>()?,
         },
@@ -157,14 +138,4 @@ fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &C
             rival: rival.map(|rival| format::Rival { growth: Number(rival.growth), values: numbers(&rival.values) }),
         },
     })
-}
-
-fn varied(varied: &Varied) -> format::Varied {
-    let target = match varied.target {
-        Target::Parameter(index) => format::Target::Parameter(index),
-        Target::Origin => format::Target::Origin,
-        Target::Offset(place) => format::Target::Offset(place),
-    };
-    let bounds = varied.bounds.map(|(low, high)| [Number(low), Number(high)]);
-    format::Varied { target, shared: varied.shared, bounds }
 }

@@ -3,12 +3,12 @@
 use super::VERSION;
 use super::arguments::HandIn;
 use super::read::bytes;
+use super::write::now;
 use crate::failure::Failure;
 use crate::terminal::Terminal;
 use crate::terminal::output::file;
 use saved::hand_in::{HAND_IN_ENDING, Sender};
 use saved::project::{LONGEST_PROJECT, Project};
-use std::time::{SystemTime, UNIX_EPOCH};
 use units::{Words, words};
 
 /// Writes the hand-in of a project.
@@ -22,8 +22,7 @@ pub fn hand_in(arguments: &HandIn, terminal: Terminal) -> Result<(), Failure> {
         .map_err(|error| refused(error.words()))?;
     let sender =
         Sender { name: arguments.name.clone(), seat: arguments.seat, assignment: arguments.assignment.clone() };
-    let made = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_millis() as u64);
-    let made = class::verify::hand_in(project, sender, made, VERSION).map_err(refused)?;
+    let made = class::verify::hand_in(project, sender, now(), VERSION).map_err(refused)?;
     let output = arguments.output.clone().unwrap_or_else(|| path.with_extension(&HAND_IN_ENDING[1..]));
     file(&output, std::slice::from_ref(path), made.write().as_bytes())?;
     let (count, output) = (made.facts.len(), output.display());

@@ -5,6 +5,7 @@ mod hand_in;
 pub mod read;
 mod report;
 mod verify;
+pub mod write;
 
 pub use hand_in::hand_in;
 pub use verify::verify;

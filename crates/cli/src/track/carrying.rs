@@ -5,7 +5,8 @@ use super::arguments::{Place, Track as Arguments};
 use super::clock::Clock;
 use super::following::Followed;
 use super::opened::Opened;
-use crate::fitting::carrying::{now, packed};
+use crate::handing::VERSION;
+use crate::handing::write::{now, packed};
 use class::verify::{DataFile, FILM_START, Recomputation, film_hash, project_of_files};
 use document::page::Source;
 use film::calibration::{Calibration, Lengths, Rotation};
@@ -38,8 +39,7 @@ pub struct Tracked<'a> {
 pub fn carrying(page: &str, tracked: Tracked<'_>, language: Language) -> String {
     let hand_in = work(tracked).and_then(|work| {
         let facts = Recomputation::complete(&work).ok().filter(|done| done.refused() == 0)?.facts();
-        let program = env!("CARGO_PKG_VERSION").to_owned();
-        Some(HandIn { program, made: now(), work, facts, ..HandIn::default() })
+        Some(HandIn { program: VERSION.to_owned(), made: now(), work, facts, ..HandIn::default() })
     });
     if let Some(hand_in) = hand_in {
         return carry(page, &packed(&hand_in.of_page(page)), language);

@@ -40,9 +40,9 @@ pub(crate) struct Part {
 /// Standard errors that replace those of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum StatedError {
-    /// The same for each value, SI.
+    /// One standard error for all values, SI.
     Value(f64),
-    /// Those of the column of this index.
+    /// Index of the column with the standard errors.
     Column(usize),
 }
 

@@ -2,6 +2,7 @@
 
 use crate::Desk;
 use program::Model;
+use report::size;
 use units::Unit;
 
 /// Horizontal quantity of a curve, and its unit as text.
@@ -59,11 +60,6 @@ fn clock(model: &Model) -> CurveAxis {
     axis(&model.independent.name, &model.independent.unit)
 }
 
-/// Size of a difference of values, from SI.
-fn difference(unit: &Unit, si: f64) -> f64 {
-    unit.from_si(si) - unit.from_si(0.0)
-}
-
 impl Desk {
     /// The measured columns in use.
     pub fn measured_curves(&self) -> Vec<MeasuredCurve> {
@@ -95,9 +91,8 @@ impl Desk {
                 let rows = own.times.iter().zip(&own.measured).zip(&own.fitted).zip(&own.inside);
                 let rows =
                     rows.filter(|(((_, measured), fitted), inside)| **inside && (*measured - *fitted).is_finite());
-                let (times, residuals) = rows
-                    .map(|(((at, measured), fitted), _)| (time(at), difference(&own.unit, measured - fitted)))
-                    .unzip();
+                let (times, residuals) =
+                    rows.map(|(((at, measured), fitted), _)| (time(at), size(&own.unit, measured - fitted))).unzip();
                 let trace =
                     fit.traces.iter().find(|trace| (trace.record, trace.observation) == (own.record, own.observation));
                 curves.push(FittedCurve {

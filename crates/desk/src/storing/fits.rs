@@ -152,7 +152,8 @@ fn task(definition: &Definition, records: &[(u32, String)]) -> Option<format::Ta
     })
 }
 
-fn write_varied(varied: &Varied) -> format::Varied {
+/// A varied number in the form in which fits are stored.
+pub fn write_varied(varied: &Varied) -> format::Varied {
     let target = match varied.target {
         Target::Parameter(index) => format::Target::Parameter(index),
         Target::Origin => format::Target::Origin,

@@ -13,4 +13,5 @@ mod records;
 mod tracks;
 mod visit;
 
+pub use fits::write_varied;
 pub use visit::{Visit, document_data};

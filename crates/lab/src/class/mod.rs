@@ -54,16 +54,17 @@ fn contents(app: App) -> View {
         if !any.get() {
             return View::new();
         }
+        // Both the results and the reasons for being stuck follow from them.
+        let quantities = memo(move || app.class.read(|collection| collection.quantities()));
         let left = div()
             .class("column")
             .child(part("class-curves", words.curves, curves::view(app)))
             .child(part("class-snapshots", words.snapshots, snapshots::view(app)))
-            .child(part("class-stuck", words.stuck, results::stuck(app)));
-        let right = div().class("column").child(part("class-results", words.results, results::view(app))).child(part(
-            "class-answers",
-            words.answers,
-            answers::view(app),
-        ));
+            .child(part("class-stuck", words.stuck, results::stuck(app, quantities)));
+        let right = div()
+            .class("column")
+            .child(part("class-results", words.results, results::view(app, quantities)))
+            .child(part("class-answers", words.answers, answers::view(app)));
         View::from((left, right, part("class-hand-ins", words.hand_ins, hand_ins::view(app))))
     };
     let tools = div()

@@ -14,9 +14,9 @@ use web_sys::HtmlDetailsElement;
 const MOST_ROWS: usize = 100;
 
 /// The section: a fold for each quantity, the first open.
-pub fn view(app: App) -> View {
+pub fn view(app: App, quantities: ReadSignal<Vec<Quantity>>) -> View {
     changing(move || {
-        let quantities = app.class.read(|collection| collection.quantities());
+        let quantities = quantities.get_clone();
         if quantities.is_empty() {
             return note(words::of(app).nothing).into();
         }
@@ -56,10 +56,10 @@ fn title(app: App, quantity: &Quantity) -> String {
 }
 
 /// List of the groups that are stuck.
-pub fn stuck(app: App) -> View {
+pub fn stuck(app: App, quantities: ReadSignal<Vec<Quantity>>) -> View {
     let language = app.language.get_untracked();
     let list = move || {
-        let html = app.class.read(|collection| page::stuck(collection, &collection.quantities(), language));
+        let html = quantities.with(|found| app.class.read(|collection| page::stuck(collection, found, language)));
         div().class("class-report").inner_html(html)
     };
     View::from((note(words::of(app).stuck_rules), changing(list)))

@@ -5,7 +5,7 @@ mod host;
 use crate::class::Room;
 use crate::film::{Films, Player};
 use crate::stored::{Kept, Saved, VersionTimes};
-use crate::verdict::Verified;
+use crate::verifying::verdict::Verified;
 use crate::words::{Words, words_in};
 use crate::write::{Editor, Panel};
 use desk::{Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};

@@ -1,7 +1,8 @@
 //! Opening files picked or dropped by the user.
 
 use crate::app::App;
-use crate::{class, film, intake, opening, project, verified};
+use crate::verifying::dialog as verified;
+use crate::{class, film, intake, opening, project};
 use desk::saved::hand_in::{HandIn, HandInError};
 use document::BlockKind;
 use document::page::{self, Source};

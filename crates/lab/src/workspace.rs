@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::links::Arrival;
 use crate::{
-    class, drop, film, header, idle, library_list, links, navigation, opening, panel, publish, served, tabs, verified,
+    class, drop, film, header, idle, library_list, links, navigation, opening, panel, publish, served, tabs, verifying,
 };
 use units::Language;
 use view::views::*;
@@ -57,6 +57,6 @@ fn build(app: App) -> View {
         library_list::dialog(app),
         publish::dialog(app),
         class::dialogs(app),
-        verified::dialog(app),
+        verifying::dialog::dialog(app),
     ))
 }

@@ -3,8 +3,8 @@
 use super::folder::files_in;
 use super::{window, words};
 use crate::app::App;
-use desk::saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError, LONGEST_HAND_IN};
-use view::browser;
+use crate::verifying::reading::read;
+use desk::saved::hand_in::{HAND_IN_ENDING, HandInError};
 use view::views::*;
 use web_sys::{File, FileSystemEntry, HtmlInputElement};
 
@@ -17,7 +17,7 @@ pub fn is_hand_in(file: &File) -> bool {
 pub async fn add(app: App, files: Vec<File>) {
     window::open(app);
     for file in files {
-        let content = read(&file).await;
+        let content = read(&file).await.unwrap_or(Err(HandInError::Damaged));
         app.class.add(&file.name(), content);
         app.class.show_sometimes();
     }
@@ -41,15 +41,6 @@ async fn choose(app: App, mut files: Vec<File>) {
     if !app.class.refuse(why) {
         app.complain(why.to_owned());
     }
-}
-
-/// The hand-in of a file. Too large files are refused without reading them.
-async fn read(file: &File) -> Result<HandIn, HandInError> {
-    if file.size() > LONGEST_HAND_IN as f64 {
-        return Err(HandInError::TooLarge);
-    }
-    let buffer = browser::wait(file.array_buffer()).await.map_err(|_| HandInError::Damaged)?;
-    HandIn::open(&js_sys::Uint8Array::new(&buffer).to_vec())
 }
 
 /// Button that lets the user choose files, or a folder.

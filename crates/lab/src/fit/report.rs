@@ -1,13 +1,15 @@
 //! Saving a report with the data from which its values are computed again.
 
 use crate::app::App;
+use crate::packing;
+use crate::verifying::recomputing;
+use crate::verifying::sender::sender;
 use crate::visited::files;
-use crate::{packing, recomputing};
 use class::verify::Recomputation;
 use desk::Export;
 use desk::document::page::Source;
 use desk::saved::carried::{carry, carry_nothing};
-use desk::saved::hand_in::{HandIn, Part, Sender};
+use desk::saved::hand_in::{HandIn, Part};
 use desk::saved::project::Project;
 use units::words;
 use view::browser;
@@ -39,8 +41,6 @@ fn work(app: App, id: u32, all: bool) -> Project {
 
 async fn carrying(app: App, page: String, work: Project) -> String {
     let language = app.language.get_untracked();
-    let seat = app.read_desk(|desk| desk.play().seat());
-    let (seat, assignment) = seat.map_or((None, String::new()), |own| (own.number, own.assignment));
     let facts = match Recomputation::begin(&work) {
         Ok(recomputation) => recomputing::finished(recomputation).await.facts(),
         Err(_) => Vec::new(),
@@ -52,7 +52,7 @@ async fn carrying(app: App, page: String, work: Project) -> String {
         );
         return carry_nothing(&page, why.text(language), language);
     }
-    let sender = Sender { name: String::new(), seat, assignment };
+    let sender = sender(app, String::new());
     let (program, made) = (env!("CARGO_PKG_VERSION").to_owned(), js_sys::Date::now() as u64);
     let text = HandIn { program, made, sender, work, facts, page: Vec::new() }.of_page(&page).write();
     let packed = packing::zlib(text.as_bytes()).await.unwrap_or_else(|| text.into_bytes());

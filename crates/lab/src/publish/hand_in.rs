@@ -2,10 +2,11 @@
 
 use super::words;
 use crate::app::App;
-use crate::recomputing;
+use crate::verifying::recomputing;
+use crate::verifying::sender::sender;
 use crate::visited::{files, stem};
 use class::verify::Recomputation;
-use desk::saved::hand_in::{HAND_IN_ENDING, HandIn, LONGEST_NAME, Sender};
+use desk::saved::hand_in::{HAND_IN_ENDING, HandIn, LONGEST_NAME};
 use desk::saved::project::Project;
 use view::browser;
 use view::views::*;
@@ -61,18 +62,17 @@ pub fn view(app: App) -> View {
 fn make(app: App, name: String, done: impl FnOnce(String) + 'static) {
     let words = words::of(app);
     let now = js_sys::Date::now() as u64;
-    let (state, items, left_out, seat) = app.read_desk(|desk| {
+    let (state, items, left_out) = app.read_desk(|desk| {
         let stored = desk.saved_records().len();
         let left_out = desk.records().len().saturating_sub(stored);
-        (desk.play().share(), desk.project_items(now), left_out, desk.play().seat())
+        (desk.play().share(), desk.project_items(now), left_out)
     });
     let work = Project { documents: files(app), state, items };
     let recomputation = match Recomputation::begin(&work) {
         Ok(recomputation) => recomputation,
         Err(_) => return done(words.faulty.to_owned()),
     };
-    let (seat, assignment) = seat.map_or((None, String::new()), |own| (own.number, own.assignment));
-    let sender = Sender { name, seat, assignment };
+    let sender = sender(app, name);
     let hand_in =
         HandIn { program: env!("CARGO_PKG_VERSION").to_owned(), made: now, sender, work, ..HandIn::default() };
     wasm_bindgen_futures::spawn_local(async move {

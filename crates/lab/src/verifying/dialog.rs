@@ -1,11 +1,13 @@
 //! Verification of a dropped hand-in or report: its values are computed again in slices, and a dialog shows the result. Its work
 //! can be opened like a project.
 
+use super::reading::read;
+use super::recomputing;
+use super::verdict::Verified;
 use crate::app::App;
-use crate::verdict::Verified;
-use crate::{class, project, recomputing};
+use crate::{class, project};
 use ::class::verify::{Recomputation, compare, meaning};
-use desk::saved::hand_in::{HandIn, HandInError, LONGEST_HAND_IN};
+use desk::saved::hand_in::{HandIn, HandInError};
 use std::rc::Rc;
 use view::views::*;
 use view::{browser, pieces, table_of_words};
@@ -32,14 +34,9 @@ table_of_words! {
 /// Verifies a file that should be a hand-in.
 pub async fn open(app: App, file: &File) {
     let name = file.name();
-    // Too large files are refused without reading them.
-    if file.size() > LONGEST_HAND_IN as f64 {
-        return refuse(app, &name, HandInError::TooLarge);
-    }
-    let Ok(buffer) = browser::wait(file.array_buffer()).await else {
+    let Some(hand_in) = read(file).await else {
         return app.complain(format!("{} {name}", app.words().file_not_read));
     };
-    let hand_in = HandIn::open(&js_sys::Uint8Array::new(&buffer).to_vec());
     verify(app, &name, hand_in, Some(file.clone())).await;
 }
 

@@ -4,6 +4,7 @@
 use crate::app::App;
 use crate::{film, tabs};
 use desk::{Desk, Gathering, LONGEST_RECORD, RecordProgress, Refusal};
+use view::message::Message;
 use view::views::*;
 use view::{browser, messages};
 use web_sys::File;
@@ -50,9 +51,10 @@ pub fn read(app: App, files: Vec<File>) {
     });
     if begins.unwrap_or_default() {
         wasm_bindgen_futures::spawn_local(async move {
+            let earlier = messages::errors(app.page);
             let mut all_read = true;
             while let Some(file) = app.with(|lab| lab.files.pop_front()).flatten() {
-                let refusal = read_file(app, &file, all_read).await;
+                let refusal = read_file(app, &file, all_read.then_some(&*earlier)).await;
                 app.record_progress.set(None);
                 all_read &= refusal.is_none();
                 refuse(app, refusal);
@@ -63,9 +65,10 @@ pub fn read(app: App, files: Vec<File>) {
     }
 }
 
-/// Reads one file. Returns the reason if it could not be read. `all_read` is true if no file before it in the queue was refused: the
-/// errors shown are then about earlier files, and are removed.
-async fn read_file(app: App, file: &File, all_read: bool) -> Option<String> {
+/// Reads one file. Returns the reason if it could not be read. `earlier`: errors that were shown when the
+/// queue began, which are removed when the file has been read; `None` if a file before it in the queue was refused. An error
+/// raised meanwhile stays.
+async fn read_file(app: App, file: &File, earlier: Option<&[Message]>) -> Option<String> {
     let name = file.name();
     refuse(app, None);
     app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
@@ -119,9 +122,7 @@ async fn read_file(app: App, file: &File, all_read: bool) -> Option<String> {
     browser::breathe().await;
     app.act(|_| ());
     if refusal.is_none() {
-        if all_read {
-            messages::forget_errors(app.page);
-        }
+        messages::forget(app.page, earlier.unwrap_or_default());
         film::open_of_project(app, file).await;
     }
     refusal

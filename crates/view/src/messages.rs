@@ -11,9 +11,14 @@ pub fn leave_document(app: App) {
     app.messages.update(|messages| messages.retain(|message| message.is_error));
 }
 
-/// Removes the errors about an earlier file.
-pub fn forget_errors(app: App) {
-    app.messages.update(|messages| messages.retain(|message| !message.is_error));
+/// The errors that are shown now.
+pub fn errors(app: App) -> Vec<Message> {
+    app.messages.with_untracked(|messages| messages.iter().filter(|message| message.is_error).cloned().collect())
+}
+
+/// Removes these messages.
+pub fn forget(app: App, forgotten: &[Message]) {
+    app.messages.update(|messages| messages.retain(|message| !forgotten.contains(message)));
 }
 
 /// Undoes the first removal offered by the messages. Returns true if there was one.
@@ -89,7 +94,7 @@ fn perform(app: App, action: &Action) {
 
 /// Removes a message.
 pub fn remove(app: App, message: &Message) {
-    app.messages.update(|messages| messages.retain(|other| other != message));
+    forget(app, std::slice::from_ref(message));
 }
 
 fn dismiss(app: App, message: &Message) {

@@ -60,7 +60,7 @@ pub fn open(app: App, file: File) {
 
 /// Removes messages about other files.
 fn forget_errors(app: App) {
-    messages::forget_errors(app.page);
+    messages::forget(app.page, &messages::errors(app.page));
     app.record_refusal.set(None);
 }
 

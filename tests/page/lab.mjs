@@ -110,6 +110,16 @@ export async function eventually(check, seconds = 10) {
   }
 }
 
+/** The text of an element that may be out of sight: what the page does not draw there (`content-visibility`) has none until one scrolls to it. */
+export async function sight(element) {
+  await element.scrollIntoViewIfNeeded();
+  return eventually(async () => {
+    const text = await element.innerText();
+    assert.notEqual(text, "");
+    return text;
+  });
+}
+
 export class Lab {
   /** Opens a page file without a network, or with one the page at `address`: `language`, `theme`, `width`, `height`, `touch`, `motion`. */
   static async open({ file = labPage, address, language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {

@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { STILL, drop, eventually, number, temporary, visit } from "../lab.mjs";
+import { STILL, drop, eventually, number, sight, temporary, visit } from "../lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const measured = new URL("../../../../shared/data/utube/U3.txt", import.meta.url);
@@ -93,7 +93,7 @@ visit("velocity and acceleration are computed and add no independent information
   assert.equal(await lab.page.getByRole("combobox", { name: "Measures, y' [cm/s]" }).inputValue(), "y'");
   assert.equal(await lab.page.getByRole("checkbox", { name: "Fit it, y' [cm/s]" }).isChecked(), false);
   // The first row has no neighbour before it: a gap.
-  assert.match(await record.locator("tbody tr").nth(2).locator(".first-values").innerText(), /^– · /);
+  assert.match(await sight(record.locator("tbody tr").nth(2).locator(".first-values")), /^– · /);
   // Polynomials in their place; a window that cannot be says so.
   await record.getByRole("combobox", { name: "By" }).selectOption("smoothing polynomials");
   await record.getByRole("textbox", { name: "Rows" }).fill("8");

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { eventually, number, visit } from "../lab.mjs";
+import { eventually, number, sight, visit } from "../lab.mjs";
 import { freeSwing, goTo, swing, truth } from "../films.mjs";
 import { fit, openTheory, records } from "../measured.mjs";
 import { dropProject, packed } from "../tracker.mjs";
@@ -21,7 +21,7 @@ for (const deflated of [false, true]) {
     const text = await lab.page.locator("#film-values").innerText();
     const [, height] = text.match(/y = (\S+) ±/);
     assert.ok(Math.abs(number(height) - (truth.rest - truth.frames[60][1]) / truth.pixels_per_metre) < 1e-4, text);
-    assert.match(await lab.page.locator("article.record").innerText(), /Times are those of the frames of its film, and not the constant step of 33 ms/);
+    assert.match(await sight(lab.page.locator("article.record")), /Times are those of the frames of its film, and not the constant step of 33 ms/);
     // With the step of the project the period would be 0.6534 s.
     const found = await fit(lab);
     const { value, spread } = found.get("Period");
@@ -55,6 +55,6 @@ visit("where the film cannot be decoded the record alone comes, and that is said
     await eventually(async () => assert.equal(await records(lab).count(), before + 1), 30);
     await eventually(async () => assert.match(await messages(lab), /positions of the project are a record; its film was not opened: swing\.mp4/), 30);
     assert.equal(await lab.page.locator("#film-name").count(), 0);
-    assert.match(await lab.page.locator("article.record").last().innerText(), /constant step of 33 ms/);
+    assert.match(await sight(lab.page.locator("article.record").last()), /constant step of 33 ms/);
   }
 });

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { STILL, eventually, number, visit } from "../lab.mjs";
+import { STILL, eventually, number, sight, visit } from "../lab.mjs";
 import { dropFilm, goTo, swing, truth } from "../films.mjs";
 import { fit, openTheory, records } from "../measured.mjs";
 
@@ -72,7 +72,7 @@ visit("a length without a unit is refused beside its field, and the table of the
   await length.fill("20 cm");
   await length.press("Enter");
   await eventually(async () => assert.equal(await lab.page.locator("#film-lengths-refused").innerText(), ""));
-  const first = async () => number((await records(lab).locator(".first-values").nth(1).innerText()).split(" · ")[0]);
+  const first = async () => number((await sight(records(lab).locator(".first-values").nth(1))).split(" · ")[0]);
   await eventually(async () => assert.ok(Math.abs((await first()) - ((truth.size[1] - truth.frames[0][1]) * 0.2) / 150) < 1e-3));
   assert.match(await lab.page.locator("#film-values").innerText(), /set the origin/);
   await lab.page.locator("#film-set-origin").click();

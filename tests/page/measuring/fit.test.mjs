@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
-import { STILL, drop, eventually, temporary, visit } from "../lab.mjs";
+import { STILL, drop, eventually, sight, temporary, visit } from "../lab.mjs";
 import { DAMPING, LENGTH, film, fit, openTheory, records, unzip } from "../measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -78,7 +78,7 @@ visit("a virtual measurement is fitted, and the truth is found", async (lab) => 
   await lab.page.getByRole("textbox", { name: "Seed" }).fill("7");
   await lab.press("Measure");
   await records(lab).waitFor();
-  assert.equal(await records(lab).locator(".tag").innerText(), "synthetic");
+  assert.equal(await sight(records(lab).locator(".tag")), "synthetic");
   // Somewhere else, as if the answer were unknown.
   await lab.tab("Play");
   await lab.press("Restore defaults");
@@ -179,8 +179,8 @@ visit("a real film is fitted", { skip: !existsSync(measured) && "needs ../shared
   await lab.tab("Measure");
   await lab.page.setInputFiles("#record-file", file);
   await records(lab).waitFor();
-  assert.match(await records(lab).innerText(), /6 frames are missing/);
-  assert.match(await records(lab).innerText(), /no independent information/);
+  assert.match(await sight(records(lab)), /6 frames are missing/);
+  assert.match(await sight(records(lab)), /no independent information/);
   const found = await fit(lab);
   // The published fit.
   for (const [name, expected] of [["Damping rate", 0.386718345], ["Angular frequency with damping", 9.60927046]]) {

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
-import { Lab, eventually, meniscus, temporary, visit } from "../lab.mjs";
+import { Lab, eventually, meniscus, sight, temporary, visit } from "../lab.mjs";
 
 const RECORD = "t [s],y [m]\n" + Array.from({ length: 40 }, (_, row) => `${row / 10},${(0.5 * Math.cos(1.67 * row / 10)).toFixed(4)}`).join("\n");
 
@@ -28,7 +28,7 @@ visit("a project holds the document with its translation, its values and records
     await other.page.locator("#open-file").setInputFiles(file);
     await other.tab("Medir");
     await eventually(async () => assert.equal(await other.page.locator(".record").count(), 1));
-    assert.match(await other.page.locator(".record h3").innerText(), /swing\.csv/);
+    assert.match(await sight(other.page.locator(".record h3")), /swing\.csv/);
     assert.equal(await other.number("Amortiguamiento"), 123);
     await eventually(async () => assert.match(await other.page.getByRole("heading", { level: 1 }).innerText(), /tubo en U/));
     // Once more: what is there stays.

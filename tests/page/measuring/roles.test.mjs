@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { STILL, drop, eventually, visit } from "../lab.mjs";
+import { STILL, drop, eventually, sight, visit } from "../lab.mjs";
 import { openTheory, records } from "../measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -25,7 +25,7 @@ visit("the variable of a file with two readings is asked for, chosen with keys, 
   assert.match(await chosen(select), /which\?/);
   assert.equal(await select.getAttribute("aria-invalid"), "true");
   assert.ok((await taken(lab)).every((quantity) => quantity === ""), "nothing is measured before");
-  assert.match(await records(lab).innerText(), /can be read in 2 ways/);
+  assert.match(await sight(records(lab)), /can be read in 2 ways/);
   await lab.tabTo("[id^=variable-]");
   await lab.keys("ArrowDown", "Enter");
   await eventually(async () => assert.equal(await chosen(select), "all columns against t"));

@@ -1,7 +1,7 @@
 // Workbooks and long records in the page: read with progress, given up, and drawn so that the run still plays.
 
 import assert from "node:assert/strict";
-import { drop, eventually, visit } from "../lab.mjs";
+import { drop, eventually, sight, visit } from "../lab.mjs";
 import { film, ods, xlsx } from "../tables.mjs";
 
 /** Lets a file of so many rows fall on the page: a damped oscillation with noise, made in the page. */
@@ -33,7 +33,7 @@ async function dropRows(lab, name, rows) {
 visit("a long record is read with a bar, drawn, and the run plays over it", async (lab) => {
   const { page } = lab;
   await dropRows(lab, "long.txt", 300_000);
-  await eventually(async () => assert.match(await page.locator(".record").innerText(), /long\.txt[^]*300000/), 60);
+  await eventually(async () => assert.match(await sight(page.locator(".record")), /long\.txt[^]*300000/), 60);
   const shown = await page.evaluate(() => window.shown);
   assert.ok(shown.length > 3 && shown.every(({ name }) => name === "Reading long.txt"), JSON.stringify(shown.slice(0, 5)));
   const parts = shown.map(({ part }) => part);
@@ -41,7 +41,7 @@ visit("a long record is read with a bar, drawn, and the run plays over it", asyn
   assert.ok(parts.at(-1) >= 50, `${parts}`);
   assert.equal(await page.locator("#reading").count(), 0);
   // It is too long for the next visit, and that is said.
-  assert.match(await page.locator(".record").innerText(), /too long to be kept/);
+  assert.match(await sight(page.locator(".record")), /too long to be kept/);
   const clock = async () => parseFloat(await page.locator("#clock").textContent());
   await page.locator("#play").click();
   await eventually(async () => assert.ok((await clock()) > 1), 30);
@@ -54,7 +54,7 @@ visit("a long record can be given up, and another one read", async (lab) => {
   await eventually(async () => assert.equal(await page.locator("#spoken").textContent(), "Not read: long.txt"));
   assert.equal(await page.locator(".record").count(), 0);
   await drop(lab, { name: "film.txt", text: film() });
-  await eventually(async () => assert.match(await page.locator(".record").innerText(), /film\.txt/), 30);
+  await eventually(async () => assert.match(await sight(page.locator(".record")), /film\.txt/), 30);
   assert.equal(await page.locator(".record").count(), 1);
 });
 
@@ -63,8 +63,8 @@ visit("workbooks are read by the page as by the program", async (lab) => {
   for (const [name, bytes] of [["film.xlsx", xlsx()], ["film.ods", ods()]]) {
     await drop(lab, { name, text: bytes });
     const record = page.locator(".record", { hasText: name });
-    await eventually(async () => assert.match(await record.innerText(), /60 rows/), 30);
-    const text = await record.innerText();
+    await eventually(async () => assert.match(await sight(record), /60 rows/), 30);
+    const text = await sight(record);
     assert.match(text, /y \[cm\]/);
     assert.match(text, /several sheets[^]*Film/);
   }

@@ -1,7 +1,7 @@
 // Playing: the transport, time, parameters while it runs, presets, the state by hand.
 
 import assert from "node:assert/strict";
-import { eventually, visit } from "../lab.mjs";
+import { eventually, sight, visit } from "../lab.mjs";
 
 visit("it plays, pauses, steps and goes back to the start", async (lab) => {
   assert.equal(await lab.time(), 0);
@@ -209,7 +209,7 @@ visit("a question is answered", async (lab) => {
   await question.getByRole("button", { name: "Check" }).click();
   assert.equal(await verdict.getAttribute("data-grade"), "wrong");
   await question.getByRole("button", { name: "Show the answer" }).click();
-  const answer = await question.locator(".revealed strong").innerText();
+  const answer = await sight(question.locator(".revealed strong"));
   await question.getByRole("textbox").fill(answer.split(/\s/)[0]);
   await question.getByRole("button", { name: "Check" }).click();
   assert.equal(await verdict.getAttribute("data-grade"), "right");

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { STILL, beside, eventually, meniscus, temporary, visit } from "../lab.mjs";
+import { STILL, beside, eventually, meniscus, sight, temporary, visit } from "../lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -66,13 +66,13 @@ visit("questions are answered, and the answers are there again", { file: exporte
   await question.getByRole("textbox").fill("1000");
   await question.getByRole("textbox").press("Enter");
   await question.getByRole("button", { name: "Show the answer" }).click();
-  const answer = await question.locator(".revealed strong").innerText();
+  const answer = await sight(question.locator(".revealed strong"));
   await question.getByRole("textbox").fill(answer.split(/\s/)[0]);
   await question.getByRole("textbox").press("Enter");
-  await eventually(async () => assert.match(await question.innerText(), /Correct/));
+  await eventually(async () => assert.match(await sight(question), /Correct/));
   await page.page.reload();
   await page.tab("Activities");
-  await eventually(async () => assert.match(await page.page.locator(".question").first().innerText(), /Correct/));
+  await eventually(async () => assert.match(await sight(page.page.locator(".question").first()), /Correct/));
 });
 
 visit("a link opens the same state, and the run is saved", { file: exported }, async (page) => {

@@ -3,7 +3,7 @@
 use crate::blocks::questions;
 use crate::blocks::questions::{QUESTIONS, RawQuestion};
 use crate::blocks::settings;
-use crate::blocks::{assignment, plots, presets, vary};
+use crate::blocks::{assignment, plots, presets, survey, vary};
 use crate::card;
 use crate::checks::Checks;
 use crate::document::{Document, Opened};
@@ -61,6 +61,8 @@ pub(crate) struct Read {
     pub(crate) statements: Vec<Statement>,
     /// For each question as written, its index in the document, or `None` if it is invalid.
     pub(crate) questions: Vec<Option<usize>>,
+    /// For each item of the survey as written, its index in the document, or `None` if it is invalid.
+    pub(crate) survey: Vec<Option<usize>>,
     /// Texts of the scene.
     pub(crate) scene_words: Vec<SceneText>,
 }
@@ -159,6 +161,8 @@ impl<'a> File<'a> {
         });
         let (sections, found) = prose.finish();
         further.extend(found);
+        let survey = survey::read(&self.outline, &mut further);
+        let (items, survey_texts, surveyed) = survey::kept(survey, &mut further);
         further.append(&mut expressions.diagnostics);
         self.diagnostics.extend(further);
         let edition = Edition {
@@ -167,6 +171,7 @@ impl<'a> File<'a> {
             sections,
             equations: model::typeset(&statements, &str::to_owned),
             questions: texts,
+            survey: survey_texts,
             scene,
             texts: BTreeMap::new(),
         };
@@ -186,11 +191,12 @@ impl<'a> File<'a> {
             plots,
             presets,
             questions: compiled,
+            survey: items,
             checks: checks.checks,
         };
         let source = self.outline.source().to_owned();
         let document = Document { source, translations: Vec::new(), places, claims: checks.places, program };
-        Read { document, statements, questions, scene_words: scene_words.unwrap_or_default() }
+        Read { document, statements, questions, survey: surveyed, scene_words: scene_words.unwrap_or_default() }
     }
 
     /// The prose with its questions. `place` returns the index of a question in the document, or `None`. Also returns the

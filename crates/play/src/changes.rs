@@ -28,8 +28,10 @@ impl Changes {
     pub const CLAIMS: Self = Self(1 << 7);
     /// Language.
     pub const LANGUAGE: Self = Self(1 << 8);
+    /// Answers to the survey.
+    pub const SURVEY: Self = Self(1 << 9);
     /// All parts.
-    pub const ALL: Self = Self((1 << 9) - 1);
+    pub const ALL: Self = Self((1 << 10) - 1);
 
     /// True if both have a part in common.
     pub(crate) fn touch(self, other: Self) -> bool {
@@ -77,6 +79,8 @@ pub struct Revision {
     pub claims: u64,
     /// [`Changes::LANGUAGE`].
     pub language: u64,
+    /// [`Changes::SURVEY`].
+    pub survey: u64,
 }
 
 impl Revision {
@@ -93,6 +97,7 @@ impl Revision {
             answers: next(self.answers, Changes::ANSWERS),
             claims: next(self.claims, Changes::CLAIMS),
             language: next(self.language, Changes::LANGUAGE),
+            survey: next(self.survey, Changes::SURVEY),
         }
     }
 }

@@ -9,6 +9,7 @@
 //! | `values` | readouts, values of the scene, table of rows |
 //! | `controls` | views of parameters, presets, buttons and drawn curves; what a drag reaches |
 //! | `questions` | answers and their grades |
+//! | `survey` | answers to the survey, and the file with them |
 //! | `claims` | claims of the author and their results |
 //! | `play` | the wiring of these parts: operations of the visitor, links, replacing the program |
 //! | `share` | documents of links, pages in other pages |
@@ -29,6 +30,7 @@ mod questions;
 mod refusal;
 mod seat;
 mod share;
+mod survey;
 mod time;
 mod values;
 pub mod words;
@@ -53,6 +55,7 @@ pub use questions::{Answer, AnswerView, Answers, Attempt, Grade, Verdict};
 pub use refusal::Refusal;
 pub use seat::SeatView;
 pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};
+pub use survey::{Survey, SurveyView};
 pub use time::{
     Course, KeptValues, KeptView, LONGEST_GAP, MOST_KEPT, Problem, SPEEDS, Status, TimeLine, WORK_PER_TICK,
 };

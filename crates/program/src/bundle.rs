@@ -5,13 +5,13 @@
 
 use crate::{
     Aggregate, Choices, Compiled, Drag, Dragged, Drawing, Drawn, Members, Model, Node, NodeId, OfDrawing, Parameter,
-    Piece, Program, Scene, Sweep, Taken, Trail,
+    Piece, Program, Scene, SurveyItem, Sweep, Taken, Trail,
 };
 
 /// Signature at the start of a bundle.
 const SIGNATURE: &[u8] = b"meniscus";
 /// Format version; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 9;
+const VERSION: u8 = 10;
 /// Maximum length of a bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
@@ -105,7 +105,14 @@ fn check(program: &Program) -> Result<(), BundleError> {
             };
             assignments(&check.setup) && check.claims.iter().all(claim)
         })
-        && program.editions.first().is_some_and(|first| first.questions.len() == program.questions.len())
+        && program.editions.first().is_some_and(|first| {
+            first.questions.len() == program.questions.len() && first.survey.len() == program.survey.len()
+        })
+        && program.survey.len() <= SurveyItem::MOST
+        && program.editions.iter().all(|edition| {
+            let mut items = program.survey.iter().zip(&edition.survey);
+            items.all(|(item, text)| item.is_sound(text))
+        })
         && program.editions.iter().filter_map(|edition| edition.scene.as_ref()).all(|scene| {
             let drawn = scene.values.iter().all(compiled);
             let mut named = scene.trails.iter().flat_map(Trail::values).chain(scene.length);

@@ -1,5 +1,5 @@
 //! The compiled form of a document, without source text and source positions: equations as a graph, drawing, plots,
-//! presets, questions, checks and finished prose. The engine runs it; [`bundle`] writes and reads it.
+//! presets, questions, survey, checks and finished prose. The engine runs it; [`bundle`] writes and reads it.
 
 mod assigned;
 mod bandwidth;
@@ -18,6 +18,7 @@ mod questions;
 mod scene;
 mod seating;
 mod speed;
+mod survey;
 
 pub use assigned::{Assigned, Grid, GridFault, Seat};
 pub use bandwidth::{band_width, banded_order, bandwidth, places};
@@ -39,3 +40,4 @@ pub use prose::{Block, Section};
 pub use questions::{Question, QuestionText, Tolerance};
 pub use scene::{Attribute, Child, Drag, Dragged, Element, Piece, Scene, Template, Trail, write_attribute};
 pub use speed::Speed;
+pub use survey::{SurveyItem, SurveyKind, SurveyText};

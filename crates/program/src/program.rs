@@ -1,6 +1,6 @@
 //! A program: a checked model and everything that is shown with it.
 
-use crate::{Check, Method, Model, Plot, Preset, Question, QuestionText, Scene, Seat, Section, Speed};
+use crate::{Check, Method, Model, Plot, Preset, Question, QuestionText, Scene, Seat, Section, Speed, SurveyItem, SurveyText};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -37,6 +37,8 @@ pub struct Program {
     pub presets: Vec<Preset>,
     /// The questions, in the order of the text.
     pub questions: Vec<Question>,
+    /// Items of the survey, in the order of the text.
+    pub survey: Vec<SurveyItem>,
     /// The checks, in the order of the text.
     pub checks: Vec<Check>,
 }
@@ -106,6 +108,12 @@ impl Program {
         let edition = self.edition(language);
         edition.questions.get(index).unwrap_or(&self.editions[0].questions[index])
     }
+
+    /// The texts of item `index` of the survey in `language`.
+    pub fn survey_text(&self, language: &str, index: usize) -> &SurveyText {
+        let edition = self.edition(language);
+        edition.survey.get(index).unwrap_or(&self.editions[0].survey[index])
+    }
 }
 
 /// The parts of a document that differ between languages.
@@ -121,6 +129,8 @@ pub struct Edition {
     pub equations: Vec<String>,
     /// Texts of the questions; those without translation are in the language of the document.
     pub questions: Vec<QuestionText>,
+    /// Texts of the survey; those without translation are in the language of the document.
+    pub survey: Vec<SurveyText>,
     /// The scene with its texts translated.
     pub scene: Option<Scene>,
     /// Translations of labels, titles, names and text values, by the original. Empty in the edition of the document itself.

@@ -36,6 +36,7 @@ mod sizes;
 mod sound;
 pub mod stage;
 mod steady;
+mod survey;
 pub mod symbols;
 pub mod tabs;
 pub mod theme;

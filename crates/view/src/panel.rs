@@ -38,7 +38,7 @@ impl Tab {
         Self::new(PLAY, app.words().tab_play, move || playing::view(app).into())
     }
 
-    /// Tab of the questions; not offered if the document contains none.
+    /// Tab of questions and survey; not offered if the document contains neither questions nor a survey.
     pub fn activities(app: App) -> Self {
         let content = move || reading::activities(app).into();
         Self { offered: reading::asks, ..Self::new(ACTIVITIES, app.words().tab_activities, content) }

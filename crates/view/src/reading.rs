@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, claims, question};
+use crate::{browser, claims, question, survey};
 use program::{Block, Section};
 
 /// Sections of the document in the language of the page, and the level of their top headings.
@@ -14,9 +14,9 @@ fn sections(app: App) -> (Vec<Section>, u8) {
     (sections, top)
 }
 
-/// True if the document contains questions.
+/// True if the document contains questions or a survey.
 pub fn asks(app: App) -> bool {
-    sections(app).0.iter().any(section_asks)
+    survey::asks(app) || sections(app).0.iter().any(section_asks)
 }
 
 fn section_asks(section: &Section) -> bool {
@@ -41,7 +41,7 @@ fn chapters(app: App, asking: bool) -> (Vec<Section>, u8) {
 /// Content of the tab of questions.
 pub fn activities(app: App) -> HtmlDiv {
     let (sections, top) = chapters(app, true);
-    prose(app, &sections, top)
+    prose(app, &sections, top).child(survey::view(app))
 }
 
 /// Content of the tab of prose and equations, with additional content of the page (`besides`).

@@ -234,4 +234,12 @@ table_of_words! {
     supposes: "This question assumes", "Esta pregunta supone";
     set_up: "Set these values", "Fijar estos valores";
     is_set_up: "set", "fijados";
+
+    // Survey.
+    survey: "Survey", "Encuesta";
+    survey_note: "Your answers stay in this page until you save them as a file, which has neither your name nor the time. They are part of no hand-in and no link.", "Tus respuestas se quedan en esta página hasta que las guardes como archivo, que no lleva ni tu nombre ni la hora. No forman parte de ninguna entrega ni de ningún enlace.";
+    survey_none: "No answer", "Sin respuesta";
+    survey_save: "Save answers", "Guardar respuestas";
+    survey_saved: "The answers are saved as a file. Send it as the course asks.", "Las respuestas están guardadas en un archivo. Envíalo como pida el curso.";
+    survey_empty: "Nothing is answered yet.", "Todavía no hay ninguna respuesta.";
 }

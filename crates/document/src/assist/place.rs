@@ -56,6 +56,7 @@ pub fn place<'a>(outline: &Outline<'a>, offset: usize) -> (Place<'a>, Span) {
                 None => in_braces(source, line),
             }
         }
+        BlockKind::Survey => (Place::Nothing, Span::new(offset, offset)),
         kind => in_expression(source, line, kind == BlockKind::Model),
     }
 }

@@ -38,6 +38,7 @@ pub const BLOCKS: &[Entry] = &[
         "question",
         ("a question with an answer that the model computes", "una pregunta cuya respuesta calcula el modelo"),
     ),
+    ("survey", ("opinions that are collected without names", "opiniones que se recogen sin nombres")),
     ("check", ("claims that are verified by runs", "afirmaciones que se comprueban con simulaciones")),
     ("table", ("a function given by points", "una función dada por puntos")),
     ("translations", ("texts and their translations", "textos y sus traducciones")),

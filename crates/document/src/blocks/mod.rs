@@ -10,6 +10,7 @@ pub(crate) mod presets;
 pub(crate) mod profiles;
 pub(crate) mod questions;
 pub(crate) mod settings;
+pub(crate) mod survey;
 pub(crate) mod sweeps;
 pub(crate) mod tolerances;
 pub(crate) mod vary;

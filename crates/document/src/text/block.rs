@@ -20,6 +20,8 @@ pub enum BlockKind {
     Presets,
     /// A question.
     Question,
+    /// Items of the survey.
+    Survey,
     /// Claims about runs.
     Check,
     /// Texts and their translations.
@@ -28,13 +30,14 @@ pub enum BlockKind {
 
 impl BlockKind {
     /// Kinds of fenced blocks: all except prose.
-    pub const FENCED: [Self; 8] = [
+    pub const FENCED: [Self; 9] = [
         Self::Model,
         Self::Table,
         Self::Scene,
         Self::Plots,
         Self::Presets,
         Self::Question,
+        Self::Survey,
         Self::Check,
         Self::Translations,
     ];
@@ -49,6 +52,7 @@ impl BlockKind {
             Self::Plots => "plots",
             Self::Presets => "presets",
             Self::Question => "question",
+            Self::Survey => "survey",
             Self::Check => "check",
             Self::Translations => "translations",
         }

@@ -8,7 +8,7 @@ use units::alphabet::without_accent;
 use units::{nearest, words};
 
 /// Other names of kinds of blocks, in Spanish and English, without accents.
-const OTHER_WORDS: [(&str, BlockKind); 33] = [
+const OTHER_WORDS: [(&str, BlockKind); 36] = [
     ("models", BlockKind::Model),
     ("modelo", BlockKind::Model),
     ("modelos", BlockKind::Model),
@@ -36,6 +36,9 @@ const OTHER_WORDS: [(&str, BlockKind); 33] = [
     ("questions", BlockKind::Question),
     ("pregunta", BlockKind::Question),
     ("preguntas", BlockKind::Question),
+    ("surveys", BlockKind::Survey),
+    ("encuesta", BlockKind::Survey),
+    ("encuestas", BlockKind::Survey),
     ("checks", BlockKind::Check),
     ("comprobacion", BlockKind::Check),
     ("comprobaciones", BlockKind::Check),

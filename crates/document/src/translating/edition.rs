@@ -1,7 +1,7 @@
 //! Translations: the texts of a document in another language.
 
 use super::translation::Texts;
-use crate::blocks::{questions, settings};
+use crate::blocks::{questions, settings, survey};
 use crate::card;
 use crate::open::{File, Read};
 use crate::scene;
@@ -14,7 +14,7 @@ use units::{Language, words};
 impl File<'_> {
     /// Adds this file to a document as its edition in another language.
     pub(crate) fn translate(&mut self, read: &mut Read) {
-        let Read { document, statements, questions: numbers, scene_words } = read;
+        let Read { document, statements, questions: numbers, survey: surveyed, scene_words } = read;
         let program = &mut document.program;
         document.translations.push(self.outline.source().to_owned());
         let Some(language) = self.outline.front_matter().get("language").cloned() else {
@@ -79,6 +79,9 @@ impl File<'_> {
         }
         let (sections, faults) = prose.finish();
         found.extend(faults);
+        let written = survey::read(&self.outline, &mut found);
+        let originals = program.editions.first().map_or(&[][..], |original| &original.survey);
+        let survey = survey::translated(written, surveyed, (&program.survey, originals), language.span, &mut found);
         let original = program.editions.first().and_then(|original| original.scene.as_ref());
         let scene =
             original.map(|scene| scene::translated(scene, scene_words, &mut texts, Language::of(&language.text)));
@@ -94,7 +97,7 @@ impl File<'_> {
         let translated = |text: &str| table.get(text).map_or(text, String::as_str).to_owned();
         let equations = model::typeset(statements, &translated);
         let language = language.text;
-        let edition = Edition { language, title, sections, equations, questions, scene, texts: table };
+        let edition = Edition { language, title, sections, equations, questions, survey, scene, texts: table };
         program.editions.push(edition);
         self.diagnostics.extend(found);
     }

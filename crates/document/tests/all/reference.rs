@@ -51,7 +51,7 @@ fn surroundings(page: &str, block: &Block, model: &str) -> Option<String> {
     match block.kind.as_str() {
         "markdown" => Some(text.to_owned()),
         "model" => Some(format!("```model\n{text}```\n")),
-        kind @ ("scene" | "plots" | "presets" | "question" | "check") => {
+        kind @ ("scene" | "plots" | "presets" | "question" | "survey" | "check") => {
             Some(format!("```model\n{model}```\n\n```{kind}\n{text}```\n"))
         }
         _ => None,

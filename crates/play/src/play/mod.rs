@@ -15,7 +15,7 @@ use crate::questions::given::Answer;
 use crate::time::course::Course;
 use crate::{
     AddedPlot, Answers, Basis, Changes, Claims, Controls, Figures, Outline, PlotId, Plots, Readout, Refusal, Revision,
-    Shown, TimeLine, Values, Verdict,
+    Shown, Survey, TimeLine, Values, Verdict,
 };
 use engine::Setup;
 use figure::{Figure, Point, Settings};
@@ -34,6 +34,7 @@ pub struct Play {
     values: Values,
     controls: Controls,
     answers: Answers,
+    survey: Survey,
     claims: Claims,
     undo: Undo,
 }
@@ -50,6 +51,7 @@ impl Play {
             plots: Plots::new(program, line.columns()),
             values: Values::new(&basis),
             answers: Answers::new(program),
+            survey: Survey::new(program),
             claims: Claims::default(),
             undo: Undo::default(),
             line,
@@ -173,6 +175,23 @@ impl Play {
         self.overwrite_parameters(parameters);
         self.announce(Announcement::QuestionSetup(question));
         Ok(())
+    }
+
+    /// The answers to the survey.
+    pub fn survey(&self) -> &Survey {
+        &self.survey
+    }
+
+    /// Chooses an answer of the survey; see [`Survey::choose`].
+    pub fn choose_in_survey(&mut self, item: usize, answer: Option<usize>) {
+        let changes = self.survey.choose(&self.basis, item, answer);
+        self.note(changes);
+    }
+
+    /// Sets a free text of the survey; see [`Survey::type_text`].
+    pub fn type_in_survey(&mut self, item: usize, text: &str) {
+        let changes = self.survey.type_text(&self.basis, item, text);
+        self.note(changes);
     }
 
     /// Shows the values that questions hide, or hides them again; see [`Answers::show_hidden`].

@@ -14,6 +14,7 @@
 //! | kept runs | recomputed, except where nothing would change; a run that loses a value is dropped |
 //! | visibility and zoom of plots | by title; zoom only if the units of the axes are equal |
 //! | answers | by the text of the question; the grade stays if the computed answer is the same expression |
+//! | answers to the survey | by kind and texts of the item |
 //! | undo, drag in the scene | end, because they refer to the former program |
 //! | added plots | stay after those of the document, whose number determines their [`PlotId`](crate::PlotId) |
 //!
@@ -68,6 +69,7 @@ impl Play {
         );
         self.set_language(before.basis.tag());
         let mut lost = self.adopt_runs(&mut before, &names);
+        self.survey.adopt(&self.basis, (&mut before.survey, &before.basis));
         let same = |own, former| asks_the_same((&self.basis, own), (&before.basis, former), &names);
         let answers = self.answers.adopt(&self.basis, (&before.answers, &before.basis), same);
         lost.extend(answers.iter().map(|typed| words::answer(self.language(), typed)));

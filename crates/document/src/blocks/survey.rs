@@ -1,0 +1,334 @@
+//! The survey: `scale "I saw why it decays": 5 steps from "no" to "yes"`.
+
+use crate::text::block::BlockKind;
+use crate::text::outline::Outline;
+use crate::text::scan::{leading_text, split, statements};
+use crate::text::source::trim;
+use model::{Diagnostic, Span};
+use program::{SurveyItem, SurveyKind, SurveyText};
+use std::ops::Range;
+use units::alphabet::without_accent;
+use units::{Words, nearest, words};
+
+/// Other words for the kinds of items, in Spanish and English, without accents.
+const OTHER_WORDS: [(&str, SurveyKind); 12] = [
+    ("rol", SurveyKind::Role),
+    ("papel", SurveyKind::Role),
+    ("grupo", SurveyKind::Role),
+    ("escala", SurveyKind::Scale),
+    ("rating", SurveyKind::Scale),
+    ("likert", SurveyKind::Scale),
+    ("opcion", SurveyKind::Choice),
+    ("opciones", SurveyKind::Choice),
+    ("options", SurveyKind::Choice),
+    ("texto", SurveyKind::Text),
+    ("comment", SurveyKind::Text),
+    ("comentario", SurveyKind::Text),
+];
+
+/// An item as written.
+#[derive(Clone, Debug)]
+pub struct RawItem {
+    span: Span,
+    item: SurveyItem,
+    text: SurveyText,
+}
+
+/// Items of all survey blocks of a file, in text order; `None` for one that cannot be read.
+pub fn read(outline: &Outline, diagnostics: &mut Vec<Diagnostic>) -> Vec<Option<RawItem>> {
+    let source = outline.source();
+    let lines = outline.blocks_of(BlockKind::Survey).flat_map(|block| statements(source, block.content.range()));
+    let mut items = Vec::new();
+    for line in lines {
+        let span = Span::new(line.start, line.end);
+        if items.len() == SurveyItem::MOST {
+            let most = SurveyItem::MOST;
+            let message = words!(
+                "a survey cannot have more than {most} items",
+                "una encuesta no puede tener más de {most} elementos"
+            );
+            diagnostics.push(Diagnostic::error("too-large", message, span));
+            break;
+        }
+        match item(source, line) {
+            Ok(item) => items.push(Some(item)),
+            Err(diagnostic) => {
+                diagnostics.push(*diagnostic);
+                items.push(None);
+            }
+        }
+    }
+    items
+}
+
+/// The items that can be asked, their texts, and the index of each item as written. The others are reported.
+pub fn kept(
+    written: Vec<Option<RawItem>>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> (Vec<SurveyItem>, Vec<SurveyText>, Vec<Option<usize>>) {
+    let mut kept: Vec<RawItem> = Vec::new();
+    let mut numbers = Vec::new();
+    for raw in written {
+        let clash = raw.as_ref().and_then(|raw| {
+            let same = |other: &&RawItem| {
+                other.item.kind == raw.item.kind
+                    && (raw.item.kind == SurveyKind::Role || other.text.asked == raw.text.asked)
+            };
+            kept.iter().find(same).map(|first| clash(raw, first))
+        });
+        let good = raw.filter(|_| clash.is_none());
+        diagnostics.extend(clash);
+        numbers.push(good.is_some().then_some(kept.len()));
+        kept.extend(good);
+    }
+    let (items, texts) = kept.into_iter().map(|raw| (raw.item, raw.text)).unzip();
+    (items, texts, numbers)
+}
+
+fn clash(raw: &RawItem, first: &RawItem) -> Diagnostic {
+    let (message, hint) = if raw.item.kind == SurveyKind::Role {
+        (
+            words("a survey asks for the role once", "una encuesta pregunta por el papel una sola vez"),
+            words("make it a `choice`, or remove it", "conviértelo en `choice`, o quítalo"),
+        )
+    } else {
+        let asked = &raw.text.asked;
+        (
+            words!("the survey asks \"{asked}\" twice", "la encuesta pregunta «{asked}» dos veces"),
+            words("change the text, or remove it", "cambia el texto, o quítalo"),
+        )
+    };
+    Diagnostic::error("survey-syntax", message, raw.span)
+        .with_label(first.span, words("here first", "aquí primero"))
+        .with_hint(hint)
+}
+
+/// Texts of the survey in a translation. `numbers`: index in the document of each item as written in the original.
+/// Where a text is missing or does not fit, the original is used, and that is reported, at `place` for missing ones.
+pub fn translated(
+    written: Vec<Option<RawItem>>,
+    numbers: &[Option<usize>],
+    (items, originals): (&[SurveyItem], &[SurveyText]),
+    place: Span,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<SurveyText> {
+    let mut texts = originals.to_vec();
+    let missing = numbers.iter().skip(written.len()).flatten().count();
+    for (place, raw) in written.into_iter().enumerate() {
+        let Some(raw) = raw else { continue };
+        let Some(number) = numbers.get(place) else {
+            let message = words!(
+                "the survey of the original has {} items only",
+                "la encuesta del original solo tiene {} elementos",
+                numbers.len()
+            );
+            diagnostics.push(
+                Diagnostic::error("translation", message, raw.span)
+                    .with_hint(words("remove it, or add it to the original", "quítalo, o añádelo al original")),
+            );
+            continue;
+        };
+        let Some(number) = *number else { continue };
+        match (items.get(number), texts.get_mut(number)) {
+            (Some(item), Some(text)) if *item == raw.item => *text = raw.text,
+            (Some(item), _) => diagnostics.push(other_item(&raw, *item, place + 1)),
+            _ => {}
+        }
+    }
+    if missing > 0 {
+        let message = match missing {
+            1 => words("an item of the survey has no translation", "un elemento de la encuesta no tiene traducción"),
+            _ => words!(
+                "{missing} items of the survey have no translation",
+                "{missing} elementos de la encuesta no tienen traducción"
+            ),
+        };
+        diagnostics.push(Diagnostic::warning("untranslated", message, place).with_hint(words(
+            "add a block `survey` with the same items in the same order",
+            "añade un bloque `survey` con los mismos elementos en el mismo orden",
+        )));
+    }
+    texts
+}
+
+/// Error for an item of a translation that is not that of the original.
+fn other_item(raw: &RawItem, item: SurveyItem, number: usize) -> Diagnostic {
+    let SurveyItem { kind, answers } = item;
+    let kind_word = kind.word();
+    let message = match kind {
+        SurveyKind::Text => words!(
+            "item {number} of the original is a `{kind_word}`",
+            "el elemento {number} del original es un `{kind_word}`"
+        ),
+        SurveyKind::Scale => words!(
+            "item {number} of the original is a `{kind_word}` of {answers} steps",
+            "el elemento {number} del original es un `{kind_word}` de {answers} pasos"
+        ),
+        SurveyKind::Role | SurveyKind::Choice => words!(
+            "item {number} of the original is a `{kind_word}` with {answers} alternatives",
+            "el elemento {number} del original es un `{kind_word}` con {answers} alternativas"
+        ),
+    };
+    Diagnostic::error("translation", message, raw.span).with_hint(words(
+        "the items stand in the order of the original and have its kinds and numbers",
+        "los elementos van en el orden del original y tienen sus tipos y números",
+    ))
+}
+
+/// Reads one item.
+fn item(source: &str, line: Range<usize>) -> Result<RawItem, Box<Diagnostic>> {
+    let span = Span::new(line.start, line.end);
+    let length = source[line.clone()].find(|c: char| !c.is_alphanumeric()).unwrap_or(line.len());
+    let word = &source[line.start..line.start + length];
+    let Some(kind) = SurveyKind::ALL.into_iter().find(|kind| kind.word() == word) else {
+        return Err(Box::new(unknown(word, Span::new(line.start, line.start + length), span)));
+    };
+    let rest = trim(source, line.start + length..line.end);
+    let (asked, end) = quoted(source, rest.clone())
+        .ok_or_else(|| fault(words!("the `{word}` has no text", "el `{word}` no tiene texto"), span, kind))?;
+    let rest = trim(source, end..rest.end);
+    let behind = source[rest.clone()].strip_prefix(':').map(|_| trim(source, rest.start + 1..rest.end));
+    let text = |words: Vec<String>| SurveyText { asked: asked.to_owned(), words };
+    let (answers, text) = match (kind, behind) {
+        (SurveyKind::Text, _) if rest.is_empty() => (0, text(Vec::new())),
+        (SurveyKind::Text, _) => {
+            let message = words(
+                "nothing stands behind the text of a `text`",
+                "detrás del texto de un `text` no hay nada",
+            );
+            return Err(fault(message, Span::new(rest.start, rest.end), kind));
+        }
+        (_, None) => {
+            let message = match kind {
+                SurveyKind::Scale => words("the scale has no steps", "la escala no tiene pasos"),
+                _ => words!("the `{word}` has no alternatives", "el `{word}` no tiene alternativas"),
+            };
+            return Err(fault(message, span, kind));
+        }
+        (SurveyKind::Scale, Some(range)) => {
+            let (steps, ends) = steps(source, range)?;
+            (steps, text(ends))
+        }
+        (_, Some(range)) => {
+            let words = alternatives(source, range, kind)?;
+            (words.len(), text(words))
+        }
+    };
+    let longest = SurveyItem::LONGEST;
+    if std::iter::once(&text.asked).chain(&text.words).any(|text| text.chars().count() > longest) {
+        let message = words!(
+            "a text of a survey has at most {longest} characters",
+            "un texto de una encuesta tiene como máximo {longest} caracteres"
+        );
+        return Err(Box::new(Diagnostic::error("too-large", message, span)));
+    }
+    Ok(RawItem { span, item: SurveyItem { kind, answers }, text })
+}
+
+/// Text in quotation marks that is not blank, and the byte behind it.
+fn quoted(source: &str, range: Range<usize>) -> Option<(&str, usize)> {
+    let (text, end) = leading_text(source, range)?;
+    Some((text.trim(), end)).filter(|(text, _)| !text.is_empty())
+}
+
+/// Reads `5 steps from "no" to "yes"`.
+fn steps(source: &str, range: Range<usize>) -> Result<(usize, Vec<String>), Box<Diagnostic>> {
+    let span = Span::new(range.start, range.end);
+    let unreadable = || {
+        let message = words(
+            "a scale is a number of steps and the words at both ends",
+            "una escala es un número de pasos y las palabras en ambos extremos",
+        );
+        fault(message, span, SurveyKind::Scale)
+    };
+    let after = |range: Range<usize>, word: &str| {
+        let rest = source[range.clone()].strip_prefix(word).ok_or_else(unreadable)?;
+        Ok::<_, Box<Diagnostic>>(trim(source, range.end - rest.len()..range.end))
+    };
+    let digits = source[range.clone()].bytes().take_while(u8::is_ascii_digit).count();
+    let number = Span::new(range.start, range.start + digits);
+    let steps: Option<usize> = source[number.range()].parse().ok();
+    let rest = after(trim(source, number.end..range.end), "steps")?;
+    let (low, end) = quoted(source, after(rest, "from")?).ok_or_else(unreadable)?;
+    let (high, end) = quoted(source, after(trim(source, end..range.end), "to")?).ok_or_else(unreadable)?;
+    if end != range.end {
+        return Err(unreadable());
+    }
+    let most = SurveyItem::MOST_STEPS;
+    let Some(steps) = steps.filter(|steps| (2..=most).contains(steps)) else {
+        let message = words!("a scale has 2 to {most} steps", "una escala tiene de 2 a {most} pasos");
+        return Err(fault(message, number, SurveyKind::Scale));
+    };
+    Ok((steps, vec![low.to_owned(), high.to_owned()]))
+}
+
+/// Reads `"student", "teacher"`.
+fn alternatives(source: &str, range: Range<usize>, kind: SurveyKind) -> Result<Vec<String>, Box<Diagnostic>> {
+    let mut found: Vec<String> = Vec::new();
+    for part in split(source, range.clone(), ',') {
+        let part = trim(source, part);
+        let span = Span::new(part.start, part.end);
+        let Some((text, _)) = quoted(source, part.clone()).filter(|(_, end)| *end == part.end) else {
+            let message = words(
+                "an alternative is a text in quotation marks",
+                "una alternativa es un texto entre comillas",
+            );
+            return Err(fault(message, span, kind));
+        };
+        if found.iter().any(|other| other == text) {
+            let message = words!("the alternative \"{text}\" stands there twice", "la alternativa «{text}» está dos veces");
+            return Err(Box::new(
+                Diagnostic::error("survey-syntax", message, span)
+                    .with_hint(words("remove one of the two", "quita una de las dos")),
+            ));
+        }
+        found.push(text.to_owned());
+    }
+    let most = SurveyItem::MOST_ALTERNATIVES;
+    if !(2..=most).contains(&found.len()) {
+        let message = words!("there must be 2 to {most} alternatives", "debe haber de 2 a {most} alternativas");
+        return Err(fault(message, Span::new(range.start, range.end), kind));
+    }
+    Ok(found)
+}
+
+/// An error with an example of such an item.
+fn fault(message: Words, span: Span, kind: SurveyKind) -> Box<Diagnostic> {
+    let hint = match kind {
+        SurveyKind::Role => {
+            words("write `role \"You are a\": \"student\", \"teacher\"`", "escribe `role \"Eres\": \"estudiante\", \"docente\"`")
+        }
+        SurveyKind::Scale => words(
+            "write `scale \"It was clear\": 5 steps from \"disagree\" to \"agree\"`",
+            "escribe `scale \"Fue claro\": 5 steps from \"en desacuerdo\" to \"de acuerdo\"`",
+        ),
+        SurveyKind::Choice => words(
+            "write `choice \"What helped most?\": \"drawing\", \"plots\"`",
+            "escribe `choice \"¿Qué ayudó más?\": \"dibujo\", \"gráficas\"`",
+        ),
+        SurveyKind::Text => {
+            words("write `text \"What would you change?\"`", "escribe `text \"¿Qué cambiarías?\"`")
+        }
+    };
+    Box::new(Diagnostic::error("survey-syntax", message, span).with_hint(hint))
+}
+
+/// Error for an item that begins with another word, with the word that is meant as a remedy.
+fn unknown(word: &str, place: Span, line: Span) -> Diagnostic {
+    let message = if word.is_empty() {
+        words("an item of a survey begins with its kind", "un elemento de una encuesta empieza por su tipo")
+    } else {
+        words!("a survey has no `{word}`", "una encuesta no tiene `{word}`")
+    };
+    let at = if word.is_empty() { line } else { place };
+    let diagnostic = Diagnostic::error("survey-syntax", message, at);
+    let plain: String = word.to_lowercase().chars().map(without_accent).collect();
+    let other = OTHER_WORDS.iter().find(|(other, _)| *other == plain).map(|(_, kind)| kind.word());
+    match other.or_else(|| nearest(word, SurveyKind::ALL.map(SurveyKind::word))) {
+        Some(meant) => diagnostic.meaning(meant),
+        None => diagnostic.with_hint(words(
+            "the kinds are `role`, `scale`, `choice` and `text`",
+            "los tipos son `role`, `scale`, `choice` y `text`",
+        )),
+    }
+}

@@ -8,6 +8,7 @@
 //! | [`pooling`] | the pooled value of the results of groups, and outliers |
 //! | [`results`] | the quantities that several groups have fitted |
 //! | [`share`] | shares with their intervals |
+//! | [`survey`] | the answers to a survey: tallies, frequent words, marked comments |
 //! | [`verify`] | hand-ins: making them, computing them again, and data that two of them share |
 
 pub mod against;
@@ -16,4 +17,5 @@ pub mod page;
 pub mod pooling;
 pub mod results;
 pub mod share;
+pub mod survey;
 pub mod verify;

@@ -51,11 +51,7 @@ fn edits(source: &str, block: &Block) -> Option<Vec<Edit>> {
     let mut edits = match block.kind {
         BlockKind::Prose => prose::without_trailing_blanks(source, content),
         BlockKind::Model | BlockKind::Table => model::format(source, content, Form::Model)?,
-        BlockKind::Plots
-        | BlockKind::Presets
-        | BlockKind::Survey
-        | BlockKind::Check
-        | BlockKind::Translations => {
+        BlockKind::Plots | BlockKind::Presets | BlockKind::Survey | BlockKind::Check | BlockKind::Translations => {
             model::format(source, content, Form::Lines)?
         }
         BlockKind::Question => question(source, content)?,

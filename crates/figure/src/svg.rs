@@ -21,16 +21,9 @@ impl Figure {
     }
 
     fn write_svg(&self, out: &mut String, palette: &Palette) -> std::fmt::Result {
-        let (width, height) = (Short(self.width as f32), Short(self.height as f32));
-        write!(
-            out,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FONT_FAMILY}\">"
-        )?;
         // An image needs a name: if the surrounding page shows the title, the description takes its place.
         let name = if self.title.is_empty() { &self.description } else { &self.title };
-        write!(out, "<title>{}</title>", Escaped(name))?;
-        write!(out, "<desc>{}</desc>", Escaped(&self.description))?;
+        write_head(out, (self.width as f32, self.height as f32), name, &self.description)?;
         for item in self.items() {
             write_item(out, item, palette)?;
             out.push('\n');
@@ -38,6 +31,22 @@ impl Figure {
         out.push_str("</svg>\n");
         Ok(())
     }
+}
+
+/// Begins a drawing of this size, in pixels, with its name and a description.
+pub(crate) fn write_head(
+    out: &mut String,
+    (width, height): (f32, f32),
+    name: &str,
+    description: &str,
+) -> std::fmt::Result {
+    let (width, height) = (Short(width), Short(height));
+    write!(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FONT_FAMILY}\">"
+    )?;
+    write!(out, "<title>{}</title><desc>{}</desc>", Escaped(name), Escaped(description))
 }
 
 fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::Result {
@@ -149,7 +158,7 @@ fn write_stroke(out: &mut String, stroke: Stroke, palette: &Palette) -> std::fmt
 }
 
 /// A length rounded to a hundredth of a pixel, without trailing zeros.
-struct Short(f32);
+pub(crate) struct Short(pub f32);
 
 impl std::fmt::Display for Short {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

@@ -2,7 +2,7 @@
 
 mod host;
 
-use crate::class::Room;
+use crate::class::{Room, SurveyRoom};
 use crate::film::{Films, Player};
 use crate::stored::{Kept, Saved, VersionTimes};
 use crate::verifying::verdict::Verified;
@@ -97,6 +97,8 @@ pub struct Laboratory {
     pub films: Films,
     /// The hand-ins of a class.
     pub class: Room,
+    /// The answers of the class to surveys.
+    pub survey: SurveyRoom,
     /// Progress of the fits started by the user, `None` while none runs.
     pub fit_progress: Signal<Option<FitProgress>>,
     /// Progress of reading a file as a record, `None` while none is read.
@@ -187,6 +189,7 @@ impl App {
             new_record: create_signal(None),
             films: Films::new(),
             class: Room::new(language),
+            survey: SurveyRoom::new(),
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
             record_refusal: create_signal(None),

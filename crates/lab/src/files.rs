@@ -45,6 +45,11 @@ pub fn open(app: App, files: &FileList) {
             Err(several) if several.is_empty() => {}
             Err(several) => class::add(app, several).await,
         }
+        let (sheets, files): (Vec<File>, Vec<File>) = files.into_iter().partition(class::is_sheet);
+        if !sheets.is_empty() {
+            class::open(app);
+            class::add_sheets(app, sheets).await;
+        }
         let (projects, files): (Vec<File>, Vec<File>) = files.into_iter().partition(project::is_project);
         if let Some(file) = projects.into_iter().next() {
             project::open(app, &file).await;

@@ -1,6 +1,8 @@
 //! A program: a checked model and everything that is shown with it.
 
-use crate::{Check, Method, Model, Plot, Preset, Question, QuestionText, Scene, Seat, Section, Speed, SurveyItem, SurveyText};
+use crate::{
+    Check, Method, Model, Plot, Preset, Question, QuestionText, Scene, Seat, Section, Speed, SurveyItem, SurveyText,
+};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

@@ -7,6 +7,7 @@
 //! | [`project`] | a document with its items as one file |
 //! | [`hand_in`] | a project with its sender and the numbers that follow from it |
 //! | [`carried`] | a report that carries a hand-in |
+//! | [`survey`] | one person's answers to a survey, apart from all other work |
 //! | [`storage`] | the storage of a page, as a trait |
 //! | [`shelf`] | synchronisation of the items of a page with its storage |
 //!
@@ -21,6 +22,7 @@ mod number;
 pub mod project;
 pub mod shelf;
 pub mod storage;
+pub mod survey;
 
 pub use item::Item;
 pub use number::Number;

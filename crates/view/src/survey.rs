@@ -26,7 +26,9 @@ pub fn view(app: App) -> View {
         let file = app.read(|play| (!play.survey().is_empty()).then(|| play.survey().file(play.basis())));
         saved.set(if file.is_some() { words.survey_saved } else { words.survey_empty });
         if let Some(file) = file {
-            browser::save_text(&format!("{}{ENDING}", app.host().stem()), "application/json", &file);
+            // The browser replaces what a file name cannot have.
+            let title = app.read(|play| play.program().title.clone());
+            browser::save_text(&[&title, ENDING].concat(), "application/json", &file);
         }
     };
     section()
@@ -68,7 +70,12 @@ fn item(app: App, index: usize, view: SurveyView) -> View {
         SurveyKind::Role | SurveyKind::Choice => {
             let answers = text.words.iter().enumerate();
             group()
-                .child(div().class("alternatives").each(answers, |(answer, word)| radio(Some(answer), word.clone().into())).child(none()))
+                .child(
+                    div()
+                        .class("alternatives")
+                        .each(answers, |(answer, word)| radio(Some(answer), word.clone().into()))
+                        .child(none()),
+                )
                 .into()
         }
         SurveyKind::Scale => {

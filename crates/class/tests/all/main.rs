@@ -9,4 +9,5 @@ mod pooling;
 mod reports;
 mod results;
 mod support;
+mod survey;
 mod verify;

@@ -13,6 +13,65 @@ pub enum Class {
     /// Pool the results of a class: what all groups have fitted, outliers, and the common value
     #[command(after_help = REPORT_EXAMPLES)]
     Report(Report),
+    /// Count the answers to a survey: shares, frequent words, comments
+    #[command(after_help = SURVEY_EXAMPLES)]
+    Survey(Survey),
+}
+
+const SURVEY_EXAMPLES: &str = "\
+Examples:
+  meniscus class survey answers/                                shares and frequent words
+  meniscus class survey answers/ --output survey.html           a page with bars and word clouds
+  meniscus class survey answers/ --comments --output survey.csv
+
+Each file NAME.survey counts as one person. An item is shown from five answers on, and a word if two persons have used it. Comments are
+left out unless --comments releases them.";
+
+/// `meniscus class survey`
+#[derive(Debug, Args)]
+pub struct Survey {
+    /// Files with answers, or folders of them
+    #[arg(value_name = "FILE", required = true)]
+    pub paths: Vec<PathBuf>,
+
+    /// Release the comments
+    #[arg(long)]
+    pub comments: bool,
+
+    /// The form of the result [default: by the ending of FILE, or text]
+    #[arg(long, value_enum)]
+    pub format: Option<SurveyFormat>,
+
+    /// Write into this file, which appears whole or not at all [default: the standard output]
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Forms of the results of a survey.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SurveyFormat {
+    /// Lines for people
+    Text,
+    /// A page with figures
+    Html,
+    /// One row for each answer, word and comment
+    Csv,
+    /// One object for each document
+    Json,
+}
+
+impl SurveyFormat {
+    /// The form asked for; without one by the ending of the file, or text.
+    pub fn chosen(asked: Option<Self>, output: Option<&Path>) -> Self {
+        let is_page = output.and_then(Path::extension).is_some_and(|ending| ending.eq_ignore_ascii_case("html"));
+        let by_ending = match ListFormat::chosen(None, output) {
+            ListFormat::Text if is_page => Self::Html,
+            ListFormat::Text => Self::Text,
+            ListFormat::Csv => Self::Csv,
+            ListFormat::Json => Self::Json,
+        };
+        asked.unwrap_or(by_ending)
+    }
 }
 
 const REPORT_EXAMPLES: &str = "\

@@ -4,6 +4,7 @@ pub mod arguments;
 mod assign;
 mod report;
 mod seat;
+mod survey;
 
 use crate::failure::Failure;
 use crate::terminal::Terminal;
@@ -16,5 +17,6 @@ pub fn run(class: &Class, terminal: Terminal) -> Result<(), Failure> {
     match class {
         Class::Assign(arguments) => assign::assign(arguments, terminal),
         Class::Report(arguments) => report::report(arguments, terminal),
+        Class::Survey(arguments) => survey::survey(arguments, terminal),
     }
 }

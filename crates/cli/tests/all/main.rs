@@ -25,4 +25,5 @@ mod roles;
 mod run;
 mod seats;
 mod strangers;
+mod surveys;
 mod track;

@@ -192,10 +192,8 @@ fn item(source: &str, line: Range<usize>) -> Result<RawItem, Box<Diagnostic>> {
     let (answers, text) = match (kind, behind) {
         (SurveyKind::Text, _) if rest.is_empty() => (0, text(Vec::new())),
         (SurveyKind::Text, _) => {
-            let message = words(
-                "nothing stands behind the text of a `text`",
-                "detrás del texto de un `text` no hay nada",
-            );
+            let message =
+                words("nothing stands behind the text of a `text`", "detrás del texto de un `text` no hay nada");
             return Err(fault(message, Span::new(rest.start, rest.end), kind));
         }
         (_, None) => {
@@ -269,14 +267,13 @@ fn alternatives(source: &str, range: Range<usize>, kind: SurveyKind) -> Result<V
         let part = trim(source, part);
         let span = Span::new(part.start, part.end);
         let Some((text, _)) = quoted(source, part.clone()).filter(|(_, end)| *end == part.end) else {
-            let message = words(
-                "an alternative is a text in quotation marks",
-                "una alternativa es un texto entre comillas",
-            );
+            let message =
+                words("an alternative is a text in quotation marks", "una alternativa es un texto entre comillas");
             return Err(fault(message, span, kind));
         };
         if found.iter().any(|other| other == text) {
-            let message = words!("the alternative \"{text}\" stands there twice", "la alternativa «{text}» está dos veces");
+            let message =
+                words!("the alternative \"{text}\" is written twice", "la alternativa «{text}» está escrita dos veces");
             return Err(Box::new(
                 Diagnostic::error("survey-syntax", message, span)
                     .with_hint(words("remove one of the two", "quita una de las dos")),
@@ -295,9 +292,10 @@ fn alternatives(source: &str, range: Range<usize>, kind: SurveyKind) -> Result<V
 /// An error with an example of such an item.
 fn fault(message: Words, span: Span, kind: SurveyKind) -> Box<Diagnostic> {
     let hint = match kind {
-        SurveyKind::Role => {
-            words("write `role \"You are a\": \"student\", \"teacher\"`", "escribe `role \"Eres\": \"estudiante\", \"docente\"`")
-        }
+        SurveyKind::Role => words(
+            "write `role \"You are a\": \"student\", \"teacher\"`",
+            "escribe `role \"Eres\": \"estudiante\", \"docente\"`",
+        ),
         SurveyKind::Scale => words(
             "write `scale \"It was clear\": 5 steps from \"disagree\" to \"agree\"`",
             "escribe `scale \"Fue claro\": 5 steps from \"en desacuerdo\" to \"de acuerdo\"`",
@@ -306,9 +304,7 @@ fn fault(message: Words, span: Span, kind: SurveyKind) -> Box<Diagnostic> {
             "write `choice \"What helped most?\": \"drawing\", \"plots\"`",
             "escribe `choice \"¿Qué ayudó más?\": \"dibujo\", \"gráficas\"`",
         ),
-        SurveyKind::Text => {
-            words("write `text \"What would you change?\"`", "escribe `text \"¿Qué cambiarías?\"`")
-        }
+        SurveyKind::Text => words("write `text \"What would you change?\"`", "escribe `text \"¿Qué cambiarías?\"`"),
     };
     Box::new(Diagnostic::error("survey-syntax", message, span).with_hint(hint))
 }

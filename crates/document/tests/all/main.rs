@@ -18,4 +18,5 @@ mod reference;
 mod remedies;
 mod simulations;
 mod spanish;
+mod surveys;
 mod theories;

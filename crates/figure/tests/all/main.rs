@@ -7,4 +7,5 @@ mod cloud;
 mod gestures;
 mod layout;
 mod lines;
+mod survey;
 mod svg;

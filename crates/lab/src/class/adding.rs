@@ -1,10 +1,11 @@
 //! Hand-ins that are chosen or dropped, also as folders.
 
 use super::folder::files_in;
-use super::{window, words};
+use super::{survey, window, words};
 use crate::app::App;
 use crate::verifying::reading::read;
 use desk::saved::hand_in::{HAND_IN_ENDING, HandInError};
+use desk::saved::survey::SHEET_ENDING;
 use view::views::*;
 use web_sys::{File, FileSystemEntry, HtmlInputElement};
 
@@ -31,11 +32,20 @@ pub async fn add_of_folders(app: App, folders: Vec<FileSystemEntry>) {
     choose(app, files).await;
 }
 
-/// Adds the hand-ins among files; a message if there are none.
-async fn choose(app: App, mut files: Vec<File>) {
+/// Adds the hand-ins and the answers to surveys among files; a message if there are none.
+async fn choose(app: App, files: Vec<File>) {
+    let (sheets, mut files): (Vec<File>, Vec<File>) = files.into_iter().partition(survey::is_sheet);
+    let has_sheets = !sheets.is_empty();
+    if has_sheets {
+        window::open(app);
+        survey::add(app, sheets).await;
+    }
     files.retain(is_hand_in);
     if !files.is_empty() {
         return add(app, files).await;
+    }
+    if has_sheets {
+        return;
     }
     let why = words::of(app).no_hand_in;
     if !app.class.refuse(why) {
@@ -62,6 +72,6 @@ pub fn choice(app: App, id: &'static str, label: &'static str, is_folder: bool) 
         .attr("aria-label", label)
         .attr("webkitdirectory", is_folder.then_some(""))
         .when(events::change, read);
-    let input = if is_folder { input } else { input.accept(HAND_IN_ENDING) };
+    let input = if is_folder { input } else { input.accept([HAND_IN_ENDING, SHEET_ENDING].join(",")) };
     View::from((button().class("quiet").id(id).when(events::click, move |_| node.click()).child(label), input))
 }

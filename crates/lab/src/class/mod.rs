@@ -9,6 +9,7 @@ mod hand_ins;
 mod results;
 mod room;
 mod snapshots;
+mod survey;
 mod wall;
 mod window;
 mod words;
@@ -16,6 +17,7 @@ mod words;
 pub use adding::{add, add_of_folders, is_hand_in};
 pub use folder::folders;
 pub use room::Room;
+pub use survey::{SurveyRoom, add as add_sheets, is_sheet};
 pub use window::open;
 
 use crate::app::App;
@@ -76,7 +78,15 @@ fn contents(app: App) -> View {
     let said = move || app.class.read(|collection| page::count_text(collection, language));
     let status = p().class("note").role("status").id("class-said").child(text(said));
     let refusal = p().class("refusal").role("alert").child(text(move || app.class.refusal()));
-    div().class("room").child(note(words.intro)).child(tools).child(refusal).child(status).child(changing(parts)).into()
+    div()
+        .class("room")
+        .child(note(words.intro))
+        .child(tools)
+        .child(refusal)
+        .child(status)
+        .child(changing(parts))
+        .child(survey::view(app))
+        .into()
 }
 
 /// Buttons that save a report, or remove everything.

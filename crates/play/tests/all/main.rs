@@ -23,5 +23,6 @@ mod sharing;
 mod simulations;
 mod sizes;
 mod support;
+mod surveys;
 mod sweeps;
 mod trails;

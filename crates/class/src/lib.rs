@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`against`] | a straight line through results of groups against a parameter |
 //! | [`collection`] | the hand-ins of a class, computed again one after the other, and what follows from all of them |
+//! | [`course`] | packages of a page for learning platforms |
 //! | [`page`] | a report of a class as a page and as a workbook, and its figures |
 //! | [`pooling`] | the pooled value of the results of groups, and outliers |
 //! | [`results`] | the quantities that several groups have fitted |
@@ -13,6 +14,7 @@
 
 pub mod against;
 pub mod collection;
+pub mod course;
 pub mod page;
 pub mod pooling;
 pub mod results;

@@ -1,11 +1,12 @@
-//! `meniscus export`: one offline page that plays the document, or the whole laboratory with it.
+//! `meniscus export`: one offline page that plays the document, or the whole laboratory with it, or a course package.
 
-use crate::arguments::Export;
+use crate::arguments::{Export, Platform};
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::page;
 use crate::terminal::Terminal;
 use crate::terminal::output::Output;
+use class::course::{Kind, package};
 use std::io::Write;
 
 /// Writes the page. Refuses a document with errors.
@@ -20,7 +21,16 @@ pub fn export(arguments: &Export, terminal: Terminal) -> Result<(), Failure> {
         true => page::with(&loaded.sources, Some(document))?,
         false => page::player(&loaded.sources, document)?,
     };
+    let kind = arguments.platform.map(|platform| match platform {
+        Platform::Scorm12 => Kind::Scorm12,
+        Platform::Scorm2004 => Kind::Scorm2004,
+        Platform::Web => Kind::Web,
+    });
+    let content = match kind {
+        Some(kind) => package(kind, &page, &document.program),
+        None => page.into_bytes(),
+    };
     let mut output = Output::to(&arguments.output, &loaded.sources)?;
-    output.write_all(page.as_bytes()).map_err(|error| output.failure(&error))?;
+    output.write_all(&content).map_err(|error| output.failure(&error))?;
     output.finish()
 }

@@ -50,6 +50,7 @@ pub use controls::{
     PresetView, SizeView, Slider,
 };
 pub use play::Play;
+pub use play::share::Extent;
 pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};
 pub use questions::{Answer, AnswerView, Answers, Attempt, Grade, Verdict};
 pub use refusal::Refusal;

@@ -39,17 +39,20 @@ pub fn start() {
         let runs = play.is_some();
         simulation.play.replace(play);
         app.read(|play| play.set_language(Language::of(&tag).tag()));
-        answers::restore(app);
+        // Answers in this browser may be those of another student of the course.
+        if simulation.course.is_none() {
+            answers::restore(app);
+        }
         follow_link(app);
         browser::listen("hashchange", move |_: &web_sys::Event| follow_link(app));
         // Set here for the first time, so this cannot fail. Answers are saved from now on.
         let _ = simulation.app.set(app);
-        shell::view(app, move || if runs { content(app) } else { damaged(app) })
+        shell::view(app, move || if runs { content(app, simulation) } else { damaged(app) })
     };
     sycamore_web::render_to(page, &place);
 }
 
-fn content(app: App) -> View {
+fn content(app: App, simulation: &'static Simulation) -> View {
     let embedding = app.host().embedding();
     let shows = |part| !embedding.hides(part);
     let mut tabs = Vec::new();
@@ -65,7 +68,8 @@ fn content(app: App) -> View {
     let class = if tabs.is_empty() { "laboratory alone" } else { "laboratory" };
     let body = main().class(class).child(stage::view(app));
     let body = body.maybe((!tabs.is_empty()).then(|| panel::view(app, tabs)));
-    View::from((if shows(PagePart::Head) { head(app).into() } else { hidden_head(app) }, body))
+    let course = simulation.course.as_ref().map_or_else(View::new, |course| course.dialog(app));
+    View::from((if shows(PagePart::Head) { head(app).into() } else { hidden_head(app) }, body, course))
 }
 
 fn head(app: App) -> HtmlHeader {

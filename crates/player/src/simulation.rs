@@ -1,6 +1,7 @@
 //! The simulation of the page, and its program.
 
 use crate::answers;
+use crate::course::Course;
 use play::{Embedding, Play};
 use program::bundle;
 use std::cell::{Cell, OnceCell, RefCell};
@@ -13,6 +14,8 @@ pub struct Simulation {
     pub play: RefCell<Option<Play>>,
     /// Handle of its views.
     pub app: OnceCell<App>,
+    /// Course that the page belongs to, if it does.
+    pub course: Option<Course>,
     /// Options in the address of the page.
     embedding: Embedding,
     /// Revision of the answers saved last.
@@ -22,7 +25,7 @@ pub struct Simulation {
 impl Simulation {
     /// Creates the host without a simulation, for a page with these options.
     pub fn new(embedding: Embedding) -> Self {
-        Self { embedding, ..Self::default() }
+        Self { embedding, course: Course::of_page(), ..Self::default() }
     }
 }
 
@@ -41,11 +44,14 @@ impl Host for Simulation {
 
     fn raise(&self) {
         let answers = self.play.try_borrow().ok().and_then(|play| Some(play.as_ref()?.revision().answers));
-        if let (Some(answers), Some(app)) = (answers, self.app.get())
-            && self.saved.replace(answers) != answers
-            && !answers::save(*app)
-        {
-            app.complain(app.words().answers_not_saved.to_owned());
+        let (Some(answers), Some(app)) = (answers, self.app.get()) else { return };
+        if self.saved.replace(answers) == answers {
+            return;
+        }
+        match &self.course {
+            Some(course) if !course.is_alone() => course.answers_changed(*app),
+            _ if answers::save(*app) => {}
+            _ => app.complain(app.words().answers_not_saved.to_owned()),
         }
     }
 }

@@ -5,6 +5,7 @@
 mod against;
 mod collection;
 mod copies;
+mod course;
 mod pooling;
 mod reports;
 mod results;

@@ -388,6 +388,7 @@ const EXPORT_EXAMPLES: &str = "\
 Examples:
   meniscus export simulations/utube.md --output utube.html         a page that plays the document
   meniscus export simulations/utube.md --output lab.html --lab     the whole laboratory with it
+  meniscus export utube.md --for scorm12 --output utube.zip        a package for a course in Moodle
 
 The page needs nothing else: it opens from a file, from any web server and inside a course page, and works offline.
 Its source is inside: `serve`, `run`, `check` and `export` take an exported page wherever they take a document, and
@@ -400,13 +401,28 @@ pub struct Export {
     #[arg(value_name = "DOC")]
     pub document: PathBuf,
 
-    /// The page, which appears whole or not at all; `-` is the standard output
-    #[arg(long, short, value_name = "FILE.html")]
+    /// The page or the package, which appears whole or not at all; `-` is the standard output
+    #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
+
+    /// A package for a course: a ZIP archive with the page and what this kind of platform wants
+    #[arg(long = "for", value_name = "PLATFORM", value_enum, conflicts_with = "lab")]
+    pub platform: Option<Platform>,
 
     /// The whole laboratory with this document, to measure and to fit, and not only a page that plays it
     #[arg(long)]
     pub lab: bool,
+}
+
+/// Kinds of course packages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Platform {
+    /// SCORM 1.2: Moodle and most other platforms
+    Scorm12,
+    /// SCORM 2004, 4th edition: more room for the state
+    Scorm2004,
+    /// The page alone, for an editor or a server that takes a folder of files
+    Web,
 }
 
 const BUILD_EXAMPLES: &str = "\

@@ -5,7 +5,7 @@ mod removed;
 mod replacement;
 mod restore;
 mod settings;
-mod share;
+pub(crate) mod share;
 mod transport;
 mod undo;
 

@@ -33,12 +33,30 @@ use units::number::compact as exact;
 /// Maximum number of parameter changes in a link. With more, the run of the link begins at the state shown.
 pub(super) const MOST_CHANGES: usize = 300;
 
+/// Parts of the state in a text that must be short.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// All of it.
+    Whole,
+    /// Without the kept runs.
+    WithoutKept,
+    /// Without the kept runs and without what was changed on the way: the run begins at the state shown.
+    Moment,
+}
+
 impl Play {
     /// Differences from the freshly opened document, as text for the fragment of a URL; empty if there are none.
     pub fn share(&self) -> String {
+        self.share_within(Extent::Whole)
+    }
+
+    /// [`Self::share`] with a part of the state.
+    pub fn share_within(&self, extent: Extent) -> String {
         let mut fields: Vec<String> = Vec::new();
         let mut recipe = self.course().recipe();
-        if recipe.changes.len() > MOST_CHANGES && self.course().state().iter().all(|value| value.is_finite()) {
+        let changed = !(recipe.changes.is_empty() && recipe.setup.presses.is_empty());
+        let begins_now = recipe.changes.len() > MOST_CHANGES || extent == Extent::Moment && changed;
+        if begins_now && self.course().state().iter().all(|value| value.is_finite()) {
             let parameters = self.course().parameters().to_vec();
             let start = Some(self.course().state().to_vec());
             recipe = Recipe {
@@ -70,7 +88,7 @@ impl Play {
         for (index, view) in self.plots.zoomed().filter(|(index, _)| *index < documents) {
             fields.push(format!("z={index},{}", limits(view)));
         }
-        for recipe in self.line.kept_recipes() {
+        for recipe in self.line.kept_recipes().filter(|_| extent == Extent::Whole) {
             fields.push("k".to_owned());
             self.write_recipe(recipe, &mut fields);
         }

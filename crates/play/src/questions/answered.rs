@@ -128,11 +128,30 @@ impl Answers {
         verdict
     }
 
-    /// Marks the right answer as shown and the question as solved.
+    /// Marks the right answer as shown, unless it has been found before, and the question as solved.
     pub fn reveal(&mut self, question: usize) -> Changes {
         let Some(answer) = self.given.get_mut(question) else { return Changes::NONE };
-        answer.revealed = true;
+        answer.reveal();
         self.solve(question) | Changes::ANSWERS
+    }
+
+    /// Share of the questions that have been answered correctly before the right answer was shown; `None` without questions.
+    pub fn score(&self) -> Option<f64> {
+        let right = self.given.iter().filter(|answer| answer.was_found()).count();
+        (!self.given.is_empty()).then(|| right as f64 / self.given.len() as f64)
+    }
+
+    /// True if every question has been answered, rightly or not, or its right answer has been shown.
+    pub fn are_complete(&self) -> bool {
+        self.given.iter().all(|answer| answer.revealed || answer.grade.is_some() || !answer.attempts.is_empty())
+    }
+
+    /// Number in an answer in the unit that the question asks for, to 12 digits; `None` if the text is no number or states an
+    /// error as well.
+    pub fn number(&self, basis: &Basis, at: &Course, question: usize, text: &str) -> Option<f64> {
+        let unit = &basis.program().questions.get(question)?.unit;
+        let answer = basis.read_answer(at, text, unit).ok().filter(|answer| answer.error.is_none())?;
+        format!("{:.11e}", unit.from_si(answer.value)).parse().ok()
     }
 
     /// Right answer with its unit, for the present parameters or those assumed by the question; a dash if there is

@@ -24,7 +24,7 @@ pub struct Answer {
     pub typed: String,
     /// Grade, if the answer has been checked.
     pub grade: Option<Grade>,
-    /// True if the right answer has been shown.
+    /// True if the right answer has been shown before it was found.
     pub revealed: bool,
     /// All answers that have been checked, in order; of more than 100 the latest.
     pub attempts: Vec<Attempt>,
@@ -34,6 +34,17 @@ impl Answer {
     /// Copy for a question whose right answer is another one now: without grade, attempts and the shown answer.
     pub(crate) fn unchecked(&self) -> Self {
         Self { typed: self.typed.clone(), ..Self::default() }
+    }
+
+    /// True if a right answer was given before it was shown.
+    pub(crate) fn was_found(&self) -> bool {
+        let right = |grade| grade == Grade::Correct;
+        !self.revealed && (self.grade.is_some_and(right) || self.attempts.iter().any(|attempt| right(attempt.grade)))
+    }
+
+    /// Notes that the right answer is shown.
+    pub(crate) fn reveal(&mut self) {
+        self.revealed |= !self.was_found();
     }
 
     /// Sets the text in the field, which has no grade yet.
@@ -63,6 +74,21 @@ impl Answer {
             let extra = self.attempts.len().saturating_sub(MOST_ATTEMPTS);
             self.attempts.drain(..extra);
         }
+    }
+
+    /// Copy with the grades alone, of the attempts before the last one or of all.
+    pub fn without_texts(&self, all: bool) -> Self {
+        let mut answer = self.clone();
+        let last = answer.attempts.len().saturating_sub(1);
+        for (place, attempt) in answer.attempts.iter_mut().enumerate() {
+            if all || place < last {
+                attempt.typed.clear();
+            }
+        }
+        if all {
+            answer.typed.clear();
+        }
+        answer
     }
 
     /// Lines of text, the storage format of pages with a single simulation, which contain no JSON parser: the text, the

@@ -24,6 +24,7 @@ pub fn export(arguments: &Export, terminal: Terminal) -> Result<(), Failure> {
     let kind = arguments.platform.map(|platform| match platform {
         Platform::Scorm12 => Kind::Scorm12,
         Platform::Scorm2004 => Kind::Scorm2004,
+        Platform::Cmi5 => Kind::Cmi5,
         Platform::Web => Kind::Web,
     });
     let content = match kind {

@@ -24,6 +24,7 @@ mod basis;
 mod changes;
 mod claims;
 mod controls;
+mod facts;
 mod play;
 mod plots;
 mod questions;
@@ -49,6 +50,7 @@ pub use controls::{
     ButtonView, ChoiceView, Controls, DrawingView, Grips, MethodView, ParameterGroup, ParameterView, PresetGroup,
     PresetView, SizeView, Slider,
 };
+pub use facts::{Fact, FactValue};
 pub use play::Play;
 pub use play::share::Extent;
 pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};

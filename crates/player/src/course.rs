@@ -51,6 +51,11 @@ impl Course {
         self.stage.get() == Stage::Alone
     }
 
+    /// True if the session has begun: the seat follows from the learner's id.
+    pub fn has_begun(&self) -> bool {
+        self.stage.get() == Stage::Begun
+    }
+
     /// Dialog that says what is sent to the course. *Start* begins the session; closing it leaves the page without the course.
     pub fn dialog(&'static self, app: App) -> View {
         if self.stage.get() != Stage::Asking {
@@ -78,14 +83,18 @@ impl Course {
         let show = Closure::once_into_js(move || drop(node.show_modal()));
         let _ = window().request_animation_frame(show.unchecked_ref());
         let busy = move || is_starting.get().then_some("true");
-        let begin = button().class("action").id("course-start").attr("aria-disabled", busy).child(words.course_start);
+        let begin = button().class("primary").id("course-start").attr("aria-disabled", busy).child(words.course_start);
         let look = button().class("quiet outlined").when(events::click, move |_| look.close()).child(words.course_look);
         dialog
             .when(events::close, close)
-            .child(note(words.course_sent))
-            .maybe(host.map(|host| note(format!("{} {host}", words.course_host))))
-            .child(note(words.course_not_sent))
-            .child(div().class("ways").child(begin.when(events::click, start)).child(look))
+            .child(
+                div()
+                    .class("publishing")
+                    .child(note(words.course_sent))
+                    .maybe(host.map(|host| note(format!("{} {host}.", words.course_host))))
+                    .child(note(words.course_not_sent))
+                    .child(div().class("ways").child(begin.when(events::click, start)).child(look)),
+            )
             .into()
     }
 

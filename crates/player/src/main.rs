@@ -2,6 +2,7 @@
 
 mod answers;
 mod course;
+mod hand_in;
 mod height;
 mod page;
 mod simulation;

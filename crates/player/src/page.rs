@@ -1,7 +1,7 @@
 //! Layout of the page: header, stage, and a panel with the tabs for playing, questions and theory.
 
 use crate::simulation::{self, Simulation};
-use crate::{answers, height, site, source};
+use crate::{answers, hand_in, height, site, source};
 use play::{Embedding, PagePart};
 use units::Language;
 use view::browser::{self, address, fragment, is_heading};
@@ -69,7 +69,8 @@ fn content(app: App, simulation: &'static Simulation) -> View {
     let body = main().class(class).child(stage::view(app));
     let body = body.maybe((!tabs.is_empty()).then(|| panel::view(app, tabs)));
     let course = simulation.course.as_ref().map_or_else(View::new, |course| course.dialog(app));
-    View::from((if shows(PagePart::Head) { head(app).into() } else { hidden_head(app) }, body, course))
+    let head = if shows(PagePart::Head) { head(app).into() } else { hidden_head(app) };
+    View::from((head, body, hand_in::dialog(app), course))
 }
 
 fn head(app: App) -> HtmlHeader {
@@ -78,7 +79,7 @@ fn head(app: App) -> HtmlHeader {
         .id("share")
         .title(words.share_title)
         .when(events::click, move |_| share(app));
-    header::view(app, View::from((site::links(app), source::button_of(app), share)))
+    header::view(app, View::from((site::links(app), source::button_of(app), hand_in::button_of(app), share)))
 }
 
 /// Heading for screen readers if the header is hidden.

@@ -42,6 +42,10 @@ impl Host for Simulation {
         self.embedding.clone()
     }
 
+    fn has_fixed_seat(&self) -> bool {
+        self.course.as_ref().is_some_and(Course::has_begun)
+    }
+
     fn raise(&self) {
         let answers = self.play.try_borrow().ok().and_then(|play| Some(play.as_ref()?.revision().answers));
         let (Some(answers), Some(app)) = (answers, self.app.get()) else { return };

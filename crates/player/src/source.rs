@@ -1,4 +1,4 @@
-//! The document of the simulation, stored in the page so that it can be opened in the laboratory.
+//! The document of the simulation, stored in the page so that it can be opened in the laboratory and handed in.
 
 use js_sys::{Array, JSON, Reflect};
 use view::views::*;
@@ -6,7 +6,7 @@ use view::{App, browser, icons};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// Files of the document: (name, text).
-fn files() -> Vec<(String, String)> {
+pub fn files() -> Vec<(String, String)> {
     let text = browser::by_id::<web_sys::Element>("documents").and_then(|element| element.text_content());
     let list = text.and_then(|text| JSON::parse(&text).ok()).and_then(|list| list.dyn_into::<Array>().ok());
     let field = |file: &JsValue, name: &str| Reflect::get(file, &JsValue::from_str(name)).ok()?.as_string();

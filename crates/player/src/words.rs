@@ -1,8 +1,10 @@
-//! Texts of the page about its course, in every language.
+//! Texts of the page about its course and about handing in, in every language.
 
 use view::{App, table_of_words};
 
 table_of_words! {
+    close: "Close", "Cerrar";
+    hand_in_intro: "One file for your teacher: this document with your values and answers, and what follows from them. Send it as your course asks; the file is only saved on this device.", "Un archivo para tu profesor: este documento con tus valores y respuestas, y lo que se sigue de ellos. Envíalo como pida tu curso; el archivo solo se guarda en este dispositivo.";
     course: "This page is part of a course", "Esta página forma parte de un curso";
     course_sent: "Once you start, the page sends the course: your answers with all attempts and their grades, the score, the time spent, and the values you set. You go on from there on any device.", "Cuando empieces, la página enviará al curso: tus respuestas con todos los intentos y su calificación, la puntuación, el tiempo dedicado y los valores que pongas. Podrás continuar desde ahí en cualquier dispositivo.";
     course_host: "It is sent to", "Se envía a";

@@ -75,6 +75,11 @@ pub trait Host {
         Embedding::default()
     }
 
+    /// True if the seat is given by a course and cannot be chosen.
+    fn has_fixed_seat(&self) -> bool {
+        false
+    }
+
     /// True if the page can rebuild the model with other sizes of families.
     fn can_resize(&self) -> bool {
         false

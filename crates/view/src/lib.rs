@@ -13,6 +13,7 @@ mod drag;
 mod drawings;
 pub mod frame;
 mod grip;
+pub mod handing;
 pub mod header;
 pub mod icons;
 pub mod keys;

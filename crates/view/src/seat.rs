@@ -14,13 +14,13 @@ pub fn view(app: App) -> View {
         app.changes.parameters.track();
         app.read(|play| play.seat().and_then(|seat| seat.number))
     });
-    let locked = app.host().embedding().locked;
+    let (locked, fixed) = (app.host().embedding().locked, app.host().has_fixed_seat());
     let error = create_signal(None::<String>);
     let field = Field {
         id: "seat".to_owned(),
         text: memo(move || number.get().map(|number| number.to_string()).unwrap_or_default()),
         // In a page with locked values, only a missing seat can be given.
-        editable: memo(move || !locked || number.get().is_none()),
+        editable: memo(move || !fixed && (!locked || number.get().is_none())),
         signed: false,
         error,
         commit: Box::new(move |text| app.attempt(|play| play.set_seat(text))),

@@ -142,6 +142,15 @@ table_of_words! {
     settings: "State and method", "Estado y método";
     numerics: "Numerical method", "Método numérico";
 
+    // Hand-in.
+    hand_in: "Hand in", "Entregar";
+    hand_in_name: "Name, group or pseudonym", "Nombre, grupo o seudónimo";
+    hand_in_save: "Save hand-in", "Guardar entrega";
+    hand_in_unnamed: "Type a name first.", "Escribe antes un nombre.";
+    hand_in_computing: "The results are being computed again ...", "Se están calculando de nuevo los resultados ...";
+    hand_in_saved: "Saved {file} with # values.", "Se guardó {file} con # valores.";
+    hand_in_meaning: "The results are computed again from the data when the file is verified. A result that does not follow from the data is listed.", "Al comprobar el archivo, los resultados se calculan de nuevo a partir de los datos. Se señala todo resultado que no se siga de ellos.";
+
     // Readouts.
     readouts: "Values", "Valores";
     constants: "Derived quantities", "Magnitudes derivadas";

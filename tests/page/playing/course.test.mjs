@@ -1,8 +1,10 @@
 // Course packages with `scorm-again` as the platform.
 
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { writeFileSync } from "node:fs";
 import { after, test } from "node:test";
-import { Lab, eventually, number } from "../lab.mjs";
+import { Lab, eventually, meniscus, number, program, temporary, visit } from "../lab.mjs";
 import { Platform } from "../course.mjs";
 
 const platforms = [];
@@ -12,6 +14,17 @@ async function begin(document, kind) {
   const platform = await Platform.begin(document, kind);
   platforms.push(platform);
   return platform;
+}
+
+/** Exit code and result of `meniscus verify`. */
+function verified(text) {
+  const file = temporary("a.hand-in");
+  writeFileSync(file, text);
+  try {
+    return { code: 0, found: JSON.parse(execFileSync(program, ["verify", file, "--format", "json"], { encoding: "utf8" })) };
+  } catch (failure) {
+    return { code: failure.status, found: JSON.parse(failure.stdout) };
+  }
 }
 
 /** Work of a student on the page of a package, in a profile of its own. */
@@ -66,6 +79,15 @@ class Visit {
     return Promise.all(Array.from({ length: count }, (_, question) => one(question)));
   }
 
+  /** Hands in: what the file contains. */
+  async handIn(name) {
+    await this.page.locator("#hand-in").click();
+    await this.page.locator("#hand-in-name").fill(name);
+    const saved = await this.lab.save(this.page.locator("#save-hand-in"));
+    await this.page.locator("#hand-in-dialog .dialog-head button").click();
+    return saved;
+  }
+
   refused() {
     return this.lab.page.evaluate(() => refused);
   }
@@ -106,3 +128,36 @@ for (const kind of ["scorm12", "scorm2004"]) {
     });
   }
 }
+
+/** Exports the document of these tests as a page. */
+function exported() {
+  const file = temporary("course.player.html");
+  meniscus("export", "tests/page/course.md", "--output", file);
+  return file;
+}
+
+visit("what an exported page hands in follows from its data to the bit, and a changed grade is named", { file: exported }, async (lab) => {
+  const page = new Visit(lab);
+  page.page = lab.page;
+  await page.enter("Seat", "7");
+  await page.enter("Stiffness", "7");
+  await lab.press("Play");
+  await lab.watchUntil(0.5);
+  await lab.press("Pause");
+  await page.answer(0, "Muñoz \u2028 🎉 \"'<&>");
+  await page.answer(0, "0.1");
+  await page.answer(1, "20 ± 1 s");
+  const { name, text } = await page.handIn("blue heron 17");
+  assert.equal(name, "course.hand-in");
+  const { code, found } = verified(text);
+  assert.deepEqual(found.hand_ins[0].differences, []);
+  assert.equal(code, 0);
+  assert.ok(found.hand_ins[0].equal >= 15, JSON.stringify(found.hand_ins[0]));
+  const handed = JSON.parse(text);
+  assert.deepEqual(handed.sender, { name: "blue heron 17", seat: 7, assignment: "course-test" });
+  handed.facts.find((fact) => fact.quantity === "x").number += 1e-12;
+  handed.facts.find((fact) => fact.quantity === "grade of attempt 1").text = "correct";
+  const changed = verified(JSON.stringify(handed));
+  assert.equal(changed.code, 1);
+  assert.deepEqual(changed.found.hand_ins[0].differences.map((one) => one.quantity), ["x", "grade of attempt 1"]);
+});

@@ -69,3 +69,16 @@ fn content_package(
          <file href=\"index.html\"/></resource></resources>\n</manifest>\n"
     )
 }
+
+/// `cmi5.xml`: a course with one assignable unit.
+pub fn cmi5(program: &Program) -> String {
+    let id = identifier(program);
+    let titles = titles(program, |tag, title| format!("<langstring lang=\"{tag}\">{title}</langstring>"));
+    let about = format!("<title>{titles}</title><description>{titles}</description>");
+    format!(
+        "{DECLARATION}<courseStructure xmlns=\"https://w3id.org/xapi/profiles/cmi5/v1/CourseStructure.xsd\">\n\
+         <course id=\"urn:meniscus:{id}\">{about}</course>\n\
+         <au id=\"urn:meniscus:{id}:page\" moveOn=\"Completed\" launchMethod=\"AnyWindow\">{about}<url>index.html</url></au>\n\
+         </courseStructure>\n"
+    )
+}

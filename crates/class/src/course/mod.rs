@@ -3,14 +3,16 @@
 //! | kind | manifest | script in the page |
 //! |---|---|---|
 //! | SCORM 1.2, 2004 | `imsmanifest.xml` | `scorm.js`, `course.js` |
+//! | cmi5 | `cmi5.xml` | `policy.js`, `cmi5.js`, `course.js` |
 //! | web | none | none |
 //!
 //! `course.js` is common: it asks the page for its state and stores it. The script before it defines `platform`, which talks to
-//! one kind of platform.
+//! one kind of platform. `policy.js` lets the page of a cmi5 package ask the addresses of its launch; no other page asks anyone.
 
 mod manifest;
 
 use analysis::spreadsheet::Archive;
+use document::page::POLICY;
 use program::Program;
 
 /// Kind of a package.
@@ -20,19 +22,22 @@ pub enum Kind {
     Scorm12,
     /// SCORM 2004, 4th edition.
     Scorm2004,
+    /// cmi5, for platforms with a store for xAPI statements.
+    Cmi5,
     /// The page alone, for platforms and editors that show a folder of files.
     Web,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 3] = [Self::Scorm12, Self::Scorm2004, Self::Web];
+    pub const ALL: [Self; 4] = [Self::Scorm12, Self::Scorm2004, Self::Cmi5, Self::Web];
 
     /// Name in commands and file names.
     pub fn name(self) -> &'static str {
         match self {
             Self::Scorm12 => "scorm12",
             Self::Scorm2004 => "scorm2004",
+            Self::Cmi5 => "cmi5",
             Self::Web => "web",
         }
     }
@@ -42,6 +47,7 @@ impl Kind {
         match self {
             Self::Scorm12 => Some(("imsmanifest.xml", manifest::scorm12(program))),
             Self::Scorm2004 => Some(("imsmanifest.xml", manifest::scorm2004(program))),
+            Self::Cmi5 => Some(("cmi5.xml", manifest::cmi5(program))),
             Self::Web => None,
         }
     }
@@ -50,12 +56,20 @@ impl Kind {
     fn page(self, page: &str) -> String {
         let platform = match self {
             Self::Scorm12 | Self::Scorm2004 => include_str!("scorm.js"),
+            Self::Cmi5 => include_str!("cmi5.js"),
             Self::Web => return page.to_owned(),
         };
         let code = [platform, include_str!("course.js")].map(without_comments).concat();
         // In one block, so that the names of the scripts are not those of the page.
         let script = format!("<script>\n{{\nconst kind = \"{}\";\n{code}}}\n</script>\n", self.name());
-        page.replacen("</head>", &(script + "</head>"), 1)
+        let page = page.replacen("</head>", &(script + "</head>"), 1);
+        if self != Self::Cmi5 {
+            return page;
+        }
+        // The address of the store is known at the launch only.
+        let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">");
+        let own = without_comments(include_str!("policy.js"));
+        page.replacen(&policy, &format!("<script>\n{{\nconst policy = \"{POLICY}\";\n{own}}}\n</script>"), 1)
     }
 }
 

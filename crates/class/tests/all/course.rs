@@ -1,7 +1,7 @@
 //! Course packages: manifests that platforms can read, and pages that are hardly larger.
 
 use class::course::{Kind, package};
-use document::page::{Source, played};
+use document::page::{POLICY, Source, played};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use quick_xml::Reader;
@@ -28,7 +28,7 @@ fn packaged(kind: Kind) -> (String, Vec<(String, String)>) {
     let sources = sources();
     let opened = document::open(&sources[0].text, &[&sources[1].text]);
     let program = opened.document.expect("a sound document").program;
-    let page = played(TEMPLATE, &sources, &program, vec![1, 2, 3]).expect("a page");
+    let page = played(&template(), &sources, &program, vec![1, 2, 3]).expect("a page");
     let archive = package(kind, &page, &program);
     (page, unzipped(&archive))
 }
@@ -94,16 +94,19 @@ fn texts(xml: &str, element: &str) -> Vec<String> {
 
 #[test]
 fn manifests_are_xml_with_the_titles_in_each_language() {
-    for (kind, name, localised) in
-        [(Kind::Scorm12, "imsmanifest.xml", "langstring"), (Kind::Scorm2004, "imsmanifest.xml", "string")]
-    {
+    for (kind, name, localised) in [
+        (Kind::Scorm12, "imsmanifest.xml", "langstring"),
+        (Kind::Scorm2004, "imsmanifest.xml", "string"),
+        (Kind::Cmi5, "cmi5.xml", "langstring"),
+    ] {
         let (_, files) = packaged(kind);
         let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(names, [name, "index.html"]);
         let manifest = &files[0].1;
-        assert_eq!(texts(manifest, localised), TITLES, "{manifest}");
-        let titles = texts(manifest, "title");
-        assert!(titles.iter().any(|title| title == TITLES[0]), "{titles:?}");
+        let titles = texts(manifest, localised);
+        assert!(!titles.is_empty() && titles.chunks(2).all(|titles| titles == TITLES), "{manifest}");
+        let plain = texts(manifest, "title");
+        assert!(kind == Kind::Cmi5 || plain.iter().any(|title| title == TITLES[0]), "{plain:?}");
     }
 }
 
@@ -129,6 +132,21 @@ fn the_course_is_the_same_for_another_version_of_the_document() {
 fn a_page_alone_is_unchanged() {
     let (page, files) = packaged(Kind::Web);
     assert_eq!(files, [("index.html".to_owned(), page)]);
+}
+
+#[test]
+fn only_a_page_of_cmi5_may_ask_the_addresses_of_its_launch() {
+    for kind in Kind::ALL {
+        let (_, files) = packaged(kind);
+        let page = &files.last().expect("a page").1;
+        let is_fixed = page.contains(&format!("content=\"{POLICY}\">"));
+        assert_eq!(
+            (is_fixed, page.contains("connect-src")),
+            (kind != Kind::Cmi5, kind == Kind::Cmi5),
+            "{}",
+            kind.name()
+        );
+    }
 }
 
 #[test]

@@ -421,6 +421,8 @@ pub enum Platform {
     Scorm12,
     /// SCORM 2004, 4th edition: more room for the state
     Scorm2004,
+    /// cmi5: platforms with a store for xAPI statements
+    Cmi5,
     /// The page alone, for an editor or a server that takes a folder of files
     Web,
 }

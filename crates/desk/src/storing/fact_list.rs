@@ -20,6 +20,17 @@ impl Facts {
         if *count == 1 { name } else { format!("{name} ({count})") }
     }
 
+    /// Adds the facts that the simulation states about itself.
+    pub fn take(&mut self, part: Part, stated: Vec<play::Fact>) {
+        for play::Fact { item, quantity, value } in stated {
+            let value = match value {
+                play::FactValue::Number(number) => FactValue::Number(Number(number)),
+                play::FactValue::Text(text) => FactValue::Text(text),
+            };
+            self.add(part, &item, quantity, value);
+        }
+    }
+
     pub fn number(&mut self, part: Part, item: &str, quantity: impl Into<String>, value: f64) {
         self.add(part, item, quantity.into(), FactValue::Number(Number(value)));
     }

@@ -15,8 +15,8 @@ impl Desk {
     /// Answers are graded again.
     pub fn facts(&mut self) -> Vec<Fact> {
         let mut facts = Facts::default();
-        self.facts_of_run(&mut facts);
-        self.facts_of_answers(&mut facts);
+        facts.take(Part::Run, self.play.facts_of_run(self.document_name()));
+        facts.take(Part::Answer, self.play.facts_of_answers());
         for (id, name) in self.record_names() {
             let Some(record) = self.record(id) else { continue };
             let item = facts.item(Part::Record, record.name.clone());
@@ -38,66 +38,6 @@ impl Desk {
             facts_of_fit(fit, &mut facts);
         }
         facts.facts
-    }
-
-    fn facts_of_run(&self, facts: &mut Facts) {
-        let title = self.document.program.title.clone();
-        facts.text(Part::Run, &title, "document", self.document_name());
-        facts.number(
-            Part::Run,
-            &title,
-            self.document.program.model.independent.name.clone(),
-            self.play.course().time(),
-        );
-        let states = self.play.values().states();
-        for state in &states {
-            facts.number(Part::Run, &title, state.name.clone(), state.value);
-        }
-        let model = self.play.model();
-        let shown = |parameters: &[f64]| -> Vec<(String, f64)> {
-            let own =
-                model.shown_parameters().filter_map(|(index, own)| Some((own.name.clone(), *parameters.get(index)?)));
-            own.collect()
-        };
-        for (name, value) in shown(self.play.course().parameters()) {
-            facts.number(Part::Run, &title, format!("parameter {name}"), value);
-        }
-        for kept in self.play.time_line().kept_values(self.play.basis()) {
-            let item = facts.item(Part::Run, format!("{title}: {}", kept.name));
-            facts.number(Part::Run, &item, model.independent.name.clone(), kept.time);
-            for state in &states {
-                let value = kept.state.get(state.index).copied().unwrap_or(f64::NAN);
-                facts.number(Part::Run, &item, state.name.clone(), value);
-            }
-            for (name, value) in shown(&kept.parameters) {
-                facts.number(Part::Run, &item, format!("parameter {name}"), value);
-            }
-        }
-    }
-
-    fn facts_of_answers(&self, facts: &mut Facts) {
-        let play = &self.play;
-        let grade =
-            |question, typed: &str| play.answers().verdict(play.basis(), play.course(), question, typed).grade.code();
-        for question in 0..self.document.program.questions.len() {
-            let answer = play.answers().answer(play.basis(), question);
-            let item = format!("question {}", question + 1);
-            if !answer.typed.is_empty() {
-                facts.text(Part::Answer, &item, "text", answer.typed.clone());
-            }
-            if answer.revealed {
-                facts.text(Part::Answer, &item, "right answer", "shown");
-            }
-            if let Some(given) = answer.verdict {
-                facts.text(Part::Answer, &item, "grade given", given.grade.code());
-                facts.text(Part::Answer, &item, "grade", grade(question, &answer.typed));
-            }
-            for (attempt, number) in answer.attempts.iter().zip(1..) {
-                facts.text(Part::Answer, &item, &format!("attempt {number}"), attempt.typed.clone());
-                facts.text(Part::Answer, &item, &format!("grade given to attempt {number}"), attempt.grade.code());
-                facts.text(Part::Answer, &item, &format!("grade of attempt {number}"), grade(question, &attempt.typed));
-            }
-        }
     }
 }
 

@@ -1,11 +1,12 @@
-//! Standalone page that plays the document, identical to the file written by `meniscus export`.
+//! Standalone page that plays the document, and packages of it for courses, identical to the files written by `meniscus export`.
 
 use super::words;
 use crate::app::App;
 use crate::visited::{files, stem};
 use crate::{carried, packing};
+use class::course::{Kind, package};
 use document::page::{self, Source};
-use program::bundle;
+use program::{Program, bundle};
 use std::rc::Rc;
 use view::browser;
 use view::views::*;
@@ -17,8 +18,14 @@ pub struct Page(Signal<State>);
 #[derive(Clone)]
 enum State {
     Preparing,
-    Ready(Rc<String>),
+    Ready(Rc<Made>),
     Refused(&'static str),
+}
+
+/// A finished page.
+struct Made {
+    html: String,
+    program: Program,
 }
 
 impl Page {
@@ -48,18 +55,42 @@ impl Page {
         let Self(state) = self;
         let save = move |_| {
             if let State::Ready(page) = state.get_clone_untracked() {
-                browser::save_text(&format!("{}.html", stem(app)), "text/html", &page);
+                browser::save_text(&format!("{}.html", stem(app)), "text/html", &page.html);
             }
         };
         let waits = move || (!matches!(state.get_clone(), State::Ready(_))).then_some("true");
         let save = button().class("action").id("save-page").attr("aria-disabled", waits).when(events::click, save);
         let size = move || match state.get_clone() {
             State::Preparing => words.page_preparing.to_owned(),
-            State::Ready(page) => format!("{} kB", page.len().div_ceil(1000)),
+            State::Ready(page) => format!("{} kB", page.html.len().div_ceil(1000)),
             State::Refused(why) => why.to_owned(),
         };
         let size = span().class("note").role("status").id("page-size").child(text(size));
         View::from((note(words.page_intro), div().class("ways").child(save.child(words.page_save)).child(size)))
+    }
+
+    /// The section of courses, with a button for each kind of package.
+    pub fn course(self, app: App) -> View {
+        let words = words::of(app);
+        let Self(state) = self;
+        let waits = move || (!matches!(state.get_clone(), State::Ready(_))).then_some("true");
+        let kinds = [
+            (Kind::Scorm12, "SCORM 1.2"),
+            (Kind::Scorm2004, "SCORM 2004"),
+            (Kind::Cmi5, "cmi5"),
+            (Kind::Web, words.course_web),
+        ];
+        let button_of = |(kind, name): (Kind, &'static str)| {
+            let save = move |_| {
+                if let State::Ready(page) = state.get_clone_untracked() {
+                    let archive = package(kind, &page.html, &page.program);
+                    browser::save_bytes(&format!("{}.{}.zip", stem(app), kind.name()), "application/zip", &archive);
+                }
+            };
+            let id = format!("save-{}", kind.name());
+            button().class("quiet outlined").id(id).attr("aria-disabled", waits).when(events::click, save).child(name)
+        };
+        View::from((note(words.course_intro), div().class("ways").each(kinds, button_of), note(words.course_scores)))
     }
 }
 
@@ -71,14 +102,15 @@ enum Refused {
 }
 
 /// Builds the page of these sources.
-async fn made(sources: &[Source]) -> Result<String, Refused> {
+async fn made(sources: &[Source]) -> Result<Made, Refused> {
     let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
     let (base, translations) = texts.split_first().ok_or(Refused::Faulty)?;
     let document = document::open(base, translations).sound().ok_or(Refused::Faulty)?;
     let bundle = bundle::write(&document.program).map_err(|_| Refused::TooLarge)?;
     let gzipped = packing::gzip(&bundle).await.ok_or(Refused::PlayerMissing)?;
     let player = player().await.ok_or(Refused::PlayerMissing)?;
-    page::played(&player, sources, &document.program, gzipped).ok_or(Refused::PlayerMissing)
+    let html = page::played(&player, sources, &document.program, gzipped).ok_or(Refused::PlayerMissing)?;
+    Ok(Made { html, program: document.program })
 }
 
 /// HTML of the player without a simulation.

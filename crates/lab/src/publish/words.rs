@@ -29,6 +29,12 @@ table_of_words! {
     page_too_large: "This document is too large for a page that plays it.", "Este documento es demasiado grande para una página que lo reproduzca.";
     page_missing: "The player could not be loaded. Check the connection, and open this dialog again.", "No se ha podido cargar el reproductor. Comprueba la conexión y vuelve a abrir este diálogo.";
 
+    // Course.
+    course: "Package for a course", "Paquete para un curso";
+    course_intro: "A ZIP file for a learning platform: it keeps answers, score and state of each student, and gives assigned values by the student's id. Moodle takes SCORM 1.2.", "Un archivo ZIP para una plataforma de aprendizaje: guarda respuestas, puntuación y estado de cada estudiante, y da los valores asignados según su identificador. Moodle admite SCORM 1.2.";
+    course_web: "Web page (ZIP)", "Página web (ZIP)";
+    course_scores: "Scores come from the student's browser and can be forged, as in every package of this kind. A hand-in can be verified.", "La puntuación viene del navegador del estudiante y puede falsificarse, como en todo paquete de este tipo. Una entrega se puede comprobar.";
+
     // Frame.
     frame: "Frame in another page", "Marco en otra página";
     frame_intro: "Put the page on a web server, and this code into a page of Moodle, Google Sites or your own.", "Sube la página a un servidor web y pon este código en una página de Moodle, de Google Sites o tuya.";
@@ -61,15 +67,8 @@ table_of_words! {
     source_save: "Save as file", "Guardar como archivo";
 
     // Hand-in.
-    hand_in: "Hand in", "Entregar";
     hand_in_intro: "One file for your teacher: this document with your values, records, measured points of films, fits and answers, and the results that follow from them. Send it as your course asks; this page sends nothing.", "Un archivo para tu profesor: este documento con tus valores, registros, puntos medidos en vídeos, ajustes y respuestas, y los resultados que se siguen de ellos. Envíalo como pida tu curso; esta página no envía nada.";
-    hand_in_name: "Name, group or pseudonym", "Nombre, grupo o seudónimo";
-    hand_in_save: "Save hand-in", "Guardar entrega";
-    hand_in_unnamed: "Type a name first.", "Escribe antes un nombre.";
-    hand_in_computing: "The results are being computed again ...", "Se están calculando de nuevo los resultados ...";
-    hand_in_saved: "Saved {file} with # values.", "Se guardó {file} con # valores.";
     hand_in_left_out: "Not in it, because they are too long or cannot be restored: #.", "No están incluidos, por ser demasiado largos o no poder recuperarse: #.";
-    hand_in_meaning: "The results are computed again from the data when the file is verified. A result that does not follow from the data is listed.", "Al comprobar el archivo, los resultados se calculan de nuevo a partir de los datos. Se señala todo resultado que no se siga de ellos.";
 }
 
 /// Texts in the language of the page. Not tracked: views with texts are rebuilt when the language changes.

@@ -89,7 +89,8 @@ const platform = {
     send(place("meniscus"), "PUT", stored);
     flush();
   },
-  end() {
+  end(writes) {
+    if (writes) send(place("meniscus"), "PUT", stored);
     state("terminated", { duration: duration() }, ["cmi5"]);
     isSending = false;
     flush();

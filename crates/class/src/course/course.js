@@ -15,6 +15,8 @@ const packed = async (text) => {
   return "z" + (bytes.length < MOST ? btoa(String.fromCharCode(...bytes)) : "z".repeat(MOST));
 };
 const unpacked = async (text) => {
+  // This script writes no longer ones. The bound is that of a text which inflates.
+  if (text.length > MOST) throw 0;
   if (text[0] !== "z") return text;
   const bytes = Uint8Array.from(atob(text.slice(1)), (letter) => letter.charCodeAt(0));
   return new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
@@ -41,20 +43,25 @@ const keep = async () => {
     }
   }
 };
-const save = () => {
-  if (!isRunning || !writes) return;
+const give = () => {
   const later = keep();
   platform.result(page("score"), page("done"));
+  return later;
+};
+const save = () => {
+  if (!isRunning || !writes) return;
+  const later = give();
   platform.commit();
-  later.then((stored) => stored && platform.commit());
+  later.then((stored) => stored && isRunning && platform.commit());
 };
 // `unload` is not fired on phones, and platforms forbid it.
 addEventListener("pagehide", () => {
   if (!isRunning) return;
-  save();
+  if (writes) give();
+  // What is still being packed comes too late.
   turn += 1;
   isRunning = false;
-  platform.end();
+  platform.end(writes);
 });
 // A page that comes back from the browser's memory has ended its session.
 addEventListener("pageshow", ({ persisted }) => persisted && location.reload());

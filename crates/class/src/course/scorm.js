@@ -37,6 +37,11 @@ const short = (text) => {
   if (line.length > 250) page("cut");
   return line.slice(0, 250).replace(/[\ud800-\udbff]$/, "");
 };
+const time = () => {
+  const [seconds, two] = [Math.round((Date.now() - began) / 1000), (part) => String(Math.floor(part)).padStart(2, 0)];
+  const clock = `${two(seconds / 3600).padStart(4, 0)}:${two((seconds / 60) % 60)}:${two(seconds % 60)}`;
+  put(core + "session_time", old ? clock : `PT${seconds}S`);
+};
 
 const platform = {
   host: "",
@@ -76,10 +81,12 @@ const platform = {
     if (done) put(core + (old ? "lesson_status" : "completion_status"), "completed");
   },
   commit() {
-    const [seconds, two] = [Math.round((Date.now() - began) / 1000), (part) => String(Math.floor(part)).padStart(2, 0)];
-    const clock = `${two(seconds / 3600).padStart(4, 0)}:${two((seconds / 60) % 60)}:${two(seconds % 60)}`;
-    put(core + "session_time", old ? clock : `PT${seconds}S`);
+    time();
     accepted("Commit", call("Commit", ""));
   },
-  end: () => call(old ? "Finish" : "Terminate", ""),
+  // The end stores everything. A commit while the page is left would be refused by the browser.
+  end(writes) {
+    if (writes) time();
+    call(old ? "Finish" : "Terminate", "");
+  },
 };

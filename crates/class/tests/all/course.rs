@@ -11,8 +11,12 @@ use std::io::Write;
 /// Titles of a hostile document in two languages.
 const TITLES: [&str; 2] = ["A & \"ñandú\" <swing> ]]> 🎉", "Un 'columpio' & </title> ñ"];
 
-const TEMPLATE: &str =
-    "<!doctype html><html lang=\"en\"><head><title>M</title></head><body><!--documents--></body></html>";
+fn template() -> String {
+    let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">");
+    format!(
+        "<!doctype html><html lang=\"en\"><head>{policy}<title>M</title></head><body><!--documents--></body></html>"
+    )
+}
 
 fn sources() -> Vec<Source> {
     let text = |title: &str, more: &str| format!("---\ntitle: {title}\n{more}\n---\n");

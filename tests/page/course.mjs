@@ -47,9 +47,10 @@ export async function served(answer) {
 }
 
 /** The platform of `scorm-again`. Calls are noted in `calls`, and those that were not answered with "true" in `refused`. */
-const scormAgain = (kind, stored) => `</script><script src="/${kind}.js"></script><script>
+const scormAgain = (kind, stored, mode) => `</script><script src="/${kind}.js"></script><script>
 const api = new ${kind === "scorm12" ? "Scorm12API" : "Scorm2004API"}({ lmsCommitUrl: "/commit", logLevel: 5 });
 api.loadFromJSON(${JSON.stringify(stored).replaceAll("<", "\\u003c")});
+api.loadFromJSON(${JSON.stringify({ cmi: kind === "scorm12" ? { core: { lesson_mode: mode } } : { mode } })});
 const [calls, refused, prefix] = [[], [], "${kind === "scorm12" ? "LMS" : ""}"];
 for (const name of ["Initialize", "SetValue", "Commit", "Finish", "Terminate"]) {
   const own = api[prefix + name]?.bind(api);
@@ -62,10 +63,10 @@ for (const name of ["Initialize", "SetValue", "Commit", "Finish", "Terminate"]) 
 }
 window[prefix ? "API" : "API_1484_11"] = api;`;
 
-/** A platform with one package. `stored` is what it keeps of its student; `script` replaces `scorm-again`. */
+/** A platform with one package. `stored` is what it keeps of its student, `mode` how it opens the work; `script` replaces `scorm-again`. */
 export class Platform {
   static async begin(document, kind, script) {
-    const platform = new Platform();
+    const platform = Object.assign(new Platform(), { mode: "normal" });
     platform.stored = { cmi: kind === "scorm12" ? { core: { student_id: "s1042" } } : { learner_id: "s1042" } };
     const files = packaged(document, kind);
     platform.address = await served(({ url: { pathname, searchParams }, body }, response) => {
@@ -80,7 +81,7 @@ export class Platform {
       } else if (files.has(pathname.slice(1))) {
         send("text/html", files.get(pathname.slice(1)));
       } else {
-        const code = script ?? scormAgain(kind, platform.stored);
+        const code = script ?? scormAgain(kind, platform.stored, platform.mode);
         send("text/html", `<!doctype html><link rel="icon" href="data:,"><title>Course</title><h1>Course</h1><script>${code}</script>${inside}`);
       }
     });

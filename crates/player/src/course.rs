@@ -207,8 +207,8 @@ impl Course {
         self.reported.replace(app.read(|play| counts(play)));
         self.stage.set(Stage::Begun);
         app.rebuild();
-        if let Some(refusal) = refusal {
-            app.complain(refusal);
+        if refusal.is_some() {
+            app.complain(words::of(app).course_unread.to_owned());
         }
     }
 }

@@ -14,6 +14,7 @@ table_of_words! {
     course_started: "The course keeps your work.", "El curso guarda tu trabajo.";
     course_shown: "The course only shows this work: nothing that you do here is kept.", "El curso solo muestra este trabajo: nada de lo que hagas aquí se guarda.";
     course_missing: "The course does not answer, and keeps nothing of this visit. Open the page from the course again, or go on here: your answers stay in this browser, and Hand in saves them as a file for your teacher.", "El curso no responde y no guarda nada de esta visita. Vuelve a abrir la página desde el curso, o sigue aquí: tus respuestas se quedan en este navegador, y Entregar las guarda en un archivo para tu profesor.";
+    course_unread: "The work in the course could not be read as a whole; what is missing is as in the document. If it was yours, tell your teacher, and use Hand in from now on.", "El trabajo del curso no se ha podido leer entero; lo que falta está como en el documento. Si era tuyo, díselo a tu profesor y usa Entregar desde ahora.";
     course_refused: "The course has not accepted everything", "El curso no ha aceptado todo";
     course_cut: "The course takes 250 characters of an answer; the rest was not sent.", "El curso admite 250 caracteres de una respuesta; el resto no se ha enviado.";
     course_left_out: "The course has no room for everything. Not kept:", "En el curso no cabe todo. No se guarda:";

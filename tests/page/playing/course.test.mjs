@@ -98,7 +98,7 @@ for (const kind of ["scorm12", "scorm2004"]) {
     await eventually(async () => assert.equal(await kept(), 2));
     await first.close();
 
-    platform.core[kind === "scorm12" ? "lesson_mode" : "mode"] = "review";
+    platform.mode = "review";
     const teacher = await Visit.open(platform);
     await teacher.start();
     await teacher.page.locator("#messages").getByText("nothing that you do here is kept").waitFor();

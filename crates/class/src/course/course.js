@@ -28,7 +28,8 @@ const keep = async () => {
   const [whole, mine] = [page("state", 0), ++turn];
   if (whole === last) return;
   let waited = false;
-  for (let level = 0, text = whole; text !== undefined; text = page("state", ++level)) {
+  let level = 0;
+  for (let text = whole; text !== undefined; text = page("state", ++level)) {
     if (text.length > MOST) {
       text = await packed(text);
       waited = true;
@@ -42,6 +43,9 @@ const keep = async () => {
       return waited;
     }
   }
+  last = whole;
+  if (level > told) page("refused", `> ${MOST}`);
+  told = level;
 };
 const give = () => {
   const later = keep();

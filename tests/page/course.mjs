@@ -15,7 +15,7 @@ const servers = [];
 after(() => servers.forEach((server) => server.close()));
 
 /** Files of a ZIP archive without compression: names and bytes. */
-function unzipped(archive) {
+export function unzipped(archive) {
   const files = new Map();
   let at = 0;
   while (archive.readUInt32LE(at) === 0x04034b50) {

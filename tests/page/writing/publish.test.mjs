@@ -6,6 +6,7 @@ import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 import { gunzipSync } from "node:zlib";
 import { readCode } from "../codes.mjs";
+import { packaged, unzipped } from "../course.mjs";
 import { Lab, STILL, eventually, meniscus, temporary, visit } from "../lab.mjs";
 
 const require = createRequire(import.meta.url);
@@ -82,6 +83,20 @@ visit("what is written is published; with an error nothing is, and the dialog sa
   await share(lab);
   await eventually(async () => assert.match(await lab.page.locator("#page-size").innerText(), /^The text has errors/));
   assert.equal(await lab.page.locator("#save-page").getAttribute("aria-disabled"), "true");
+});
+
+visit("packages for courses are those that the program writes", async (lab) => {
+  await share(lab);
+  await size(lab);
+  for (const kind of ["scorm12", "scorm2004", "cmi5", "web"]) {
+    const [download] = await Promise.all([lab.page.waitForEvent("download"), lab.page.locator(`#save-${kind}`).click()]);
+    assert.equal(download.suggestedFilename(), `utube.${kind}.zip`);
+    const [own, others] = [unzipped(readFileSync(await download.path())), packaged("simulations/utube.md", kind)];
+    const [page, other] = [own, others].map((files) => partsOf(files.get("index.html").toString()));
+    assert.deepEqual(page, other);
+    const rest = (files) => [...files].filter(([name]) => name !== "index.html").map(([name, text]) => [name, text.toString()]);
+    assert.deepEqual(rest(own), rest(others));
+  }
 });
 
 visit("a QR code is that of the address; of a laboratory on this computer the dialog says what to do", { theme: "dark" }, async (lab) => {

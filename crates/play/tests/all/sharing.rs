@@ -2,7 +2,7 @@
 
 use crate::support::{bits, go_on, set, utube};
 use figure::{Direction, Palette, Point, Settings};
-use play::{Play, PlotId, Refusal};
+use play::{Extent, FactValue, Play, PlotId, Refusal};
 
 /// Opens the document again and restores what `play` shares.
 fn reopened(play: &Play) -> Play {
@@ -236,4 +236,47 @@ fn the_first_three_plots_are_shown_at_first() {
     }
     play.restore("1&t=1").unwrap();
     assert_eq!(shown(&play), [true, true, true, false, false]);
+}
+
+#[test]
+fn parts_of_the_state_can_be_left_out() {
+    let mut play = utube();
+    go_on(&mut play, [2.0]);
+    play.keep().expect("room for a run");
+    set(&mut play, "b", 200.0);
+    go_on(&mut play, [1.0]);
+    let [whole, unkept, moment] =
+        [Extent::Whole, Extent::WithoutKept, Extent::Moment].map(|extent| play.share_within(extent));
+    assert_eq!(whole, play.share());
+    assert!(whole.contains("&k") && whole.contains("&c="), "{whole}");
+    assert_eq!(whole.split_once("&k").map(|(before, _)| before), Some(unkept.as_str()));
+    assert!(!moment.contains("&c=") && moment.contains("&y=") && moment.contains("b:200"), "{moment}");
+    let mut other = utube();
+    other.restore(&moment).expect("a state");
+    let state = |play: &Play| -> Vec<u64> { play.values().states().iter().map(|own| own.value.to_bits()).collect() };
+    assert_eq!(state(&other), state(&play));
+}
+
+#[test]
+fn facts_follow_from_the_state() {
+    let mut play = utube();
+    go_on(&mut play, [2.0]);
+    play.keep().expect("room for a run");
+    set(&mut play, "b", 200.0);
+    go_on(&mut play, [1.0]);
+    play.check_answer(0, "17");
+    let facts = |play: &Play| (play.facts_of_run("text".to_owned()), play.facts_of_answers());
+    let mut other = reopened(&play);
+    for (name, answer) in play.answers().saved(play.basis()) {
+        assert!(other.restore_answer(&name, &answer));
+    }
+    assert_eq!(facts(&other), facts(&play));
+    let (run, answers) = facts(&play);
+    let value = |item: &str, quantity: &str| {
+        run.iter().find(|fact| fact.item.ends_with(item) && fact.quantity == quantity).map(|fact| fact.value.clone())
+    };
+    let title = play.program().title.clone();
+    assert_eq!(value(&title, "parameter b"), Some(FactValue::Number(200.0)));
+    assert!(run.iter().any(|fact| fact.item != title && fact.quantity == "parameter b"), "the kept run");
+    assert!(answers.iter().any(|fact| fact.quantity == "grade of attempt 1"), "{answers:?}");
 }

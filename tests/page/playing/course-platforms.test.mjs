@@ -37,7 +37,7 @@ const HOSTILE = [
   ["loses every commit", REFUSED, platform("LMSCommit: () => 'false'")],
   ["answers true instead of a text", STARTED, platform("LMSInitialize: () => true, LMSSetValue: () => true, LMSCommit: () => true")],
   ["comes late", STARTED, later("", 2500)],
-  ["gives another state", UNREAD, platform("LMSGetValue: () => '<script>alert(1)</script>'")],
+  ["gives another state", UNREAD, platform("LMSGetValue: () => '<img src=x onerror=alert(1)>'")],
   ["gives a damaged state", UNREAD, platform("LMSGetValue: (name) => name === 'cmi.suspend_data' ? 'zAAAA\\0' : ''")],
   ["gives a state that inflates", UNREAD, platform("LMSGetValue: (name) => name === 'cmi.suspend_data' ? 'z' + '7cEBDQAAAMKg'.repeat(1e6) : ''")],
 ];

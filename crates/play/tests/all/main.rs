@@ -18,6 +18,7 @@ mod members;
 mod plots;
 mod profiles;
 mod replacement;
+mod scores;
 mod seats;
 mod sharing;
 mod simulations;

@@ -1,7 +1,7 @@
 // Platform of cmi5: a store for statements, whose address comes with the launch.
 const launch = new URLSearchParams(location.search);
 const [endpoint, actor, registration, activityId] = ["endpoint", "actor", "registration", "activityId"].map((name) => launch.get(name));
-const categories = "https://w3id.org/xapi/cmi5/context/categories/";
+const own = "https://w3id.org/xapi/cmi5/context/";
 const headers = { "X-Experience-API-Version": "1.0.3", "Content-Type": "application/json" };
 let setting, began, isSending, wasRefused, waiting = [];
 // What is stored: the state, and whether the statements that may be sent once have been sent.
@@ -32,22 +32,19 @@ const flush = async () => {
   flush();
 };
 const duration = () => `PT${Math.round((Date.now() - began) / 1000)}S`;
-// A statement; `own` are the categories of cmi5, none for statements that it only allows.
-const state = (verb, result, own = [], object = { id: activityId }) => {
+// A statement. `categories` are those of cmi5, none for statements that it only allows.
+const state = (verb, result, categories = [], object = { id: activityId }) => {
   const context = structuredClone(setting.contextTemplate ?? {});
   context.registration = registration;
-  if (own.length) {
-    const all = (context.contextActivities ??= {});
-    all.category = [...(all.category ?? []), ...own.map((name) => ({ id: categories + name }))];
-  }
-  if (verb === "passed" && setting.masteryScore !== undefined) {
-    (context.extensions ??= {})["https://w3id.org/xapi/cmi5/context/extensions/masteryscore"] = setting.masteryScore;
+  for (const name of categories) ((context.contextActivities ??= {}).category ??= []).push({ id: `${own}categories/${name}` });
+  if (verb === "passed" && setting.masteryScore) {
+    (context.extensions ??= {})[`${own}extensions/masteryscore`] = setting.masteryScore;
   }
   waiting.push({
     id: crypto.randomUUID(),
     timestamp: new Date().toISOString(),
     actor: JSON.parse(actor),
-    verb: { id: `http://adlnet.gov/expapi/verbs/${verb}`, display: { en: verb } },
+    verb: { id: `http://adlnet.gov/expapi/verbs/${verb}` },
     object: { objectType: "Activity", ...object },
     result,
     context,
@@ -78,11 +75,11 @@ const platform = {
   },
   result(score, done) {
     if (!done) return;
-    const own = ["cmi5", "moveon"];
-    if (!stored.completed) state("completed", { completion: true, duration: duration() }, own);
+    const both = ["cmi5", "moveon"];
+    if (!stored.completed) state("completed", { completion: true, duration: duration() }, both);
     stored.completed = true;
     if (stored.passed || !(score >= (setting.masteryScore ?? 1))) return;
-    state("passed", { success: true, score: { scaled: +score.toFixed(7) }, duration: duration() }, own);
+    state("passed", { success: true, score: { scaled: +score.toFixed(7) }, duration: duration() }, both);
     stored.passed = true;
   },
   commit() {

@@ -78,7 +78,7 @@ pub fn cmi5(program: &Program) -> String {
     format!(
         "{DECLARATION}<courseStructure xmlns=\"https://w3id.org/xapi/profiles/cmi5/v1/CourseStructure.xsd\">\n\
          <course id=\"urn:meniscus:{id}\">{about}</course>\n\
-         <au id=\"urn:meniscus:{id}:page\" moveOn=\"Completed\" launchMethod=\"AnyWindow\">{about}<url>index.html</url></au>\n\
+         <au id=\"urn:meniscus:{id}:page\" moveOn=\"Completed\">{about}<url>index.html</url></au>\n\
          </courseStructure>\n"
     )
 }

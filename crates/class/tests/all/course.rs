@@ -38,7 +38,7 @@ fn packaged(kind: Kind) -> (String, Vec<(String, String)>) {
 }
 
 /// Files of an archive without compression: names and texts.
-fn unzipped(archive: &[u8]) -> Vec<(String, String)> {
+pub fn unzipped(archive: &[u8]) -> Vec<(String, String)> {
     let number =
         |at: usize, bytes: usize| (0..bytes).rev().fold(0, |all, next| all << 8 | usize::from(archive[at + next]));
     let (mut at, mut files) = (0, Vec::new());

@@ -9,6 +9,7 @@ mod course;
 mod pooling;
 mod reports;
 mod results;
+mod secrets;
 mod support;
 mod survey;
 mod verify;

@@ -121,8 +121,9 @@ export async function sight(element) {
 }
 
 export class Lab {
-  /** Opens a page file without a network, or with one the page at `address`: `language`, `theme`, `width`, `height`, `touch`, `motion`. */
-  static async open({ file = labPage, address, language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {
+  /** Opens a page file without a network, or with one the page at `address`: `language`, `theme`, `width`, `height`, `touch`, `motion`.
+      Without a `fragment` the laboratory opens the published simulation, whose numbers the tests know. */
+  static async open({ file = labPage, address, fragment = file === labPage && !address ? "#1" : "", language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {
     const context = await (await started()).newContext({
       viewport: { width, height },
       locale: language,
@@ -135,7 +136,7 @@ export class Lab {
     context.setDefaultTimeout(10_000);
     const page = await context.newPage();
     const lab = new Lab(context, page, address?.() ?? pathToFileURL(typeof file === "function" ? file() : file).href);
-    await lab.go(lab.address);
+    await lab.go(lab.address + fragment);
     return lab;
   }
 

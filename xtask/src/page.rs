@@ -13,7 +13,7 @@ use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
 /// Document with which the laboratory opens.
-const FIRST: &str = "utube.md";
+const FIRST: &str = "tube.md";
 
 /// Folders below `simulations` whose documents are included in the laboratory.
 const LIBRARY: [&str; 2] = ["theories", ""];

@@ -49,9 +49,15 @@ impl Entry {
     }
 }
 
+/// Document of a link that names none, in a page that was not exported: the laboratory opened with it when such links
+/// were written.
+const UNNAMED: &str = "utube.md";
+
 /// Documents contained in the page. Kept in memory because every change of a text reads them.
 struct Carried {
     home: RefCell<Vec<Source>>,
+    /// True if the page was exported or is served with a document of its own.
+    is_exported: bool,
     entries: Vec<Entry>,
 }
 
@@ -64,9 +70,10 @@ fn carried() -> &'static Carried {
         let entries = read_entries();
         let element = view::views::document().get_element_by_id("documents");
         let exported = element.and_then(|element| page::read(&element.outer_html()));
+        let is_exported = exported.is_some();
         let first = || entries.first().map_or_else(Vec::new, |entry| entry.files.clone());
-        let carried: &'static Carried =
-            Box::leak(Box::new(Carried { home: RefCell::new(exported.unwrap_or_else(first)), entries }));
+        let home = RefCell::new(exported.unwrap_or_else(first));
+        let carried: &'static Carried = Box::leak(Box::new(Carried { home, is_exported, entries }));
         carried
     };
     CARRIED.with(|cell| *cell.get_or_init(read))
@@ -106,6 +113,12 @@ pub fn home() -> Vec<Source> {
     carried().home.borrow().clone()
 }
 
+/// Files of the document that a link with this state and without the name of a document refers to.
+pub fn unnamed(state: &str) -> Vec<Source> {
+    let before = (!carried().is_exported && !state.is_empty()).then(|| find(UNNAMED)).flatten();
+    before.unwrap_or_else(home)
+}
+
 /// Replaces the files that the page opens with, because the served files have changed.
 pub fn change_home(files: Vec<Source>) {
     carried().home.replace(files);
@@ -124,6 +137,15 @@ pub fn subject(files: &[Source]) -> Subject {
     let entry = carried().entries.iter().find(|entry| entry.files == files);
     let name = files.first().map_or("", |file| &file.name).to_owned();
     if entry.is_some() { Subject::Library(name) } else { Subject::File(name) }
+}
+
+/// Subject of a link to a state of a document. Only an exported page leaves the name of its own document out.
+pub fn subject_of_state(files: &[Source]) -> Subject {
+    let name = files.first().map_or("", |file| &file.name);
+    match subject(files) {
+        Subject::Home if !carried().is_exported => Subject::Library(name.to_owned()),
+        subject => subject,
+    }
 }
 
 fn document_text(id: &str) -> String {

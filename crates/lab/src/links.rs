@@ -42,7 +42,7 @@ pub async fn read(fragment: &str) -> Arrival {
         }
     };
     let found = match &subject {
-        Subject::Home => Ok(library::home()),
+        Subject::Home => Ok(library::unnamed(&state)),
         Subject::Library(name) => library::find(name).ok_or_else(|| Refusal::DocumentNeeded { name: name.to_owned() }),
         Subject::Packed(bytes) => {
             let list = packing::inflate(bytes, LONGEST_UNPACKED).await;
@@ -104,7 +104,7 @@ pub fn share(app: App, say: impl FnOnce(String) + 'static) {
 /// otherwise without them, otherwise only its name.
 async fn pack(app: App, sources: &[Source]) -> (Subject, Option<String>) {
     let words = app.words();
-    let known = library::subject(sources);
+    let known = library::subject_of_state(sources);
     if !matches!(known, Subject::File(_)) {
         return (known, None);
     }

@@ -278,7 +278,7 @@ pub fn address(fragment: &str) -> String {
     if fragment.is_empty() { base.to_owned() } else { format!("{base}#{fragment}") }
 }
 
-/// True if a fragment is the id of a heading and not a state.
+/// True if a fragment is empty or the id of a heading, and not a state; `1` is the shortest state.
 pub fn is_heading(fragment: &str) -> bool {
-    !fragment.contains(['&', '='])
+    !fragment.contains(['&', '=']) && fragment != "1"
 }

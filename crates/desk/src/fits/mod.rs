@@ -4,6 +4,7 @@ mod applied;
 mod choices;
 pub(crate) mod fit;
 mod queue;
+mod ranges;
 pub(crate) mod reporting;
 mod results;
 pub(crate) mod setup;

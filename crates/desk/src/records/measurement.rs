@@ -114,7 +114,8 @@ impl Desk {
         let step = 1.0 / (camera.rate * ROWS_PER_FRAME);
         let exact = Setup { method: Method::DormandPrince, tolerance: 1e-10, step, ..setup.clone() };
         let end = camera.times().last().copied().unwrap_or_default();
-        let mut run = recorded(model, exact, end).or_else(|_| recorded(model, setup, end)).map_err(nothing)?;
+        let run = recorded(model, exact, end, MOST_WORK).or_else(|_| recorded(model, setup, end, MOST_WORK));
+        let mut run = run.map_err(nothing)?;
         let mut readings = Readings::new(model, &[observed.node]);
         let mut state = vec![0.0; model.states.len()];
         let parameters = self.play.course().parameters();
@@ -167,11 +168,11 @@ fn quantity_rate(model: &program::Model, quantity: &str) -> Option<(String, unit
     (dimension == units::Dimension::LENGTH).then(|| ("v".to_owned(), units::Unit::si(rate)))
 }
 
-/// Simulates a run up to time `end`, SI. Fails if the work exceeds [`MOST_WORK`] or the run stops earlier.
-fn recorded(model: &program::Model, setup: Setup, end: f64) -> Result<Run, ()> {
+/// Simulates a run up to time `end`, SI. Fails if the work exceeds `most_work` floating-point operations or the run stops earlier.
+pub(crate) fn recorded(model: &program::Model, setup: Setup, end: f64, most_work: u64) -> Result<Run, ()> {
     let mut run = Run::start(model, setup).map_err(|_| ())?;
     while run.time() < end {
-        let left = MOST_WORK.checked_sub(run.work()).ok_or(())?;
+        let left = most_work.checked_sub(run.work()).ok_or(())?;
         if !matches!(run.advance_within(left), Ok(Advance::Step | Advance::Event)) {
             return Err(());
         }

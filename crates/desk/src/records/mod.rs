@@ -5,7 +5,7 @@ mod derived;
 pub(crate) mod incoming;
 mod intake;
 mod list;
-mod measurement;
+pub(crate) mod measurement;
 pub(crate) mod recognise;
 pub(crate) mod record;
 mod runs;

@@ -55,7 +55,11 @@ fn steps(app: App) -> View {
     let chosen = create_signal(None::<u32>);
     // Result shown unless the user chooses: the best one after a ranking, otherwise the last one.
     let ranked = create_signal(true);
+    let suitability = theories::Suitability::new(app);
     let begin = move |rank: bool| {
+        if let Some(reason) = suitability.objection().filter(|_| !rank) {
+            return refusal.set(Some(reason));
+        }
         ranked.set(rank);
         chosen.set(None);
         let file = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
@@ -79,8 +83,9 @@ fn steps(app: App) -> View {
         .child(begins(true).class("quiet").id("rank").title(words.fit_rank_title).child(words.fit_rank))
         .child(changing(move || if busy.get() { running(app) } else { View::new() }));
     let record = step("record-step", "1", words.fit_step_record).child(setup::record(app, refusal));
-    let theory =
-        step("theory-step", "2", words.fit_step_theory).child(theories::view(app)).child(setup::varied(app, refusal));
+    let theory = step("theory-step", "2", words.fit_step_theory)
+        .child(theories::view(app, suitability))
+        .child(setup::varied(app, refusal));
     let fit = step("fit-step", "3", words.fit_step_fit)
         .child(buttons)
         .child(refusal_of(refusal))

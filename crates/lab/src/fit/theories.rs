@@ -16,14 +16,44 @@ struct Theory {
     chosen: bool,
 }
 
+/// Choice of the open document as the theory of the next fit. One that cannot hold the record is not preselected.
+#[derive(Clone, Copy)]
+pub struct Suitability {
+    /// Reason why the open document cannot hold the record, if any.
+    reason: ReadSignal<Option<String>>,
+    /// True if the user has chosen the open document in spite of the reason.
+    insists: Signal<bool>,
+}
+
+impl Suitability {
+    /// Suitability of the open document for the chosen record.
+    pub fn new(app: App) -> Self {
+        let reason = memo(move || {
+            app.records.track();
+            app.fits.track();
+            app.read_desk(|desk| desk.cannot_hold())
+        });
+        Self { reason, insists: create_signal(false) }
+    }
+
+    /// Reason why the open document is not the theory of the next fit, if any.
+    pub fn objection(self) -> Option<String> {
+        if self.insists.get() { None } else { self.reason.get_clone() }
+    }
+}
+
 /// List of the theories.
-pub fn view(app: App) -> HtmlDiv {
+pub fn view(app: App, suitability: Suitability) -> View {
     let words = app.words();
     let chips = theories(app).into_iter().enumerate();
     let list = div().class("theories").role("group").attr("aria-label", words.fit_theory);
-    let list = list.each(chips, |(number, theory)| chip(app, number, theory));
+    let list = list.each(chips, |(number, theory)| chip(app, number, theory, suitability));
     write_equations(app);
-    list
+    let objection = changing(move || match suitability.objection() {
+        Some(reason) => note(reason).id("unsuitable").into(),
+        None => View::new(),
+    });
+    View::from((list, objection))
 }
 
 fn theories(app: App) -> Vec<Theory> {
@@ -40,7 +70,7 @@ fn theories(app: App) -> Vec<Theory> {
     theories
 }
 
-fn chip(app: App, number: usize, theory: Theory) -> HtmlButton {
+fn chip(app: App, number: usize, theory: Theory, suitability: Suitability) -> HtmlButton {
     let Theory { file, title, chosen } = theory;
     let id = format!("theory-{number}");
     let equation = match &file {
@@ -52,6 +82,9 @@ fn chip(app: App, number: usize, theory: Theory) -> HtmlButton {
         None => span().class("equation").inner_html(app.read_desk(|desk| equation(desk.document()))).into(),
     };
     let choose = move |_| {
+        if chosen {
+            suitability.insists.set(true);
+        }
         if let Some(files) = file.as_deref().and_then(library::find)
             && !chosen
         {
@@ -64,7 +97,7 @@ fn chip(app: App, number: usize, theory: Theory) -> HtmlButton {
     button()
         .class("theory-chip")
         .id(id)
-        .attr("aria-pressed", chosen.to_string())
+        .attr("aria-pressed", move || (chosen && suitability.objection().is_none()).to_string())
         .when(events::click, choose)
         .child(span().class("name").child(title))
         .child(equation)

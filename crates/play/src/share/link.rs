@@ -7,7 +7,8 @@
 //! | `s` | the document itself with its translations, deflated by the browser, in base64url |
 //! | `f` | name of the file to be opened first, if the document is too long for a link |
 //!
-//! Without any of these, the link refers to the document that the page opens with. Links of earlier versions have this form.
+//! Without any of these, the link refers to the document of an exported page. In the laboratory it refers to `utube.md`, with which
+//! the laboratory opened when such links were written.
 //!
 //! [`Play::share`]: crate::Play::share
 

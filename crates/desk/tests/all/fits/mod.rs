@@ -1,5 +1,6 @@
 //! Fits of several records with shared numbers, and fits that are restored at the next visit.
 
+mod first;
 mod saved;
 mod several;
 

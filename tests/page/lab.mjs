@@ -123,7 +123,7 @@ export async function sight(element) {
 export class Lab {
   /** Opens a page file without a network, or with one the page at `address`: `language`, `theme`, `width`, `height`, `touch`, `motion`.
       Without a `fragment` the laboratory opens the published simulation, whose numbers the tests know. */
-  static async open({ file = labPage, address, fragment = file === labPage && !address ? "#1" : "", language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {
+  static async open({ file = labPage, address, fragment = file === labPage && !address ? "#1&d=utube.md" : "", language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {
     const context = await (await started()).newContext({
       viewport: { width, height },
       locale: language,

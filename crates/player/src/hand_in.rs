@@ -87,11 +87,12 @@ fn item(question: &str, answer: &Answer, now: f64) -> String {
     let grade = answer.grade.map_or_else(String::new, |grade| format!(",\"grade\":\"{}\"", grade.code()));
     format!(
         "{{\"name\":{},\"item\":{{\"meniscus\":{},\"since\":{now},\"item\":{{\"answer\":{{\"typed\":{}{grade},\
-         \"revealed\":{},\"attempts\":{}}}}}}}}}",
+         \"revealed\":{},\"found\":{},\"attempts\":{}}}}}}}}}",
         quoted(question),
         VERSIONS[2],
         quoted(&answer.typed),
         answer.revealed,
+        answer.found,
         list(answer.attempts.iter().map(attempt)),
     )
 }

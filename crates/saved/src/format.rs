@@ -220,6 +220,9 @@ pub struct Answer {
     /// True if the right answer has been shown.
     #[serde(skip_serializing_if = "is_false")]
     pub revealed: bool,
+    /// True if a right answer had been given when the right answer was shown.
+    #[serde(skip_serializing_if = "is_false")]
+    pub found: bool,
     /// Answers that have been checked, in order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub attempts: Vec<Attempt>,

@@ -36,7 +36,7 @@ before(async () => {
 after(() => browser?.close());
 
 /** A test: somebody opens the page at this fragment. */
-const visit = (title, fragment, does) => test(title, () => inNewContext(`${pathToFileURL(labPage).href}${fragment || "#1"}`, does));
+const visit = (title, fragment, does) => test(title, () => inNewContext(`${pathToFileURL(labPage).href}${fragment || "#1&d=utube.md"}`, does));
 
 /** Opens an address with empty storage; fails if the page makes a request or throws an error. */
 async function inNewContext(address, does) {

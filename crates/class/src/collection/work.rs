@@ -35,7 +35,7 @@ pub struct GivenAnswer {
     pub typed: String,
     /// All answers that were checked, in order, graded again.
     pub attempts: Vec<Attempt>,
-    /// True if the right answer was shown.
+    /// True if the right answer was shown before it was found.
     pub revealed: bool,
 }
 
@@ -82,7 +82,7 @@ fn answers(play: &Play) -> Vec<GivenAnswer> {
             right: answers.right_text(basis, play.course(), question),
             typed: own.typed,
             attempts: own.attempts.into_iter().map(|attempt| again(attempt.typed)).collect(),
-            revealed: own.revealed,
+            revealed: own.revealed && !own.found,
         }
     };
     (0..program.questions.len()).map(answer).collect()

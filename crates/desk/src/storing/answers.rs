@@ -20,10 +20,10 @@ impl Desk {
 }
 
 fn stored(answer: Answer) -> format::Answer {
-    let Answer { typed, grade, revealed, attempts } = answer;
+    let Answer { typed, grade, revealed, found, attempts } = answer;
     let attempt = |Attempt { typed, grade }: Attempt| format::Attempt { typed, grade: grade.code().to_owned() };
     let attempts = attempts.into_iter().map(attempt).collect();
-    format::Answer { typed, grade: grade.map(|grade| grade.code().to_owned()), revealed, attempts }
+    format::Answer { typed, grade: grade.map(|grade| grade.code().to_owned()), revealed, found, attempts }
 }
 
 /// An attempt without a known grade is left out.
@@ -34,6 +34,7 @@ fn restored(answer: &format::Answer) -> Answer {
         typed: answer.typed.clone(),
         grade: answer.grade.as_deref().and_then(Grade::from_code),
         revealed: answer.revealed,
+        found: answer.found,
         attempts: answer.attempts.iter().filter_map(attempt).collect(),
     }
 }

@@ -21,6 +21,8 @@ pub struct AnswerView {
     pub verdict: Option<Verdict>,
     /// True if the right answer has been shown.
     pub revealed: bool,
+    /// True if a right answer had been given when the right answer was shown.
+    pub found: bool,
     /// Answers that have been checked, in order.
     pub attempts: Vec<Attempt>,
 }
@@ -83,6 +85,7 @@ impl Answers {
             typed: answer.typed.clone(),
             verdict,
             revealed: answer.revealed,
+            found: answer.found,
             attempts: answer.attempts.clone(),
         }
     }
@@ -128,7 +131,7 @@ impl Answers {
         verdict
     }
 
-    /// Marks the right answer as shown, unless it has been found before, and the question as solved.
+    /// Marks the right answer as shown and the question as solved.
     pub fn reveal(&mut self, question: usize) -> Changes {
         let Some(answer) = self.given.get_mut(question) else { return Changes::NONE };
         answer.reveal();

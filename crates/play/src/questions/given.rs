@@ -24,8 +24,10 @@ pub struct Answer {
     pub typed: String,
     /// Grade, if the answer has been checked.
     pub grade: Option<Grade>,
-    /// True if the right answer has been shown before it was found.
+    /// True if the right answer has been shown.
     pub revealed: bool,
+    /// True if a right answer had been given when the right answer was shown.
+    pub found: bool,
     /// All answers that have been checked, in order; of more than 100 the latest.
     pub attempts: Vec<Attempt>,
 }
@@ -39,12 +41,13 @@ impl Answer {
     /// True if a right answer was given before it was shown.
     pub(crate) fn was_found(&self) -> bool {
         let right = |grade| grade == Grade::Correct;
-        !self.revealed && (self.grade.is_some_and(right) || self.attempts.iter().any(|attempt| right(attempt.grade)))
+        let is_right = self.grade.is_some_and(right) || self.attempts.iter().any(|attempt| right(attempt.grade));
+        if self.revealed { self.found } else { is_right }
     }
 
     /// Notes that the right answer is shown.
     pub(crate) fn reveal(&mut self) {
-        self.revealed |= !self.was_found();
+        (self.found, self.revealed) = (self.was_found(), true);
     }
 
     /// Sets the text in the field, which has no grade yet.
@@ -60,8 +63,9 @@ impl Answer {
 
     /// Copy of a stored answer within the limits of length and number.
     pub(crate) fn bounded(&self) -> Self {
+        let Self { typed, grade, revealed, found, .. } = self;
         let mut answer =
-            Self { typed: one_line(&self.typed), grade: self.grade, revealed: self.revealed, attempts: Vec::new() };
+            Self { typed: one_line(typed), grade: *grade, revealed: *revealed, found: *found, attempts: Vec::new() };
         for Attempt { typed, grade } in &self.attempts {
             answer.attempt(Attempt { typed: one_line(typed), grade: *grade });
         }
@@ -92,10 +96,14 @@ impl Answer {
     }
 
     /// Lines of text, the storage format of pages with a single simulation, which contain no JSON parser: the text, the
-    /// grade, `revealed` or nothing, then a line for each attempt with its grade before its text.
+    /// grade, `revealed`, `found` (shown after it was found) or nothing, then a line for each attempt with its grade before its text.
     pub fn lines(&self) -> String {
         let grade = self.grade.map_or("", Grade::code);
-        let revealed = if self.revealed { "revealed" } else { "" };
+        let revealed = match (self.revealed, self.found) {
+            (false, _) => "",
+            (true, false) => "revealed",
+            (true, true) => "found",
+        };
         let mut lines = format!("{}\n{grade}\n{revealed}", self.typed);
         for Attempt { typed, grade } in &self.attempts {
             lines.extend(["\n", grade.code(), " ", typed]);
@@ -114,7 +122,8 @@ impl Answer {
         Some(Self {
             typed: typed.to_owned(),
             grade: Grade::from_code(grade),
-            revealed: revealed == "revealed",
+            revealed: ["revealed", "found"].contains(&revealed),
+            found: revealed == "found",
             attempts: lines.filter_map(attempt).collect(),
         })
     }

@@ -292,7 +292,7 @@ fn answers_stay_with_their_questions() {
         later.answers().answer(later.basis(), 2).verdict.map(|verdict| verdict.grade),
         Some(play::Grade::Correct)
     );
-    assert!(!later.answers().answer(later.basis(), 2).revealed, "it was found before it was shown");
+    assert!(later.answers().answer(later.basis(), 2).revealed, "what was shown stays shown");
     // Typing removes the verdict. Invalid stored data change nothing.
     later.type_answer(2, "2\n3");
     assert_eq!(

@@ -138,6 +138,16 @@ visit("what a link cannot hold is said", async (lab) => {
   assert.match(told, /Not in the link: records/);
 });
 
+visit("a link without a document means the published simulation, and a new one names its document", { fragment: "" }, async (lab) => {
+  await shows(lab, "A liquid in a U-tube");
+  assert.match((await copyLink(lab)).address, /#1&d=tube\.md$/);
+  for (const fragment of ["1&p=b:200", "1"]) {
+    const other = await Lab.open({ fragment: `#${fragment}` });
+    await shows(other, "Oscillations of a liquid in a U-tube");
+    await other.close();
+  }
+});
+
 visit("hostile documents in links are words, and bombs are not unpacked", async (lab) => {
   const list = (text) => JSON.stringify([{ name: "own.md", text }]).replaceAll("<", "\\u003c");
   const packed = (text) => deflateRawSync(Buffer.from(text)).toString("base64url");

@@ -1,5 +1,5 @@
 //! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models; the films and
-//! projects of the tests; old workbooks; hand-ins; and what an archive of phyphox has in its files.
+//! projects of the tests; old workbooks; hand-ins; a sheet of answers; and what an archive of phyphox has in its files.
 //! `cargo run --manifest-path fuzz/Cargo.toml --bin seeds`
 
 #[path = "../crates/analysis/tests/all/support/old_workbook.rs"]
@@ -13,9 +13,18 @@ use saved::project::Project;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+/// A sheet with each kind of item.
+const SHEET: &str = r#"{"meniscus survey":1,"document":"U-tube","items":[
+{"name":"a","kind":"role","asked":"You are a","words":["student","teacher"],"of":2,"chosen":2},
+{"name":"b","kind":"scale","asked":"It was clear","words":["no","yes"],"of":5,"chosen":4},
+{"name":"c","kind":"choice","asked":"Best","words":["plots","fit"],"of":2},
+{"name":"d","kind":"text","asked":"Why?","typed":"Las gráficas no se leen <b>bien</b>\n=1+1"}
+]}
+"#;
+
 fn main() -> io::Result<()> {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for target in ["bundle", "data_sets", "document", "film", "hand_in", "language", "old_workbook", "tracker"] {
+    for target in ["bundle", "data_sets", "document", "film", "hand_in", "language", "old_workbook", "survey", "tracker"] {
         fs::create_dir_all(fuzz.join("corpus").join(target))?;
     }
     let write = |target: &str, name: &str, bytes: &[u8]| fs::write(fuzz.join("corpus").join(target).join(name), bytes);
@@ -51,6 +60,7 @@ fn main() -> io::Result<()> {
         write("hand_in", &name, text.as_bytes())?;
         write("hand_in", &format!("{name}.html"), carry(page, text.as_bytes(), units::Language::English).as_bytes())?;
     }
+    write("survey", "sheet", SHEET.as_bytes())?;
     for five in [false, true] {
         let workbook = workbook(five);
         write("old_workbook", &format!("file-{five}"), &workbook.bytes())?;

@@ -6,6 +6,7 @@ use crate::cycles::found::CycleView;
 use crate::films::state::Films;
 use crate::fits::state::Fits;
 use crate::measured::data::Data;
+use crate::opened::OpenedDocuments;
 use crate::records::incoming::Intake;
 use crate::removed::Removed;
 use crate::writing::{Sketching, Writing};
@@ -35,6 +36,8 @@ pub struct Desk {
     pub(crate) announcements: Announcements,
     pub(crate) data: Data,
     pub(crate) fits: Fits,
+    /// The documents from which fits are reconstructed.
+    pub(crate) opened: OpenedDocuments,
     pub(crate) films: Films,
     /// The file that is being read.
     pub(crate) intake: Option<Intake>,
@@ -62,6 +65,7 @@ impl Desk {
             announcements: Announcements::default(),
             data: Data::default(),
             fits: Fits::default(),
+            opened: OpenedDocuments::default(),
             films: Films::default(),
             intake: None,
             cycle_view: CycleView::default(),
@@ -89,6 +93,12 @@ impl Desk {
     /// The simulation, for changes. Call [`Desk::follow`] afterwards to update measured data.
     pub fn play_mut(&mut self) -> &mut Play {
         &mut self.play
+    }
+
+    /// Exchanges the documents from which fits are reconstructed for others, so that several desks can share them one
+    /// after the other.
+    pub fn exchange_documents(&mut self, documents: &mut OpenedDocuments) {
+        std::mem::swap(&mut self.opened, documents);
     }
 
     /// The document.

@@ -20,6 +20,7 @@ mod desk;
 mod films;
 mod fits;
 mod measured;
+mod opened;
 mod records;
 mod refusal;
 mod removed;
@@ -51,6 +52,7 @@ pub use fits::{
     MOST_FITS,
 };
 pub use measured::{CurveAxis, FittedCurve, MeasuredCurve, TheoryCurve};
+pub use opened::OpenedDocuments;
 pub use records::{
     ColumnView, LONGEST_RECORD, MEASUREMENT_FIELDS, MOST_RECORDS, MeasurementForm, RecordProgress, RecordView, SAMPLES,
     Sample, VariableView,

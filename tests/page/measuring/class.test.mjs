@@ -2,9 +2,10 @@
 
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
-import { readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { STILL, beside, drop, eventually, meniscus, temporary, visit } from "../lab.mjs";
-import { film } from "../measured.mjs";
+import { film, fit, openTheory, records } from "../measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const linear = readFileSync(beside("../../simulations/theories/linear.md"), "utf8");
@@ -100,6 +101,53 @@ visit("changed, repeated, damaged and hostile hand-ins are told apart, and are s
   // Its work opens in the laboratory.
   await lab.page.locator("#class-open-2").click();
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Linear damping"));
+});
+
+visit("a folder with hand-ins and reports: pages without data are left out, the progress is stated, results stand against a parameter", async (lab) => {
+  await openTheory(lab, "Linear damping");
+  await drop(lab, { name: "one.csv", text: film(0.18, 7) });
+  await eventually(async () => assert.equal(await records(lab).count(), 1));
+  await fit(lab);
+  const report = (await lab.save(lab.page.locator("#export-Report-false"))).text;
+  const folder = temporary("class");
+  mkdirSync(folder);
+  const files = { "one.html": report, "notes.html": "<html><body>notes</body></html>", "data.csv": "1,2" };
+  for (const { name, text } of groups) files[name] = text;
+  for (const [name, text] of Object.entries(files)) writeFileSync(join(folder, name), text);
+
+  await lab.press("Share");
+  await lab.page.locator("#open-class").click();
+  await lab.page.evaluate(() => {
+    window.seen = new Set();
+    const parts = ["class-curves", "class-stuck", "class-results"];
+    const look = () => parts.forEach((part) => window.seen.add(`${part}: ${document.getElementById(part)?.textContent}`));
+    new MutationObserver(look).observe(document.getElementById("class"), { childList: true, subtree: true, characterData: true });
+  });
+  await lab.page.locator("#class-folder-files").setInputFiles(folder);
+  await eventually(async () => assert.equal(await said(lab), "4 groups"), 60);
+  const seen = [...(await lab.page.evaluate(() => [...window.seen]))];
+  for (const part of ["class-curves", "class-stuck", "class-results"]) {
+    const early = seen.filter((text) => text.startsWith(part) && text.includes("Being computed: 0 of 4 hand-ins are done."));
+    assert.notEqual(early.length, 0, `${part} states the progress`);
+    assert.deepEqual(early.filter((text) => /None\.|No group is stuck/.test(text)), []);
+  }
+  assert.match(await row(lab, "one.html").innerText(), /\d+ values computed again, all equal/);
+  assert.equal(await row(lab, "notes.html").count(), 0);
+  await eventually(async () => assert.match(await lab.page.locator("#class-stuck").innerText(), /No group is stuck/));
+
+  const against = lab.page.locator("#class-against");
+  const set = async (id, text) => {
+    await lab.page.locator(id).fill(text);
+    await lab.page.locator(id).press("Tab");
+  };
+  await set("#class-x", "L^^2");
+  await eventually(async () => assert.match(await against.innerText(), /L\^\^2 is no power of a quantity/));
+  await set("#class-y", "omega_0^2");
+  await set("#class-x", "drift");
+  await eventually(async () => assert.match(await against.innerText(), /omega_0\^2 \[1\/s²\] against drift/));
+  assert.equal(await against.locator("svg").count(), 1);
+  assert.match(await against.innerText(), /No line: /);
+  assert.match((await lab.save(lab.page.locator("#class-report"))).text, /Results against a parameter/);
 });
 
 for (const [language, theme, size] of [["en-GB", "light", {}], ["es-ES", "dark", { width: 390, height: 844 }]]) {

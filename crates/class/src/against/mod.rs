@@ -55,12 +55,16 @@ impl Against {
 
     /// Heading: both powers with their units.
     pub fn title(&self, language: Language) -> String {
-        let [y, x, _] = self.units.each_ref().map(|unit| match unit_text(&unit.text) {
-            text if text.is_empty() => text,
-            text => format!(" [{text}]"),
-        });
+        let bracketed = |text: String| if text.is_empty() { text } else { format!(" [{text}]") };
+        let [y, x] = self.unit_texts().map(bracketed);
         let (of, parameter) = (&self.y, &self.x);
         language.pick(format!("{of}{y} against {parameter}{x}"), format!("{of}{y} en función de {parameter}{x}"))
+    }
+
+    /// SI units of the power of the quantity and of that of the parameter; empty for pure numbers.
+    pub fn unit_texts(&self) -> [String; 2] {
+        let [y, x, _] = &self.units;
+        [unit_text(&y.text), unit_text(&x.text)]
     }
 
     /// Value of the parameter of a point, and its result with the standard error.

@@ -15,8 +15,9 @@ pub use work::{GivenAnswer, Work};
 
 use crate::results::{Quantity, quantities};
 use crate::verify::{Copied, Curve, Recomputation, copied};
-use desk::TheoryCurve;
-use saved::hand_in::{HandIn, HandInError};
+use desk::{OpenedDocuments, TheoryCurve};
+use saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError};
+use std::collections::VecDeque;
 use units::{Language, Words};
 
 /// A file that was added.
@@ -73,12 +74,12 @@ impl Entry {
     }
 }
 
-/// A hand-in that is being computed.
+/// Work in progress.
 #[derive(Debug)]
 enum Step {
-    /// Its fits are repeated.
+    /// The fits of a hand-in are repeated.
     Fitting(usize, Box<Recomputation>),
-    /// Its data are compared with those of the hand-ins from this index on.
+    /// The data of a hand-in are compared with those of the hand-ins from this index on.
     Comparing(usize, usize),
 }
 
@@ -90,6 +91,10 @@ pub struct Collection {
     language: Language,
     entries: Vec<Entry>,
     step: Option<Step>,
+    /// Documents opened for earlier hand-ins.
+    documents: OpenedDocuments,
+    /// Computed hand-ins whose data are still to be compared.
+    uncompared: VecDeque<usize>,
     copies: Vec<Copied>,
     /// Curves of the theories, each from the first fit with it.
     theories: Vec<TheoryCurve>,
@@ -103,9 +108,27 @@ impl Collection {
             language,
             entries: Vec::new(),
             step: None,
+            documents: OpenedDocuments::default(),
+            uncompared: VecDeque::new(),
             copies: Vec::new(),
             theories: Vec::new(),
         }
+    }
+
+    /// True if a file of a folder can be a hand-in, or a page that carries one, by its name.
+    pub fn is_candidate(name: &str) -> bool {
+        let name = name.to_lowercase();
+        [HAND_IN_ENDING, ".html", ".htm"].iter().any(|ending| name.ends_with(ending))
+    }
+
+    /// Adds a file of a folder, as [`Collection::add`]. A page without the data of a hand-in is left out; the result is then
+    /// false.
+    pub fn add_of_folder(&mut self, file: &str, content: Result<HandIn, HandInError>) -> bool {
+        let is_taken = content != Err(HandInError::NoData);
+        if is_taken {
+            self.add(file, content);
+        }
+        is_taken
     }
 
     /// Adds the file of this name. Of several hand-ins of a sender the one that was made last counts, of equal times the
@@ -177,6 +200,11 @@ impl Collection {
         self.entries.iter().filter(|entry| matches!(entry.state, State::Waiting)).count()
     }
 
+    /// Number of computed hand-ins whose data are still to be compared with those of others.
+    pub fn uncompared(&self) -> usize {
+        self.uncompared.len() + usize::from(matches!(self.step, Some(Step::Comparing(..))))
+    }
+
     /// Measured data that two hand-ins share.
     pub fn copies(&self) -> &[Copied] {
         &self.copies
@@ -190,12 +218,13 @@ impl Collection {
         self.theories.iter().find(is_asked)
     }
 
-    /// Works for one trial of a fit or one comparison. Returns false if nothing is left to do.
+    /// Works for one trial of a fit or one comparison. All hand-ins are computed before their data are compared. Returns false
+    /// if nothing is left to do.
     pub fn advance(&mut self) -> bool {
         match self.step.take() {
-            None => return self.begin(),
+            None => return self.begin() || self.begin_comparing(),
             Some(Step::Fitting(index, mut recomputation)) if self.is_waiting(index) => {
-                if recomputation.advance() {
+                if recomputation.advance_with(&mut self.documents) {
                     self.step = Some(Step::Fitting(index, recomputation));
                 } else {
                     self.finish(index, *recomputation);
@@ -219,13 +248,24 @@ impl Collection {
         let Some(index) = (0..self.entries.len()).find(|index| self.is_waiting(*index)) else { return false };
         let entry = &mut self.entries[index];
         let Ok(hand_in) = &entry.content else { return false };
-        entry.columns = Curve::of(index, hand_in);
-        match Recomputation::begin(&hand_in.work) {
+        match Recomputation::begin_with(&hand_in.work, &mut self.documents) {
             Ok(recomputation) => self.step = Some(Step::Fitting(index, Box::new(recomputation))),
             Err(why) => {
                 entry.state = State::Unreadable(why);
-                self.step = Some(Step::Comparing(index, 0));
+                self.uncompared.push_back(index);
             }
+        }
+        true
+    }
+
+    /// Reads the columns of the next hand-in to be compared. Returns false if there is none.
+    fn begin_comparing(&mut self) -> bool {
+        let Some(index) = self.uncompared.pop_front() else { return false };
+        if let Some(entry) = self.entries.get_mut(index)
+            && let (Ok(hand_in), false) = (&entry.content, matches!(entry.state, State::Repeated(_)))
+        {
+            entry.columns = Curve::of(index, hand_in);
+            self.step = Some(Step::Comparing(index, 0));
         }
         true
     }
@@ -233,11 +273,11 @@ impl Collection {
     fn finish(&mut self, index: usize, recomputation: Recomputation) {
         let entry = &mut self.entries[index];
         if let Ok(hand_in) = &entry.content {
-            let (work, mut theories) = Work::of(hand_in, recomputation, &self.program, self.language.tag());
-            theories.retain(|new| self.theories.iter().all(|known| known.theory != new.theory));
+            let tag = self.language.tag();
+            let (work, mut theories) = Work::of(hand_in, recomputation, &self.program, tag, &self.theories);
             self.theories.append(&mut theories);
             entry.state = State::Done(Box::new(work));
-            self.step = Some(Step::Comparing(index, 0));
+            self.uncompared.push_back(index);
         }
     }
 

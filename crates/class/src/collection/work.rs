@@ -47,13 +47,14 @@ impl GivenAnswer {
 }
 
 impl Work {
-    /// Work of a finished recomputation of a hand-in, and the curves of its theories. `program`: version of the program that
-    /// has computed.
+    /// Work of a finished recomputation of a hand-in, and the curves of its theories that are not `known`. `program`: version
+    /// of the program that has computed.
     pub(super) fn of(
         hand_in: &HandIn,
         recomputation: Recomputation,
         program: &str,
         language: &str,
+        known: &[TheoryCurve],
     ) -> (Self, Vec<TheoryCurve>) {
         let refused = recomputation.refused();
         let (desk, facts) = recomputation.finish(language);
@@ -64,7 +65,7 @@ impl Work {
             fits: desk.fitted_curves(),
             answers: answers(desk.play()),
         };
-        (work, desk.theory_curves())
+        (work, desk.theory_curves(|theory| known.iter().all(|curve| curve.theory != theory)))
     }
 }
 

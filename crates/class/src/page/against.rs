@@ -1,11 +1,11 @@
 //! Results of the groups against a parameter that each group held fixed at a value of its own.
 
 use super::figures::{Look, scale};
-use crate::against::{Against, Power};
+use crate::against::{Against, Point, Power};
 use crate::collection::Collection;
 use crate::results::{Fixed, Quantity};
 use figure::{Axis, Plot, Series, Style};
-use report::{Page, plain_symbol};
+use report::{Page, escaped, plain_symbol};
 use units::Unit;
 use units::number::unit_text;
 
@@ -13,6 +13,55 @@ use units::number::unit_text;
 const MOST: usize = 3;
 /// Factor by which the curve of the theory reaches beyond the values of the groups.
 const BEYOND: f64 = 1.2;
+
+/// Section of a quantity against a parameter: the results with their errors and the straight line as a figure, the sentence about
+/// the line, and a table.
+pub fn against(asked: &Against, collection: &Collection, look: Look) -> String {
+    let language = look.language;
+    let mut page = Page::default();
+    page.element("h3", &asked.title(language));
+    page.raw("<figure>\n");
+    page.raw(&straight_line(asked, look));
+    page.raw("</figure>\n");
+    page.element("p", &asked.sentence(language));
+    let headings = [language.pick("Name", "Nombre"), &format!("#{}", asked.x), &format!("#{}", asked.y)];
+    page.table("", &headings);
+    for (index, point) in &asked.points {
+        let [x, y] = asked.texts(*point, language);
+        page.row(&[&escaped(collection.sender(*index)), &format!("#{x}"), &format!("#{y}")]);
+    }
+    page.end_table();
+    page.out
+}
+
+/// Results with their errors, and the straight line from the vertical axis to beyond the greatest value.
+fn straight_line(asked: &Against, look: Look) -> String {
+    let language = look.language;
+    let column = |value: fn(&Point) -> f64| asked.points.iter().map(|(_, point)| value(point)).collect::<Vec<f64>>();
+    let (x, y) = (column(|point| point.x), column(|point| point.measured.value));
+    let errors = column(|point| point.measured.error);
+    let [low, high] =
+        [x.iter().fold(0.0_f64, |least, x| least.min(*x)), x.iter().fold(0.0_f64, |most, x| most.max(*x))];
+    let ends = [low, high].map(|end| end * BEYOND);
+    let drawn = asked.line.as_ref().ok().map(|line| ends.map(|x| line.intercept + line.slope * x));
+    let mut series = Vec::new();
+    if let Some(drawn) = &drawn {
+        let label = language.pick("straight line", "recta");
+        series.push(Series { label, colour: 1, x: &ends, y: drawn, ..Series::default() });
+    }
+    let label = language.pick("groups", "grupos");
+    series.push(Series { label, style: Style::Points, x: &x, y: &y, spread: &errors, ..Series::default() });
+    let ([unit, x_unit], [name, x_name]) = (asked.unit_texts(), [&asked.y, &asked.x].map(ToString::to_string));
+    let plot = Plot {
+        description: &asked.title(language),
+        x: Axis { label: &x_name, unit: &x_unit, include: None },
+        y: vec![Axis { label: &name, unit: &unit, include: None }],
+        series,
+        steady: true,
+        ..Plot::default()
+    };
+    look.svg(&plot, 300.0)
+}
 
 /// A figure for each parameter that the groups held fixed at different values: the results, the curve of the theory if the
 /// quantity follows from it, and a sentence about the straight line. At most three parameters; empty without any.

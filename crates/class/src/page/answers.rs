@@ -1,5 +1,6 @@
 //! Answers by question, and groups that are stuck.
 
+use super::progress::progress_text;
 use crate::collection::{Collection, ErrorKind, QuestionTally};
 use crate::results::Quantity;
 use desk::play::Grade;
@@ -75,10 +76,17 @@ fn error_name(grade: Grade, language: Language) -> &'static str {
     }
 }
 
-/// List of the groups that are stuck, with the reason.
+/// List of the groups that are stuck, with the reason. While hand-ins are still to be computed, it says so.
 pub fn stuck(collection: &Collection, quantities: &[Quantity], language: Language) -> String {
     let mut page = Page::default();
     let stuck = collection.stuck(quantities);
+    let progress = progress_text(collection, language);
+    if let Some(progress) = &progress {
+        page.element("p", progress);
+    }
+    if stuck.is_empty() && progress.is_some() {
+        return page.out;
+    }
     if stuck.is_empty() {
         page.element("p", language.pick("No group is stuck.", "Ningún grupo está atascado."));
         return page.out;

@@ -9,8 +9,9 @@ use report::plain_symbol;
 use units::number::unit_text;
 use units::{Language, Unit};
 
-/// Maximum number of drawn points of a curve; longer ones are thinned.
+/// Maximum number of drawn points of a curve, and of all curves of a figure together; longer curves are thinned.
 const MOST_POINTS: usize = 500;
+const MOST_IN_FIGURE: usize = 20_000;
 /// Maximum number of drawn curves.
 pub const MOST_CURVES: usize = 200;
 
@@ -42,13 +43,14 @@ impl Look {
     }
 }
 
-/// Number of rows for each drawn point.
-fn stride(rows: usize) -> usize {
-    rows.div_ceil(MOST_POINTS).max(1)
+/// Maximum number of drawn points of one of these curves.
+fn most_points(curves: usize) -> usize {
+    MOST_POINTS.min(MOST_IN_FIGURE / curves.clamp(1, MOST_CURVES))
 }
 
-fn thinned(values: &[f64]) -> Vec<f64> {
-    values.iter().step_by(stride(values.len())).copied().collect()
+/// Evenly chosen values, at most `most`.
+fn thinned(values: &[f64], most: usize) -> Vec<f64> {
+    values.iter().step_by(values.len().div_ceil(most).max(1)).copied().collect()
 }
 
 /// A drawn curve: horizontal and vertical values.
@@ -65,7 +67,8 @@ pub fn curves(
 ) -> String {
     let language = look.language;
     let own = |member: &Member| collection.curve(*member);
-    let points = |curve: &MeasuredCurve| (thinned(&curve.times), thinned(&curve.values));
+    let most = most_points(members.len());
+    let points = |curve: &MeasuredCurve| (thinned(&curve.times, most), thinned(&curve.values, most));
     let drawn: Vec<Points> = members.iter().take(MOST_CURVES).filter_map(own).map(points).collect();
     let typical = collection.typical_fit(&CurveGroup { members: members.to_vec(), ..group.clone() });
     let mut series = ghosts(&drawn);
@@ -83,7 +86,8 @@ pub fn curves(
 /// Residuals of the fits of these groups: measured minus fitted. `None` without a fit.
 pub fn residuals(collection: &Collection, group: &CurveGroup, members: &[Member], look: Look) -> Option<String> {
     let fits = members.iter().take(MOST_CURVES).filter_map(|member| collection.fit_of(*member));
-    let drawn: Vec<Points> = fits.map(|fit| (thinned(&fit.times), thinned(&fit.residuals))).collect();
+    let most = most_points(members.len());
+    let drawn: Vec<Points> = fits.map(|fit| (thinned(&fit.times, most), thinned(&fit.residuals, most))).collect();
     let description =
         look.language.pick("residuals of the fits of all groups", "residuos de los ajustes de todos los grupos");
     (!drawn.is_empty()).then(|| draw(group, ("Δ", description), ghosts(&drawn), look, 190.0))

@@ -4,15 +4,19 @@ mod against;
 mod answers;
 mod figures;
 mod hand_ins;
+mod progress;
 mod quantities;
 mod workbook;
 
+pub use against::against;
 pub use answers::{questions, stuck};
 pub use figures::{Look, MOST_CURVES, curves, histogram, residuals, results, scale};
 pub use hand_ins::{copied_text, hand_ins, state_lines, state_text};
+pub use progress::{count_text, progress_text};
 pub use quantities::{far_text, pooled, quantity, result_text};
 pub use workbook::workbook;
 
+use crate::against::Against;
 use crate::collection::Collection;
 use crate::verify::meaning;
 use figure::Palette;
@@ -22,8 +26,9 @@ use units::Language;
 /// Maximum number of quantities whose curves are drawn in a report.
 const MOST_GROUPS: usize = 12;
 
-/// A report of all groups as one self-contained HTML page. `date` and `version` stand at its end; an empty date is left out.
-pub fn html(collection: &Collection, language: Language, version: &str, date: &str) -> String {
+/// A report of all groups as one self-contained HTML page. `asked`: quantities against a parameter. `date` and `version` stand at
+/// its end; an empty date is left out.
+pub fn html(collection: &Collection, asked: &[Against], language: Language, version: &str, date: &str) -> String {
     let title = language.pick("Results of a class", "Resultados de una clase");
     let look = Look { width: 700.0, height: 300.0, palette: &Palette::LIGHT, language };
     let mut page = Page::default();
@@ -40,6 +45,10 @@ pub fn html(collection: &Collection, language: Language, version: &str, date: &s
             page.raw(&quantity(one, collection, usize::MAX, look));
         }
     }
+    if !asked.is_empty() {
+        page.heading(language.pick("Results against a parameter", "Resultados en función de un parámetro"));
+        asked.iter().for_each(|one| page.raw(&against(one, collection, look)));
+    }
     let questions = questions(&collection.questions(), language);
     if !questions.is_empty() {
         page.heading(language.pick("Answers", "Respuestas"));
@@ -52,21 +61,6 @@ pub fn html(collection: &Collection, language: Language, version: &str, date: &s
     page.element("p class=\"note\"", meaning().text(language));
     report::footer(&mut page, language, version, date);
     report::page_of(title, language.tag(), version, &page.out)
-}
-
-/// Number of groups, of hand-ins that are still to be computed, and of files that do not count.
-pub fn count_text(collection: &Collection, language: Language) -> String {
-    let (groups, waiting) = (collection.works().count(), collection.waiting());
-    let more = collection.entries().len() - groups - waiting;
-    let mut text = language.pick(format!("{groups} groups"), format!("{groups} grupos"));
-    if waiting > 0 {
-        text += &language.pick(format!(", {waiting} still to be computed"), format!(", {waiting} por calcular"));
-    }
-    if more > 0 {
-        let rest = language.pick("further files that do not count", "archivos más que no cuentan");
-        text += &format!(", {more} {rest}");
-    }
-    text
 }
 
 fn curves_section(page: &mut Page, collection: &Collection, look: Look) {

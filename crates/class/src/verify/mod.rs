@@ -19,14 +19,30 @@ use saved::hand_in::{HandIn, Sender};
 use saved::project::Project;
 use units::Words;
 
-/// A hand-in of this work. `made`: time in milliseconds since 1970. `program`: version of the program. The values are
-/// computed from the work at once; [`Recomputation`] does it in slices.
+/// A hand-in of this work, and a sentence for each part that could not be restored, of which no values are stated. `made`:
+/// time in milliseconds since 1970. `program`: version of the program. The values are computed from the work at once;
+/// [`Recomputation`] does it in slices.
+///
+/// # Errors
+/// If the document of the work cannot be opened.
+pub fn hand_in_with_losses(
+    work: Project,
+    sender: Sender,
+    made: u64,
+    program: &str,
+) -> Result<(HandIn, Vec<Words>), Words> {
+    let recomputation = Recomputation::complete(&work)?;
+    let left_out = recomputation.left_out().cloned().collect();
+    let facts = recomputation.facts();
+    Ok((HandIn { program: program.to_owned(), made, sender, work, facts, page: Vec::new() }, left_out))
+}
+
+/// A hand-in as [`hand_in_with_losses`], without the sentences.
 ///
 /// # Errors
 /// If the document of the work cannot be opened.
 pub fn hand_in(work: Project, sender: Sender, made: u64, program: &str) -> Result<HandIn, Words> {
-    let facts = Recomputation::complete(&work)?.facts();
-    Ok(HandIn { program: program.to_owned(), made, sender, work, facts, page: Vec::new() })
+    Ok(hand_in_with_losses(work, sender, made, program)?.0)
 }
 
 /// Computes a hand-in again at once, and compares. `program`: version of the program that verifies.

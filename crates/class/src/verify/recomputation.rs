@@ -1,6 +1,6 @@
 //! Computing the values of a hand-in from its work.
 
-use desk::Desk;
+use desk::{Desk, OpenedDocuments, play};
 use saved::hand_in::Fact;
 use saved::project::Project;
 use units::{Words, words};
@@ -9,7 +9,8 @@ use units::{Words, words};
 #[derive(Debug)]
 pub struct Recomputation {
     desk: Desk,
-    refused: usize,
+    /// A sentence for each part that could not be restored.
+    refused: Vec<Words>,
 }
 
 impl Recomputation {
@@ -18,18 +19,29 @@ impl Recomputation {
     /// # Errors
     /// If the document has errors.
     pub fn begin(work: &Project) -> Result<Self, Words> {
-        let mut texts = work.documents.iter().map(|file| file.text.as_str());
-        let source = texts.next().unwrap_or_default();
-        let opened = document::open(source, &texts.collect::<Vec<_>>());
-        let document = opened.sound().ok_or_else(|| {
+        let mut documents = OpenedDocuments::default();
+        let mut recomputation = Self::begin_with(work, &mut documents)?;
+        recomputation.desk.exchange_documents(&mut documents);
+        Ok(recomputation)
+    }
+
+    /// As [`Recomputation::begin`]; a document among `documents` is not opened again.
+    ///
+    /// # Errors
+    /// If the document has errors.
+    pub fn begin_with(work: &Project, documents: &mut OpenedDocuments) -> Result<Self, Words> {
+        let texts: Vec<String> = work.documents.iter().map(|file| file.text.clone()).collect();
+        let document = documents.open(&texts).ok_or_else(|| {
             words("the document of the hand-in has errors", "el documento de la entrega tiene errores")
         })?;
         let mut desk = Desk::open(document);
-        let mut refused = 0;
-        if !work.state.is_empty() {
-            refused += usize::from(desk.restore(&work.state).1.is_err());
+        let mut refused = Vec::new();
+        if !work.state.is_empty()
+            && let Err(why) = desk.restore(&work.state).1
+        {
+            refused.push(state_refused(&why));
         }
-        refused += desk.take_project_items(&work.items);
+        refused.extend(desk.take_project_items(&work.items));
         Ok(Self { desk, refused })
     }
 
@@ -48,9 +60,22 @@ impl Recomputation {
         self.desk.advance_fit()
     }
 
+    /// As [`Recomputation::advance`], with the same documents as in [`Recomputation::begin_with`].
+    pub fn advance_with(&mut self, documents: &mut OpenedDocuments) -> bool {
+        self.desk.exchange_documents(documents);
+        let has_more = self.desk.advance_fit();
+        self.desk.exchange_documents(documents);
+        has_more
+    }
+
     /// Number of parts of the work that could not be restored.
     pub fn refused(&self) -> usize {
-        self.refused
+        self.refused.len()
+    }
+
+    /// A sentence for each part of the work that could not be restored, and for each fit that could not be repeated.
+    pub fn left_out(&self) -> impl Iterator<Item = &Words> {
+        self.refused.iter().chain(self.desk.lost_fits())
     }
 
     /// The values that follow from the work.
@@ -63,5 +88,18 @@ impl Recomputation {
         let facts = self.desk.facts();
         self.desk.set_language(language);
         (self.desk, facts)
+    }
+}
+
+fn state_refused(why: &play::Refusal) -> Words {
+    match why {
+        play::Refusal::PartlyRestored { left_out } => {
+            let parts = left_out.join(", ");
+            words!(
+                "state of the run: these parts do not fit the document: {parts}",
+                "estado de la simulación: estas partes no encajan en el documento: {parts}"
+            )
+        }
+        _ => words("state of the run: it cannot be read", "estado de la simulación: no se puede leer"),
     }
 }

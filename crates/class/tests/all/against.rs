@@ -133,9 +133,18 @@ fn a_report_draws_results_over_the_theory() {
     for (length, omega) in curve.x.iter().zip(&curve.y) {
         assert!((omega / (2.0 * 9.81 / length).sqrt() - 1.0).abs() < 0.01, "{length} {omega}");
     }
-    let page = html(&class, Language::English, VERSION, "");
+    let page = html(&class, &[], Language::English, VERSION, "");
     assert!(page.contains("omega_0 [1/s] against L [m]. Straight line, n = 3"), "the sentence");
     assert!(page.contains("against L</title>") && page.contains(">theory<"), "the figure");
+    // A power of the parameter that is asked for has its own section, with the line.
+    let power = |text| Power::parse(text).unwrap();
+    let asked = Against::new(omega, Some(&power("omega_0^2")), &power("2/L")).unwrap();
+    let page = html(&class, &[asked], Language::English, VERSION, "");
+    let section = page.split("Results against a parameter").nth(1).unwrap();
+    let sentence = section.split("Straight line, n = 3: slope (9.").nth(1).unwrap();
+    assert!(section.contains("omega_0^2 [1/s²] against 2/L [1/m]</title>"), "the figure");
+    assert!(section.contains(">straight line<") && sentence.contains(" m/s² (95 %: "), "the line");
+    assert!(sentence.contains(">group 1<") && sentence.contains(">11.1111<"), "the table");
 }
 
 #[test]
@@ -173,7 +182,8 @@ fn powers_are_read_as_they_are_typed() {
 /// The four measured columns as the hand-ins of four groups: `cargo test -p class --test all four_columns -- --ignored
 /// --nocapture`. The data are not part of the project. Their lengths were not published: those here, in m, are what g = 9.80
 /// m/s² gives for the mean of the published frequencies of U1 and U2, and of U3 and U4, to 1 mm as a ruler is read. So the test shows the way from
-/// hand-ins to g, and that four groups agree; it is no measurement of g.
+/// hand-ins to g, and that four groups agree; it is no measurement of g. The hand-ins are written into `target/tmp/four-columns`,
+/// for `meniscus class report target/tmp/four-columns --against 2/L --power omega_0^2` and the dashboard.
 #[test]
 #[ignore = "needs ../shared/data"]
 fn four_columns_of_two_lengths_give_g() {
@@ -191,6 +201,12 @@ fn four_columns_of_two_lengths_give_g() {
     // The columns are released within the first seconds.
     let groups = [("U1", 0.178, 1.0), ("U2", 0.178, 1.3), ("U3", 0.212, 2.0), ("U4", 0.212, 1.3)];
     let hand_ins: Vec<HandIn> = groups.into_iter().map(group).collect();
+    let written = Path::new(env!("CARGO_TARGET_TMPDIR")).join("four-columns");
+    std::fs::create_dir_all(&written).unwrap();
+    for one in &hand_ins {
+        std::fs::write(written.join(format!("{}.hand-in", one.sender.name)), one.write()).unwrap();
+    }
+    println!("{} hand-ins in {}", hand_ins.len(), written.display());
     for pair in hand_ins.chunks(2) {
         for quantity in quantities(pair.iter().map(|one| one.facts.as_slice()).enumerate()) {
             if ["gamma", "omega_0"].contains(&quantity.name.as_str()) {

@@ -1,11 +1,11 @@
 //! The hand-ins of a class together: those that count, tallies of answers, groups that are stuck, reports.
 
-use crate::support::{VERSION, answered, handed, measured};
+use crate::support::{VERSION, answered, handed, measured, report};
 use class::collection::{Collection, Entry, Snapshot, Snapshots, State};
-use class::page::{html, workbook};
+use class::page::{count_text, html, progress_text, stuck, workbook};
 use class::verify::hand_in;
 use desk::play::Grade;
-use saved::hand_in::{HandIn, Sender};
+use saved::hand_in::{HandIn, HandInError, Sender};
 use units::Language;
 
 fn of(name: &str, rows: &[(f64, f64)], answers: &[&str]) -> HandIn {
@@ -100,7 +100,7 @@ fn curves_and_results_of_a_class_are_reported() {
     let gamma = quantities.iter().find(|one| one.name == "gamma").unwrap();
     let pool = gamma.pool.as_ref().unwrap();
     assert_eq!(pool.outliers.iter().map(|one| one.index).collect::<Vec<_>>(), [10], "{pool:?}");
-    let page = html(&class, Language::English, VERSION, "");
+    let page = html(&class, &[], Language::English, VERSION, "");
     for expected in [
         "11 groups",
         "twice or half as large",
@@ -110,7 +110,7 @@ fn curves_and_results_of_a_class_are_reported() {
     ] {
         assert!(page.contains(expected), "{expected}");
     }
-    assert!(html(&class, Language::Spanish, VERSION, "").contains("el doble o la mitad"));
+    assert!(html(&class, &[], Language::Spanish, VERSION, "").contains("el doble o la mitad"));
     assert!(workbook(&class, Language::English).starts_with(b"PK"));
 }
 
@@ -138,4 +138,44 @@ fn reports_have_no_sender_and_each_counts() {
     assert_eq!(class.works().count(), 3);
     let shown: Vec<&str> = class.entries().iter().map(Entry::sender).collect();
     assert_eq!(shown, ["0.hand-in", "1.hand-in", "heron"]);
+}
+
+#[test]
+fn the_progress_is_stated_and_data_are_compared_after_all_are_computed() {
+    let hand_ins = [1, 2, 1].map(|seed| of(&format!("seed {seed}"), &measured(seed), &["7", "8", "9"]));
+    let mut class = Collection::new(VERSION, Language::English);
+    for (name, hand_in) in ["a", "b", "c"].iter().zip(&hand_ins) {
+        let sender = Sender { name: (*name).to_owned(), ..Sender::default() };
+        class.add(name, Ok(HandIn { sender, ..hand_in.clone() }));
+    }
+    let said = |class: &Collection| stuck(class, &class.quantities(), Language::English);
+    assert!(said(&class).contains("Being computed: 0 of 3 hand-ins are done.") && !said(&class).contains("No group"));
+    while class.waiting() > 1 {
+        assert!(class.advance());
+        assert!(class.copies().is_empty());
+    }
+    let listed = said(&class);
+    assert!(listed.contains("2 of 3 hand-ins") && listed.contains("a: question 1: 3 answers wrong"), "{listed}");
+    assert_eq!(count_text(&class, Language::English), "2 groups, 1 still to be computed");
+    while class.waiting() > 0 {
+        class.advance();
+    }
+    assert_eq!(progress_text(&class, Language::English), None);
+    assert_eq!(count_text(&class, Language::English), "3 groups, looking for shared data: 3 to go");
+    while class.advance() {}
+    assert_eq!((class.uncompared(), class.copies().len()), (0, 1));
+    assert_eq!(count_text(&class, Language::Spanish), "3 grupos");
+}
+
+#[test]
+fn of_the_pages_of_a_folder_those_without_data_are_left_out() {
+    for (name, is_candidate) in [("a.hand-in", true), ("A.HTM", true), ("b.html", true), ("b.csv", false), ("b", false)] {
+        assert_eq!(Collection::is_candidate(name), is_candidate, "{name}");
+    }
+    let mut class = Collection::new(VERSION, Language::English);
+    assert!(!class.add_of_folder("notes.html", HandIn::open(b"<html><body>notes</body></html>")));
+    assert!(class.add_of_folder("report.html", HandIn::open(report(&measured(1)).as_bytes())));
+    assert!(class.add_of_folder("cut.hand-in", Err(HandInError::Damaged)));
+    while class.advance() {}
+    assert_eq!((class.entries().len(), class.works().count()), (2, 1));
 }

@@ -43,15 +43,20 @@ impl Noise {
     }
 }
 
-/// Times and levels of a measured column of 18 cm, with noise of 0.5 mm, in seconds and metres.
+/// Times and levels of a measured column of 18 cm, with noise of 0.5 mm, in seconds and metres: 3 s at 30 frames a second.
 pub fn measured(seed: u64) -> Vec<(f64, f64)> {
+    sampled(seed, 90, 30.0)
+}
+
+/// Times and levels as [`measured`]: `count` rows at `rate` frames a second.
+pub fn sampled(seed: u64, count: u32, rate: f64) -> Vec<(f64, f64)> {
     let mut noise = Noise::new(seed);
     let row = |index: u32| {
-        let time = f64::from(index) / 30.0;
+        let time = f64::from(index) / rate;
         let swing = 0.04 * libm::exp(-0.42 * time) * libm::cos(10.4 * time);
         (time, swing + 5e-4 * noise.normal())
     };
-    (0..90).map(row).collect()
+    (0..count).map(row).collect()
 }
 
 /// The rows as a file of data.

@@ -45,7 +45,7 @@ pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
         }
         ReportFormat::Csv => as_csv(&quantities, &class).into_bytes(),
         ReportFormat::Json => as_json(&quantities, &class, language).into_bytes(),
-        ReportFormat::Html => page::html(&class, language, VERSION, "").into_bytes(),
+        ReportFormat::Html => page::html(&class, &against, language, VERSION, "").into_bytes(),
         ReportFormat::Xlsx => page::workbook(&class, language),
     };
     output::deliver(arguments.output.as_deref(), &paths, &bytes)
@@ -57,15 +57,15 @@ pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
 /// The argument is no power, or there are no such results, or the form has no place for them.
 fn against(arguments: &Report, format: ReportFormat, quantities: &[Quantity]) -> Result<Vec<Against>, Failure> {
     let Some(asked) = &arguments.against else { return Ok(Vec::new()) };
-    if format != ReportFormat::Text {
+    if !matches!(format, ReportFormat::Text | ReportFormat::Html) {
         return Err(Failure::in_words(
             words(
-                "only the report as text has results against a parameter",
-                "solo el informe como texto tiene resultados en función de un parámetro",
+                "only the report as text or as a page has results against a parameter",
+                "solo el informe como texto o como página tiene resultados en función de un parámetro",
             ),
             words(
-                "leave out `--format` and `--output`, or `--against`",
-                "quita `--format` y `--output`, o `--against`",
+                "leave out `--against`, or choose `--format text` or `--format html`",
+                "quita `--against`, o elige `--format text` o `--format html`",
             ),
         ));
     }

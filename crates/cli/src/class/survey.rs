@@ -2,7 +2,7 @@
 
 use super::arguments::{Survey, SurveyFormat};
 use crate::failure::Failure;
-use crate::handing::read::bytes;
+use crate::handing::read::{bytes, files_in};
 use crate::terminal::Terminal;
 use crate::terminal::output;
 use crate::terminal::visible::visible;
@@ -66,16 +66,13 @@ fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
             files.push(path.clone());
             continue;
         }
-        let entries = std::fs::read_dir(path).map_err(|error| Failure::file("read", path, &error))?;
-        let names = entries.filter_map(|entry| Some(entry.ok()?.path()));
-        let mut inside: Vec<PathBuf> = names.filter(|path| path.to_string_lossy().ends_with(SHEET_ENDING)).collect();
+        let mut inside = files_in(path, |name| name.to_lowercase().ends_with(SHEET_ENDING))?;
         if inside.is_empty() {
             return Err(Failure::with_hint(
                 format!("{} has no answers to a survey", path.display()),
                 format!("their names end in {SHEET_ENDING}"),
             ));
         }
-        inside.sort();
         files.append(&mut inside);
     }
     Ok(files)

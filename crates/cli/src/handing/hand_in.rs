@@ -7,6 +7,7 @@ use super::write::now;
 use crate::failure::Failure;
 use crate::terminal::Terminal;
 use crate::terminal::output::file;
+use crate::terminal::visible::visible;
 use saved::hand_in::{HAND_IN_ENDING, Sender};
 use saved::project::{LONGEST_PROJECT, Project};
 use units::{Words, words};
@@ -22,11 +23,16 @@ pub fn hand_in(arguments: &HandIn, terminal: Terminal) -> Result<(), Failure> {
         .map_err(|error| refused(error.words()))?;
     let sender =
         Sender { name: arguments.name.clone(), seat: arguments.seat, assignment: arguments.assignment.clone() };
-    let made = class::verify::hand_in(project, sender, now(), VERSION).map_err(refused)?;
+    let (made, left_out) = class::verify::hand_in_with_losses(project, sender, now(), VERSION).map_err(refused)?;
     let output = arguments.output.clone().unwrap_or_else(|| path.with_extension(&HAND_IN_ENDING[1..]));
     file(&output, std::slice::from_ref(path), made.write().as_bytes())?;
     let (count, output) = (made.facts.len(), output.display());
     let said = words!("Wrote {output} with {count} values", "Se escribió {output} con {count} valores");
     terminal.print(&format!("{}\n", said.text(terminal.language)));
+    for why in &left_out {
+        let why = visible(why.text(terminal.language)).into_owned();
+        let line = words!("Without values for {why}", "Sin valores para {why}");
+        terminal.print(&format!("  {}\n", line.text(terminal.language)));
+    }
     Ok(())
 }

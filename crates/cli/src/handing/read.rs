@@ -17,10 +17,16 @@ pub fn bytes(path: &Path, most: usize) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-/// True if a file of a folder is a hand-in or a page, by its name.
-fn is_candidate(path: &Path) -> bool {
-    let name = path.to_string_lossy().to_lowercase();
-    [HAND_IN_ENDING, ".html", ".htm"].iter().any(|ending| name.ends_with(ending))
+/// Files of a folder whose names are wanted, in the order of their names.
+///
+/// # Errors
+/// The folder cannot be read.
+pub fn files_in(folder: &Path, is_wanted: impl Fn(&str) -> bool) -> Result<Vec<PathBuf>, Failure> {
+    let entries = std::fs::read_dir(folder).map_err(|error| Failure::file("read", folder, &error))?;
+    let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
+    let mut files: Vec<PathBuf> = paths.filter(|path| is_wanted(&path.to_string_lossy())).collect();
+    files.sort();
+    Ok(files)
 }
 
 /// The hand-ins of files and folders, in the order of their names, computed again. Of the pages in a folder only those that
@@ -30,28 +36,19 @@ fn is_candidate(path: &Path) -> bool {
 /// A file or folder cannot be read, or a folder has no hand-ins.
 pub fn computed(paths: &[PathBuf], language: Language) -> Result<(Collection, Vec<PathBuf>), Failure> {
     let (mut class, mut taken) = (Collection::new(VERSION, language), Vec::new());
-    let mut add = |path: &Path, content| {
-        class.add(&path.to_string_lossy(), content);
-        taken.push(path.to_owned());
-    };
     for path in paths {
         if !path.is_dir() {
-            add(path, read(path)?);
+            class.add(&path.to_string_lossy(), read(path)?);
+            taken.push(path.clone());
             continue;
         }
-        let entries = std::fs::read_dir(path).map_err(|error| Failure::file("read", path, &error))?;
-        let names = entries.filter_map(|entry| Some(entry.ok()?.path()));
-        let mut inside: Vec<PathBuf> = names.filter(|path| is_candidate(path)).collect();
-        inside.sort();
-        let mut is_empty = true;
-        for path in inside {
-            let content = read(&path)?;
-            if content != Err(HandInError::NoData) {
-                add(&path, content);
-                is_empty = false;
+        let before = taken.len();
+        for path in files_in(path, Collection::is_candidate)? {
+            if class.add_of_folder(&path.to_string_lossy(), read(&path)?) {
+                taken.push(path);
             }
         }
-        if is_empty {
+        if taken.len() == before {
             return Err(Failure::with_hint(
                 format!("{} has no hand-ins", path.display()),
                 format!("their names end in {HAND_IN_ENDING}"),

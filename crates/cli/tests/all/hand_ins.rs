@@ -3,7 +3,7 @@
 use crate::common::meniscus;
 use document::page::Source;
 use saved::Item;
-use saved::format::{Content, Record};
+use saved::format::{Answer, Content, Record};
 use saved::project::Project;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -54,6 +54,31 @@ fn an_honest_hand_in_holds() {
     assert!(done.stdout.contains("does not show who took the data"), "{}", done.stdout);
     let spanish = meniscus(&["--language", "es", "verify", path.to_str().unwrap()]);
     assert!(spanish.stdout.contains("16 valores calculados de nuevo, todos iguales"), "{}", spanish.stdout);
+}
+
+#[test]
+fn parts_without_values_are_named_with_the_reason() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = project(directory.path());
+    let mut project = Project::read(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    let fit = include_str!("../../../desk/tests/all/stored/fit.json").trim().to_owned();
+    let answer = Item(Content::Answer(Answer { typed: "42".to_owned(), ..Answer::default() })).write(5);
+    let items = [("cut", "{".to_owned()), ("fit", fit), ("question", answer)];
+    project.items.extend(items.map(|(name, text)| (name.to_owned(), text)));
+    "2&b=9".clone_into(&mut project.state);
+    std::fs::write(&path, project.write()).unwrap();
+    let done = meniscus(&["hand-in", path.to_str().unwrap(), "--name", "a"]);
+    assert_eq!(done.code, 0, "{}", done.stderr);
+    for expected in [
+        "Without values for cut: it is damaged, or was saved by a later version",
+        ": its record ",
+        "Without values for answer \"42\": the document does not have its question",
+        "Without values for state of the run: ",
+    ] {
+        assert!(done.stderr.contains(expected), "{expected}: {}", done.stderr);
+    }
+    let spanish = meniscus(&["--language", "es", "hand-in", path.to_str().unwrap(), "--name", "a"]);
+    assert!(spanish.stderr.contains("Sin valores para cut: está dañado"), "{}", spanish.stderr);
 }
 
 #[test]
@@ -153,6 +178,8 @@ fn the_results_of_a_class_are_pooled() {
         assert!(refused.code == 2 && refused.stderr.contains(expected), "{}", refused.stderr);
     }
     assert_eq!(meniscus(&[&line[..], &["omega_0", "--format", "csv"]].concat()).code, 2);
+    let page = meniscus(&[&line[..], &["omega_0^2", "--format", "html"]].concat()).stdout;
+    assert!(page.contains("Results against a parameter") && page.contains("omega_0^2 [1/s²] against 1/drift"), "{page:.3000}");
     let found = meniscus(&["class", "report", folder_name, "--format", "json"]);
     let found: Value = serde_json::from_str(&found.stdout).unwrap();
     let gamma = found.as_array().unwrap().iter().find(|one| one["quantity"] == "gamma").unwrap();

@@ -1,5 +1,6 @@
 //! Data of a fit, from its definition to its result.
 
+use crate::opened::OpenedDocuments;
 use crate::records::record::Use;
 use analysis::fit::{Loss, Outcome, Rival, Target, Task, Trace, Varied};
 use document::Document;
@@ -100,10 +101,8 @@ impl Waiting {
     }
 
     /// Job of the reconstruction; `None` if the document cannot be opened or does not match the fit.
-    pub fn job(self) -> Option<Job> {
-        let (source, translations) = self.texts.split_first()?;
-        let translations: Vec<&str> = translations.iter().map(String::as_str).collect();
-        let document = document::open(source, &translations).sound()?;
+    pub fn job(self, documents: &mut OpenedDocuments) -> Option<Job> {
+        let document = documents.open(&self.texts)?;
         let parameters = document.program.model.parameters.len();
         let exists = |varied: &Varied| !matches!(varied.target, Target::Parameter(index) if index >= parameters);
         let fits = self.definition.parameters.len() == parameters && self.definition.varied.iter().all(exists);

@@ -7,6 +7,7 @@ use crate::{Announcement, Desk, Refusal};
 use analysis::fit::{Fit, FitError, Varied};
 use document::Document;
 use program::{Model, Parameter};
+use units::{Words, words};
 
 /// Progress of the fits started by the user.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,12 +119,23 @@ impl Desk {
             self.announce(Announcement::TheoriesLeftOut(left_out));
         }
         while let Some(waiting) = self.fits.waiting.pop_front() {
-            // A fit that cannot be reconstructed is dropped.
-            let running = waiting.job().and_then(|job| self.ready(job).ok());
-            if running.is_some() {
-                self.fits.running = running;
+            let file = waiting.definition.file.clone();
+            let job = waiting.job(&mut self.opened);
+            let has_theory = job.is_some();
+            if let Some(running) = job.and_then(|job| self.ready(job).ok()) {
+                self.fits.running = Some(running);
                 break;
             }
+            self.fits.lost.push(match has_theory {
+                true => words!(
+                    "fit of {file}: the theory cannot be fitted to its records",
+                    "ajuste de {file}: la teoría no se puede ajustar a sus registros"
+                ),
+                false => words!(
+                    "fit of {file}: its document has errors or other parameters",
+                    "ajuste de {file}: su documento tiene errores u otros parámetros"
+                ),
+            });
         }
         Ok(())
     }
@@ -172,6 +184,11 @@ impl Desk {
         }
         self.revision.fits += 1;
         self.fits.running.is_some()
+    }
+
+    /// A sentence for each stored fit that could not be reconstructed, with the reason.
+    pub fn lost_fits(&self) -> &[Words] {
+        &self.fits.lost
     }
 
     /// Cancels the fits started by the user.

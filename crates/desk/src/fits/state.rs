@@ -4,6 +4,7 @@ use crate::fits::fit::{Fitted, Job, Waiting};
 use crate::fits::setup::Setup;
 use analysis::fit::{Fit, Task};
 use std::collections::VecDeque;
+use units::Words;
 
 /// All fits of a desk.
 #[derive(Debug, Default)]
@@ -18,6 +19,8 @@ pub(crate) struct Fits {
     pub issued: u32,
     /// Theories of the queue that could not be fitted, each with the reason.
     pub left_out: Vec<String>,
+    /// A sentence for each fit that could not be reconstructed.
+    pub lost: Vec<Words>,
     pub queue: Vec<Job>,
     /// Length of the queue when it was started.
     pub total: usize,

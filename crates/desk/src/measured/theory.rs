@@ -28,9 +28,10 @@ pub struct TheoryCurve {
 
 impl Desk {
     /// Derived quantities of the finished fits against each parameter that the fit held fixed, from a tenth to ten times its value.
-    /// A parameter of value 0 has no curve.
-    pub fn theory_curves(&self) -> Vec<TheoryCurve> {
-        self.fits.finished.iter().flat_map(curves).collect()
+    /// A parameter of value 0 has no curve. `is_wanted`: true for the title of a theory whose curves are to be computed.
+    pub fn theory_curves(&self, is_wanted: impl Fn(&str) -> bool) -> Vec<TheoryCurve> {
+        let wanted = self.fits.finished.iter().filter(|fit| is_wanted(&fit.document.program.title));
+        wanted.flat_map(curves).collect()
     }
 }
 

@@ -4,8 +4,9 @@ use super::films::MOST_WORKS;
 use crate::fits::fit::Fitted;
 use crate::{Desk, MOST_FITS, MOST_RECORDS};
 use saved::Item;
-use saved::format::Content;
+use saved::format::{Content, Part};
 use std::collections::HashSet;
+use units::{Words, words};
 
 /// Maximum number of items that are tried, because a file of unknown origin may have thousands.
 const MOST_TRIED: usize = MOST_RECORDS + MOST_WORKS + MOST_FITS;
@@ -39,15 +40,18 @@ impl Desk {
     }
 
     /// Restores the items of a project in the order in which they were written, because fits need their records.
-    /// Existing items stay unchanged. Returns the number of items that could not be restored.
-    pub fn take_project_items(&mut self, items: &[(String, String)]) -> usize {
+    /// Existing items stay unchanged. Returns a sentence for each item that could not be restored, with the reason.
+    pub fn take_project_items(&mut self, items: &[(String, String)]) -> Vec<Words> {
         let records = self.record_names().into_iter().map(|(_, name)| name);
         let others = [self.saved_fits(), self.saved_films()].into_iter().flatten().map(|(name, _)| name);
         let mut here: HashSet<String> = records.chain(others).collect();
-        let (mut refused, mut tried) = (0, 0);
+        let (mut refused, mut tried) = (Vec::new(), 0);
         for (name, text) in items {
             let Some((_, item)) = Item::read(text) else {
-                refused += 1;
+                refused.push(words!(
+                    "{name}: it is damaged, or was saved by a later version",
+                    "{name}: está dañado o lo guardó una versión posterior"
+                ));
                 continue;
             };
             if here.contains(name) {
@@ -58,7 +62,9 @@ impl Desk {
             }
             tried += 1;
             let taken = if tried > MOST_TRIED { None } else { self.restore_measured(&item) };
-            refused += usize::from(taken.is_none());
+            if taken.is_none() {
+                refused.push(if tried > MOST_TRIED { too_many() } else { self.refused(&item) });
+            }
             here.extend(taken);
         }
         refused
@@ -68,6 +74,54 @@ impl Desk {
     fn restore_measured(&mut self, item: &Item) -> Option<String> {
         self.restore_record(item).or_else(|| self.restore_film(item)).or_else(|| self.restore_fit(item))
     }
+
+    /// Reason why an item could not be restored.
+    fn refused(&self, item: &Item) -> Words {
+        match &item.0 {
+            Content::Record(record) => {
+                let name = &record.name;
+                words!(
+                    "record {name}: its data cannot be read, or it exceeds the number or length of records",
+                    "registro {name}: sus datos no se pueden leer, o excede el número o la longitud de los registros"
+                )
+            }
+            Content::Film(film) => {
+                let name = &film.name;
+                words!(
+                    "work on the film {name}: it is damaged, or the file has it twice",
+                    "trabajo sobre la película {name}: está dañado, o el archivo lo tiene dos veces"
+                )
+            }
+            Content::Fit(fit) => {
+                let (file, names) = (&fit.task.file, self.record_names());
+                let is_missing = |part: &&Part| names.iter().all(|(_, name)| *name != part.record);
+                match fit.task.records.iter().find(is_missing) {
+                    Some(Part { name, .. }) => words!(
+                        "fit of {file}: its record {name} is missing",
+                        "ajuste de {file}: falta su registro {name}"
+                    ),
+                    None => words!(
+                        "fit of {file}: its columns do not fit the record",
+                        "ajuste de {file}: sus columnas no encajan en el registro"
+                    ),
+                }
+            }
+            Content::Answer(answer) => {
+                let typed = &answer.typed;
+                words!(
+                    "answer \"{typed}\": the document does not have its question",
+                    "respuesta «{typed}»: el documento no tiene su pregunta"
+                )
+            }
+        }
+    }
+}
+
+fn too_many() -> Words {
+    words!(
+        "a project has at most {MOST_TRIED} records, works on films and fits",
+        "un proyecto tiene como máximo {MOST_TRIED} registros, trabajos sobre películas y ajustes"
+    )
 }
 
 /// Names and texts of items in their order. `now` in milliseconds.

@@ -8,6 +8,7 @@ mod derived;
 mod films;
 mod fits;
 mod intake;
+mod opened;
 mod projects;
 mod reading;
 mod records;

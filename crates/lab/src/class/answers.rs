@@ -1,6 +1,8 @@
 //! The answers of all groups, question by question.
 
 use super::curves::collecting_chip;
+use super::empty::nothing;
+use super::room::Part;
 use super::words;
 use crate::app::App;
 use class::collection::{Collection, QuestionTally, Snapshot};
@@ -22,14 +24,14 @@ pub fn view(app: App) -> View {
     let words = words::of(app);
     let language = app.language.get_untracked();
     changing(move || {
-        let asked = app.class.read(|collection| {
+        let asked = app.class.read(Part::Answers, |collection| {
             let of = |tally: QuestionTally| {
                 (page::questions(std::slice::from_ref(&tally), language), offered(collection, &tally))
             };
             collection.questions().into_iter().map(of).collect::<Vec<_>>()
         });
         if asked.is_empty() {
-            return note(words.nothing).into();
+            return nothing(app);
         }
         each(asked, |(html, offered)| {
             let chip = |Offered { sender, typed, snapshot }: Offered| {

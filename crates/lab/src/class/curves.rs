@@ -1,6 +1,8 @@
 //! The measured curves of all groups, and what their fits leave over.
 
 use super::drawn::{figure_of, look};
+use super::empty::nothing;
+use super::room::Part;
 use super::words;
 use crate::app::App;
 use class::collection::{CurveGroup, Member, Snapshot};
@@ -15,10 +17,12 @@ const FEW: usize = 100;
 pub fn view(app: App) -> View {
     let words = words::of(app);
     let chosen = create_signal(0_usize);
-    let groups = memo(move || app.class.read(|collection| collection.curve_groups()));
-    let shown = move || {
-        let groups = groups.get_clone();
-        groups.get(chosen.get()).or(groups.first()).cloned()
+    let groups = memo(move || app.class.read(Part::Curves, |collection| collection.curve_groups()));
+    // The chosen group of curves, for a part that is drawn after the choice.
+    let shown = move |part: Part| {
+        app.class.follow(part);
+        let chosen = chosen.get();
+        groups.with_untracked(|groups| groups.get(chosen).or(groups.first()).cloned())
     };
     let choice = move || {
         let groups = groups.get_clone();
@@ -37,20 +41,24 @@ pub fn view(app: App) -> View {
         let list = list.each(groups.into_iter().enumerate(), option);
         field_of("class-quantity", words.curves_quantity).child(list).into()
     };
-    let figures = move || {
-        let Some(group) = shown() else { return note(words.nothing).into() };
+    let upper = move || {
+        let Some(group) = shown(Part::Curves) else { return nothing(app) };
         let look = look(app);
-        let (upper, lower, caption) = app.class.read(|collection| {
+        figure_of(app.class.read_once(|collection| page::curves(collection, &group, &group.members, &[], look))).into()
+    };
+    let lower = move || {
+        let Some(group) = shown(Part::Residuals) else { return View::new() };
+        let look = look(app);
+        let (svg, caption) = app.class.read_once(|collection| {
             (
-                page::curves(collection, &group, &group.members, &[], look),
                 page::residuals(collection, &group, &group.members, look),
                 page::curves_caption(collection, &group, look.language),
             )
         });
-        View::from((figure_of(upper), lower.map_or_else(View::new, |svg| figure_of(svg).into()), note(caption)))
+        View::from((svg.map_or_else(View::new, |svg| figure_of(svg).into()), note(caption)))
     };
-    let collecting = move || shown().map_or_else(View::new, |group| chips(app, group.members));
-    View::from((changing(choice), changing(figures), changing(collecting)))
+    let collecting = move || shown(Part::Chips).map_or_else(View::new, |group| chips(app, group.members));
+    View::from((changing(choice), changing(upper), changing(lower), changing(collecting)))
 }
 
 /// A button for each curve that collects it for the wall.

@@ -1,5 +1,6 @@
 //! Table of the hand-ins: who, from which file, and how the verification ended.
 
+use super::room::Part;
 use super::{window, words};
 use crate::app::App;
 use crate::project;
@@ -29,9 +30,9 @@ pub fn view(app: App) -> View {
     let words = words::of(app);
     let language = app.language.get_untracked();
     let is_whole = create_signal(false);
-    let count = memo(move || app.class.read(|collection| collection.entries().len()));
+    let count = memo(move || app.class.read(Part::HandIns, |collection| collection.entries().len()));
     let most = move || if is_whole.get() { usize::MAX } else { FEW };
-    let rows = memo(move || app.class.read(|collection| rows(collection, most(), language)));
+    let rows = memo(move || app.class.read(Part::HandIns, |collection| rows(collection, most(), language)));
     let table = move || {
         let head = [words.number, words.pseudonym, words.verification, words.work, words.name, words.seat, words.file];
         let head = tr().each(head, column_head);
@@ -47,7 +48,7 @@ pub fn view(app: App) -> View {
         button().class("quiet").when(events::click, move |_| is_whole.set(true)).child(label).into()
     };
     let copies = move || {
-        let copies = app.class.read(|collection| {
+        let copies = app.class.read(Part::Copies, |collection| {
             let text = |copied| copied_text(copied, collection, language);
             collection
                 .copies()

@@ -1,9 +1,11 @@
 //! Dashboard of a class: hand-ins of all groups, computed again, with their curves, results and answers.
 
 mod adding;
+mod against;
 mod answers;
 mod curves;
 mod drawn;
+mod empty;
 mod folder;
 mod hand_ins;
 mod results;
@@ -22,6 +24,7 @@ pub use window::open;
 
 use crate::app::App;
 use ::class::page;
+use room::Part;
 use view::views::*;
 use view::{browser, pieces};
 
@@ -48,7 +51,7 @@ pub fn dialogs(app: App) -> View {
 
 fn contents(app: App) -> View {
     let words = words::of(app);
-    let any = memo(move || app.class.read(|collection| !collection.entries().is_empty()));
+    let any = memo(move || app.class.read(Part::Status, |collection| !collection.entries().is_empty()));
     let part = |id: &'static str, title: &'static str, content: View| {
         section().id(id).attr("aria-label", title).child(h3().child(title)).child(content)
     };
@@ -56,16 +59,15 @@ fn contents(app: App) -> View {
         if !any.get() {
             return View::new();
         }
-        // Both the results and the reasons for being stuck follow from them.
-        let quantities = memo(move || app.class.read(|collection| collection.quantities()));
         let left = div()
             .class("column")
             .child(part("class-curves", words.curves, curves::view(app)))
             .child(part("class-snapshots", words.snapshots, snapshots::view(app)))
-            .child(part("class-stuck", words.stuck, results::stuck(app, quantities)));
+            .child(part("class-stuck", words.stuck, results::stuck(app)));
         let right = div()
             .class("column")
-            .child(part("class-results", words.results, results::view(app, quantities)))
+            .child(part("class-results", words.results, results::view(app)))
+            .child(part("class-against", words.against, against::view(app)))
             .child(part("class-answers", words.answers, answers::view(app)));
         View::from((left, right, part("class-hand-ins", words.hand_ins, hand_ins::view(app))))
     };
@@ -75,7 +77,7 @@ fn contents(app: App) -> View {
         .child(adding::choice(app, "class-folder", words.choose_folder, true))
         .child(changing(move || if any.get() { exports(app) } else { View::new() }));
     let language = app.language.get_untracked();
-    let said = move || app.class.read(|collection| page::count_text(collection, language));
+    let said = move || app.class.read(Part::Status, |collection| page::count_text(collection, language));
     let status = p().class("note").role("status").id("class-said").child(text(said));
     let refusal = p().class("refusal").role("alert").child(text(move || app.class.refusal()));
     div()
@@ -94,7 +96,9 @@ fn exports(app: App) -> View {
     let words = words::of(app);
     let language = app.language.get_untracked();
     let report = move |_| {
-        let html = app.class.read_once(|class| page::html(class, language, env!("CARGO_PKG_VERSION"), ""));
+        let (x, y) = app.class.axes();
+        let asked = against::asked(app, &x.get_clone_untracked(), &y.get_clone_untracked()).unwrap_or_default();
+        let html = app.class.read_once(|class| page::html(class, &asked, language, env!("CARGO_PKG_VERSION"), ""));
         browser::save_text("class.html", "text/html", &html);
     };
     let workbook = move |_| {

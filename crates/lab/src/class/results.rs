@@ -1,6 +1,8 @@
 //! The fitted quantities of all groups, and groups that are stuck.
 
 use super::drawn::look;
+use super::empty::nothing;
+use super::room::Part;
 use super::words;
 use crate::app::App;
 use class::page;
@@ -14,11 +16,11 @@ use web_sys::HtmlDetailsElement;
 const MOST_ROWS: usize = 100;
 
 /// The section: a fold for each quantity, the first open.
-pub fn view(app: App, quantities: ReadSignal<Vec<Quantity>>) -> View {
+pub fn view(app: App) -> View {
     changing(move || {
-        let quantities = quantities.get_clone();
+        let quantities = app.class.read_quantities(Part::Results, <[Quantity]>::to_vec);
         if quantities.is_empty() {
-            return note(words::of(app).nothing).into();
+            return nothing(app);
         }
         each(quantities.into_iter().enumerate(), |(number, quantity)| fold(app, quantity, number))
     })
@@ -56,10 +58,12 @@ fn title(app: App, quantity: &Quantity) -> String {
 }
 
 /// List of the groups that are stuck.
-pub fn stuck(app: App, quantities: ReadSignal<Vec<Quantity>>) -> View {
+pub fn stuck(app: App) -> View {
     let language = app.language.get_untracked();
     let list = move || {
-        let html = quantities.with(|found| app.class.read(|collection| page::stuck(collection, found, language)));
+        let html = app.class.read_quantities(Part::Stuck, |quantities| {
+            app.class.read_once(|collection| page::stuck(collection, quantities, language))
+        });
         div().class("class-report").inner_html(html)
     };
     View::from((note(words::of(app).stuck_rules), changing(list)))

@@ -1,6 +1,7 @@
 //! State of the dashboard: the hand-ins, what is collected for the wall, and the names on this device.
 
 use class::collection::{Collection, Snapshot, Snapshots};
+use class::results::Quantity;
 use desk::saved::hand_in::{HandIn, HandInError};
 use std::collections::BTreeMap;
 use units::Language;
@@ -11,22 +12,61 @@ use view::views::*;
 const NAMES: &str = "class-names";
 /// Duration of a slice of the computation, in milliseconds.
 const SLICE: f64 = 12.0;
-/// Least time between two updates of the views while files are read or computed, in milliseconds, and in multiples of the
+/// Least time between two updates of the dashboard while files are read or computed, in milliseconds, and in multiples of the
 /// duration of the last update: many hand-ins are shown less often.
 const UPDATE: f64 = 500.0;
 const SPACING: f64 = 20.0;
+
+/// A part of the dashboard that is drawn in a task of its own, so that the page reacts in between.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    Status,
+    HandIns,
+    Copies,
+    Curves,
+    Residuals,
+    Chips,
+    /// The pooled quantities, which `Results` and `Stuck` show.
+    Quantities,
+    Results,
+    Against,
+    Stuck,
+    Answers,
+}
+
+/// The parts in the order in which they are drawn.
+const PARTS: [Part; 11] = [
+    Part::Status,
+    Part::HandIns,
+    Part::Copies,
+    Part::Curves,
+    Part::Residuals,
+    Part::Chips,
+    Part::Quantities,
+    Part::Results,
+    Part::Against,
+    Part::Stuck,
+    Part::Answers,
+];
 
 /// The hand-ins of a class in the page; cheap to copy.
 #[derive(Clone, Copy)]
 pub struct Room {
     collection: Signal<Collection>,
+    quantities: Signal<Vec<Quantity>>,
+    /// One signal for each part, in the order of [`Part`].
+    parts: [Signal<()>; PARTS.len()],
+    /// Number of parts of the present update that are drawn.
+    drawn: Signal<usize>,
+    /// Powers of the parameter and of the quantity that are set against each other; empty for none.
+    axes: (Signal<String>, Signal<String>),
     snapshots: Signal<Snapshots>,
     names: Signal<BTreeMap<String, String>>,
     is_open: Signal<bool>,
     is_computing: Signal<bool>,
     /// Reason why the last files were refused; empty if they were not.
     refusal: Signal<String>,
-    /// End of the last update of the views, and its duration, in milliseconds.
+    /// End of the last update of the dashboard, and the duration of all its parts, in milliseconds.
     updated: Signal<(f64, f64)>,
     /// Part of the collected work that the wall shows.
     wall: Signal<Wall>,
@@ -48,6 +88,10 @@ impl Room {
     pub fn new(language: Language) -> Self {
         Self {
             collection: create_signal(Collection::new(env!("CARGO_PKG_VERSION"), language)),
+            quantities: create_signal(Vec::new()),
+            parts: PARTS.map(|_| create_signal(())),
+            drawn: create_signal(PARTS.len()),
+            axes: (create_signal(String::new()), create_signal(String::new())),
             snapshots: create_signal(Snapshots::default()),
             names: create_signal(BTreeMap::new()),
             is_open: create_signal(false),
@@ -77,9 +121,24 @@ impl Room {
         self.is_open.set(open);
     }
 
-    /// Reads the hand-ins; a view that does is rebuilt when they change. No view may be built inside.
-    pub fn read<T>(self, read: impl FnOnce(&Collection) -> T) -> T {
-        self.collection.with(read)
+    /// Reads the hand-ins for a part of the dashboard; a view that does is rebuilt when the part is drawn. No view may be built
+    /// inside.
+    pub fn read<T>(self, part: Part, read: impl FnOnce(&Collection) -> T) -> T {
+        self.follow(part);
+        self.collection.with_untracked(read)
+    }
+
+    /// A view that calls this is rebuilt when the part is drawn.
+    pub fn follow(self, part: Part) {
+        if let Some(signal) = self.parts.get(part as usize) {
+            signal.track();
+        }
+    }
+
+    /// Reads the pooled quantities for a part of the dashboard.
+    pub fn read_quantities<T>(self, part: Part, read: impl FnOnce(&[Quantity]) -> T) -> T {
+        self.follow(part);
+        self.quantities.with_untracked(|quantities| read(quantities))
     }
 
     /// Reads the hand-ins without following them.
@@ -98,38 +157,72 @@ impl Room {
         self.is_open.get_untracked()
     }
 
-    /// Adds the file of this name; the views follow with [`Room::show`].
-    pub fn add(self, name: &str, content: Result<HandIn, HandInError>) {
-        self.refusal.set(String::new());
-        self.collection.update_silent(|collection| collection.add(name, content));
+    /// Adds a file; the dashboard follows with [`Room::show`]. Of a folder, a page without the data of a hand-in is left out;
+    /// the result is then false.
+    pub fn add(self, name: &str, content: Result<HandIn, HandInError>, is_of_folder: bool) -> bool {
+        let mut is_taken = true;
+        self.collection.update_silent(|collection| match is_of_folder {
+            true => is_taken = collection.add_of_folder(name, content),
+            false => collection.add(name, content),
+        });
+        is_taken
     }
 
-    /// Rebuilds the views of the hand-ins if the last update is long enough ago.
-    pub fn show_sometimes(self) {
+    /// Draws the next part of the dashboard. Begins with the first one if the last update is long enough ago.
+    pub async fn show_sometimes(self) {
         let (ended, duration) = self.updated.get_untracked();
-        if js_sys::Date::now() - ended > UPDATE.max(SPACING * duration) {
-            self.show();
+        let is_complete = self.drawn.get_untracked() == PARTS.len();
+        if is_complete && js_sys::Date::now() - ended > UPDATE.max(SPACING * duration) {
+            self.begin_update();
+        }
+        if self.draw_next() {
+            browser::breathe().await;
         }
     }
 
-    /// Rebuilds the views of the hand-ins. The focus stays.
-    pub fn show(self) {
+    /// Draws the dashboard, part after part. The focus stays.
+    pub async fn show(self) {
+        self.begin_update();
+        while self.draw_next() {
+            browser::breathe().await;
+        }
+    }
+
+    fn begin_update(self) {
+        self.drawn.set_silent(0);
+        let now = self.updated.get_untracked().0;
+        self.updated.set_silent((now, 0.0));
+        self.snapshots.update_silent(|snapshots| self.collection.with_untracked(|all| snapshots.retain(all)));
+    }
+
+    /// Draws the next part. Returns false if all are drawn.
+    fn draw_next(self) -> bool {
+        let drawn = self.drawn.get_untracked();
+        let Some(part) = PARTS.get(drawn) else { return false };
         let begun = js_sys::Date::now();
         let focused = browser::focused();
-        self.snapshots.update_silent(|snapshots| self.collection.with_untracked(|all| snapshots.retain(all)));
-        self.collection.update(|_| ());
+        self.drawn.set_silent(drawn + 1);
+        if *part == Part::Quantities {
+            self.quantities.set_silent(self.collection.with_untracked(Collection::quantities));
+        }
+        if let Some(signal) = self.parts.get(*part as usize) {
+            signal.set(());
+        }
         if !focused.is_empty() {
             browser::focus_in_place(&focused);
         }
         let now = js_sys::Date::now();
-        self.updated.set_silent((now, now - begun));
+        let before = self.updated.get_untracked().1;
+        self.updated.set_silent((now, before + now - begun));
+        true
     }
 
     /// Removes all hand-ins.
     pub fn clear(self) {
         self.collection.update_silent(Collection::clear);
         self.snapshots.set(Snapshots::default());
-        self.show();
+        self.begin_update();
+        while self.draw_next() {}
     }
 
     /// Computes the hand-ins in slices, between which the page reacts.
@@ -140,10 +233,10 @@ impl Room {
         wasm_bindgen_futures::spawn_local(async move {
             while self.work_for_a_slice() {
                 browser::breathe().await;
-                self.show_sometimes();
+                self.show_sometimes().await;
             }
             self.is_computing.set_silent(false);
-            self.show();
+            self.show().await;
         });
     }
 
@@ -157,6 +250,11 @@ impl Room {
             }
         });
         goes_on
+    }
+
+    /// Powers of the parameter and of the quantity that are set against each other, as typed; empty for none.
+    pub fn axes(self) -> (Signal<String>, Signal<String>) {
+        self.axes
     }
 
     /// The work collected for the wall.

@@ -19,6 +19,11 @@ table_of_words! {
     curves_quantity: "Quantity", "Magnitud";
     collect: "Collect curves for the wall", "Reunir curvas para la pared";
     results: "Fitted quantities", "Magnitudes ajustadas";
+    against: "Results against a parameter", "Resultados en función de un parámetro";
+    against_note: "If the groups held a parameter fixed at values of their own, their results can be set against it, with a straight line. Powers and reciprocals can be typed.", "Si los grupos dejaron fijo un parámetro, cada uno con su valor, sus resultados se pueden representar en función de él, con una recta. Se pueden escribir potencias e inversos.";
+    against_x: "Parameter", "Parámetro";
+    against_y: "Quantity (empty: all)", "Magnitud (vacío: todas)";
+    against_none: "No such result has # held fixed in its fit.", "Ningún resultado así tiene # fijo en su ajuste.";
     answers: "Answers", "Respuestas";
     collect_answers: "Collect answers for the wall", "Reunir respuestas para la pared";
     stuck: "Stuck", "Atascados";

@@ -1,0 +1,31 @@
+//! Documents opened from their texts, kept for the next work with the same ones.
+
+use document::Document;
+use std::collections::VecDeque;
+
+/// Maximum number of kept documents.
+const MOST: usize = 8;
+
+/// Recently opened documents. The hand-ins of a class mostly have the same one, and opening takes longer than a fit.
+#[derive(Debug, Default)]
+pub struct OpenedDocuments {
+    /// Texts of a document with its translations, and the document; `None` if it has errors. The latest is last.
+    kept: VecDeque<(Vec<String>, Option<Document>)>,
+}
+
+impl OpenedDocuments {
+    /// The document of these texts, the source first; `None` if it has errors.
+    pub fn open(&mut self, texts: &[String]) -> Option<Document> {
+        if let Some((_, known)) = self.kept.iter().find(|(known, _)| known == texts) {
+            return known.clone();
+        }
+        let (source, translations) = texts.split_first()?;
+        let translations: Vec<&str> = translations.iter().map(String::as_str).collect();
+        let document = document::open(source, &translations).sound();
+        if self.kept.len() == MOST {
+            self.kept.pop_front();
+        }
+        self.kept.push_back((texts.to_vec(), document.clone()));
+        document
+    }
+}

@@ -7,6 +7,8 @@ use units::{Words, words};
 
 /// Number of attempts with the same error, one after the other, from which on a group is stuck.
 const SAME_ERRORS: usize = 3;
+/// Number of equal kept runs from which on a group is stuck: as many as can be kept.
+const SAME_RUNS: usize = 5;
 
 /// A group that is stuck.
 #[derive(Clone, Debug)]
@@ -18,8 +20,8 @@ pub struct Stuck {
 }
 
 impl Collection {
-    /// Groups that are stuck: three answers wrong in the same way, a fit that does not determine its parameters, or a result
-    /// far from those of the others. `quantities`: those of the collection.
+    /// Groups that are stuck: three answers wrong in the same way, five equal kept runs, a fit that does not determine its
+    /// parameters, or a result far from those of the others. `quantities`: those of the collection.
     pub fn stuck(&self, quantities: &[Quantity]) -> Vec<Stuck> {
         let mut stuck = Vec::new();
         for (hand_in, work) in self.works() {
@@ -27,7 +29,7 @@ impl Collection {
                 let place = quantity.results.iter().position(|(own, _)| *own == hand_in);
                 place.is_some_and(|place| quantity.outlier(place).is_some())
             };
-            let reasons = work.answers.iter().filter_map(same_errors).chain(undetermined(work));
+            let reasons = work.answers.iter().filter_map(same_errors).chain(same_runs(work)).chain(undetermined(work));
             let reasons = reasons.chain(quantities.iter().filter(far).map(far_result));
             stuck.extend(reasons.map(|why| Stuck { hand_in, why }));
         }
@@ -45,12 +47,27 @@ fn same_errors(answer: &GivenAnswer) -> Option<Words> {
     let last = answer.attempts.last().filter(|attempt| attempt.grade != Grade::Correct)?;
     let same = answer.attempts.iter().rev().take_while(|attempt| attempt.grade == last.grade).count();
     let number = answer.question + 1;
+    let typed = last.typed.trim();
+    let repeated = answer.attempts.iter().rev().take_while(|attempt| attempt.typed.trim() == typed).count();
+    if repeated >= SAME_ERRORS {
+        return Some(words!(
+            "question {number}: the same wrong answer {repeated} times: {typed}",
+            "pregunta {number}: la misma respuesta equivocada {repeated} veces: {typed}"
+        ));
+    }
     (same >= SAME_ERRORS).then(|| {
         words!(
             "question {number}: {same} answers wrong in the same way",
             "pregunta {number}: {same} respuestas mal del mismo modo"
         )
     })
+}
+
+/// The reason if the group has kept the same run again and again.
+fn same_runs(work: &Work) -> Option<Words> {
+    let same = work.equal_runs;
+    (same >= SAME_RUNS)
+        .then(|| words!("the same run was kept {same} times", "la misma simulación se guardó {same} veces"))
 }
 
 /// Reasons for fits that do not determine all their parameters, one for each.

@@ -1,7 +1,7 @@
 //! Work of one group, computed again from its hand-in.
 
 use crate::verify::{Recomputation, Verdict, compare};
-use desk::play::{Attempt, Grade, Play};
+use desk::play::{Attempt, Grade, KeptValues, Play};
 use desk::{FittedCurve, MeasuredCurve, TheoryCurve};
 use saved::hand_in::{Fact, HandIn};
 
@@ -18,6 +18,8 @@ pub struct Work {
     pub fits: Vec<FittedCurve>,
     /// The questions of the document with their answers.
     pub answers: Vec<GivenAnswer>,
+    /// Greatest number of kept runs with the same time, parameters and state.
+    pub equal_runs: usize,
 }
 
 /// A question, and the answer of the group.
@@ -64,9 +66,21 @@ impl Work {
             curves: desk.measured_curves(),
             fits: desk.fitted_curves(),
             answers: answers(desk.play()),
+            equal_runs: equal_runs(desk.play()),
         };
         (work, desk.theory_curves(|theory| known.iter().all(|curve| curve.theory != theory)))
     }
+}
+
+fn equal_runs(play: &Play) -> usize {
+    let runs = play.time_line().kept_values(play.basis());
+    let equal = |one: &KeptValues| {
+        let is_equal = |other: &&KeptValues| {
+            (other.time, &other.parameters, &other.state) == (one.time, &one.parameters, &one.state)
+        };
+        runs.iter().filter(is_equal).count()
+    };
+    runs.iter().map(equal).max().unwrap_or(0)
 }
 
 fn answers(play: &Play) -> Vec<GivenAnswer> {

@@ -140,6 +140,25 @@ fn reports_have_no_sender_and_each_counts() {
     assert_eq!(shown, ["0.hand-in", "1.hand-in", "heron"]);
 }
 
+/// The state of a hand-in whose runs were all kept without a change between them.
+#[test]
+fn the_same_run_and_the_same_answer_again_are_named() {
+    let mut same = of("runs", &measured(1), &["7", "7", "7"]);
+    let mut other = of("others", &measured(2), &["7", "7", "8"]);
+    let run = same.work.state.split_once('&').map_or("", |(_, run)| run).to_owned();
+    same.work.state += &format!("&k&{run}").repeat(5);
+    other.work.state += &format!("&k&{run}").repeat(4);
+    let class = computed(&[same, other]);
+    let stuck = class.stuck(&class.quantities());
+    let reasons = |hand_in: usize| {
+        stuck.iter().filter(|one| one.hand_in == hand_in).map(|one| one.why.text(Language::English)).collect::<Vec<_>>()
+    };
+    assert!(reasons(0).contains(&"the same run was kept 5 times"), "{stuck:?}");
+    assert!(reasons(0).contains(&"question 1: the same wrong answer 3 times: 7"), "{stuck:?}");
+    assert!(reasons(1).iter().all(|why| !why.contains("the same")), "{stuck:?}");
+    assert!(reasons(1).contains(&"question 1: 3 answers wrong in the same way"), "{stuck:?}");
+}
+
 #[test]
 fn the_progress_is_stated_and_data_are_compared_after_all_are_computed() {
     let hand_ins = [1, 2, 1].map(|seed| of(&format!("seed {seed}"), &measured(seed), &["7", "8", "9"]));
@@ -169,7 +188,8 @@ fn the_progress_is_stated_and_data_are_compared_after_all_are_computed() {
 
 #[test]
 fn of_the_pages_of_a_folder_those_without_data_are_left_out() {
-    for (name, is_candidate) in [("a.hand-in", true), ("A.HTM", true), ("b.html", true), ("b.csv", false), ("b", false)] {
+    for (name, is_candidate) in [("a.hand-in", true), ("A.HTM", true), ("b.html", true), ("b.csv", false), ("b", false)]
+    {
         assert_eq!(Collection::is_candidate(name), is_candidate, "{name}");
     }
     let mut class = Collection::new(VERSION, Language::English);

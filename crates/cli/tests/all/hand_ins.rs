@@ -179,7 +179,10 @@ fn the_results_of_a_class_are_pooled() {
     }
     assert_eq!(meniscus(&[&line[..], &["omega_0", "--format", "csv"]].concat()).code, 2);
     let page = meniscus(&[&line[..], &["omega_0^2", "--format", "html"]].concat()).stdout;
-    assert!(page.contains("Results against a parameter") && page.contains("omega_0^2 [1/s²] against 1/drift"), "{page:.3000}");
+    assert!(
+        page.contains("Results against a parameter") && page.contains("omega_0^2 [1/s²] against 1/drift"),
+        "{page:.3000}"
+    );
     let found = meniscus(&["class", "report", folder_name, "--format", "json"]);
     let found: Value = serde_json::from_str(&found.stdout).unwrap();
     let gamma = found.as_array().unwrap().iter().find(|one| one["quantity"] == "gamma").unwrap();

@@ -27,7 +27,7 @@ table_of_words! {
     answers: "Answers", "Respuestas";
     collect_answers: "Collect answers for the wall", "Reunir respuestas para la pared";
     stuck: "Stuck", "Atascados";
-    stuck_rules: "A group is stuck if it gives three answers wrong in the same way, if a fit does not determine its parameters, or if a result is far from the others.", "Un grupo está atascado si da tres respuestas mal del mismo modo, si un ajuste no determina sus parámetros o si un resultado está lejos de los demás.";
+    stuck_rules: "A group is stuck if it gives three answers wrong in the same way, if it has kept the same run five times, if a fit does not determine its parameters, or if a result is far from the others.", "Un grupo está atascado si da tres respuestas mal del mismo modo, si ha guardado cinco veces la misma simulación, si un ajuste no determina sus parámetros o si un resultado está lejos de los demás.";
     nothing: "None.", "Nada.";
 
     snapshots: "For the wall", "Para la pared";

@@ -47,14 +47,6 @@ fn same_errors(answer: &GivenAnswer) -> Option<Words> {
     let last = answer.attempts.last().filter(|attempt| attempt.grade != Grade::Correct)?;
     let same = answer.attempts.iter().rev().take_while(|attempt| attempt.grade == last.grade).count();
     let number = answer.question + 1;
-    let typed = last.typed.trim();
-    let repeated = answer.attempts.iter().rev().take_while(|attempt| attempt.typed.trim() == typed).count();
-    if repeated >= SAME_ERRORS {
-        return Some(words!(
-            "question {number}: the same wrong answer {repeated} times: {typed}",
-            "pregunta {number}: la misma respuesta equivocada {repeated} veces: {typed}"
-        ));
-    }
     (same >= SAME_ERRORS).then(|| {
         words!(
             "question {number}: {same} answers wrong in the same way",

@@ -15,8 +15,8 @@ const MOST: usize = 3;
 const BEYOND: f64 = 1.2;
 
 /// Section of a quantity against a parameter: the results with their errors and the straight line as a figure, the sentence about
-/// the line, and a table.
-pub fn against(asked: &Against, collection: &Collection, look: Look) -> String {
+/// the line, and a table of the first `most` results.
+pub fn against(asked: &Against, collection: &Collection, most: usize, look: Look) -> String {
     let language = look.language;
     let mut page = Page::default();
     page.element("h3", &asked.title(language));
@@ -26,7 +26,7 @@ pub fn against(asked: &Against, collection: &Collection, look: Look) -> String {
     page.element("p", &asked.sentence(language));
     let headings = [language.pick("Name", "Nombre"), &format!("#{}", asked.x), &format!("#{}", asked.y)];
     page.table("", &headings);
-    for (index, point) in &asked.points {
+    for (index, point) in asked.points.iter().take(most) {
         let [x, y] = asked.texts(*point, language);
         page.row(&[&escaped(collection.sender(*index)), &format!("#{x}"), &format!("#{y}")]);
     }

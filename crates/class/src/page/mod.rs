@@ -47,7 +47,7 @@ pub fn html(collection: &Collection, asked: &[Against], language: Language, vers
     }
     if !asked.is_empty() {
         page.heading(language.pick("Results against a parameter", "Resultados en función de un parámetro"));
-        asked.iter().for_each(|one| page.raw(&against(one, collection, look)));
+        asked.iter().for_each(|one| page.raw(&against(one, collection, usize::MAX, look)));
     }
     let questions = questions(&collection.questions(), language);
     if !questions.is_empty() {

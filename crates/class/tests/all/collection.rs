@@ -142,9 +142,9 @@ fn reports_have_no_sender_and_each_counts() {
 
 /// The state of a hand-in whose runs were all kept without a change between them.
 #[test]
-fn the_same_run_and_the_same_answer_again_are_named() {
-    let mut same = of("runs", &measured(1), &["7", "7", "7"]);
-    let mut other = of("others", &measured(2), &["7", "7", "8"]);
+fn the_same_run_again_and_again_is_named() {
+    let mut same = of("runs", &measured(1), &[]);
+    let mut other = of("others", &measured(2), &[]);
     let run = same.work.state.split_once('&').map_or("", |(_, run)| run).to_owned();
     same.work.state += &format!("&k&{run}").repeat(5);
     other.work.state += &format!("&k&{run}").repeat(4);
@@ -154,9 +154,7 @@ fn the_same_run_and_the_same_answer_again_are_named() {
         stuck.iter().filter(|one| one.hand_in == hand_in).map(|one| one.why.text(Language::English)).collect::<Vec<_>>()
     };
     assert!(reasons(0).contains(&"the same run was kept 5 times"), "{stuck:?}");
-    assert!(reasons(0).contains(&"question 1: the same wrong answer 3 times: 7"), "{stuck:?}");
     assert!(reasons(1).iter().all(|why| !why.contains("the same")), "{stuck:?}");
-    assert!(reasons(1).contains(&"question 1: 3 answers wrong in the same way"), "{stuck:?}");
 }
 
 #[test]

@@ -64,6 +64,7 @@ async fn choose(app: App, files: Vec<File>, is_of_folder: bool) {
         survey::add(app, sheets).await;
     }
     files.retain(|file| Collection::is_candidate(&file.name()));
+    files.sort_by_key(File::name);
     if !files.is_empty() {
         // The dashboard opens at once if there are hand-ins, and for reports when one of them carries its data.
         if files.iter().any(is_hand_in) {

@@ -9,6 +9,9 @@ use class::page;
 use class::results::Quantity;
 use view::views::*;
 
+/// Maximum number of results in a table; the report has all.
+const MOST_ROWS: usize = 100;
+
 /// Quantities against a parameter. `x`: power of the parameter. `y`: power of the quantity; empty for all quantities.
 ///
 /// # Errors
@@ -48,8 +51,9 @@ pub fn view(app: App) -> View {
         match asked(app, &x, &y) {
             Err(why) => p().class("refusal").role("alert").child(why).into(),
             Ok(found) => {
-                let section =
-                    |one: &Against| app.class.read_once(|collection| page::against(one, collection, look(app)));
+                let section = |one: &Against| {
+                    app.class.read_once(|collection| page::against(one, collection, MOST_ROWS, look(app)))
+                };
                 div().class("class-report").inner_html(found.iter().map(section).collect()).into()
             }
         }

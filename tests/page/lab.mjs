@@ -262,7 +262,7 @@ export class Lab {
     await this.play(this.page.locator("#readouts"));
     await this.drawn();
     const row = this.page.locator("#readouts dl > div").filter({ has: this.page.getByText(name, { exact: true }) });
-    return (await row.locator("dd").innerText()).trim();
+    return (await sight(row.locator("dd"))).trim();
   }
 
   /** The time shown, in seconds, once what was done before has been drawn. */

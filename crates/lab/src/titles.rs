@@ -25,6 +25,10 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "unknown-unit"
         | "malformed-unit"
         | "ambiguous-unit"
+        | "dimension-overflow"
+        | "bare-number"
+        | "bare-tolerance"
+        | "radians"
         | "temperature-scale" => ("Units", "Unidades"),
 
         // Writing.
@@ -91,7 +95,7 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "vector-in-function"
         | "vector-power"
         | "vector-product" => ("Vectors", "Vectores"),
-        "function-form" | "unused-argument" | "argument-without-name" => ("Functions", "Funciones"),
+        "aggregate-inside" | "function-form" | "unused-argument" | "argument-without-name" => ("Functions", "Funciones"),
         "table-comma" | "table-form" | "table-order" | "table-points" => ("Tables", "Tablas"),
         "not-a-choice" | "choice-form" | "choice-incomplete" | "switch-value" => {
             ("Switches and choices", "Interruptores y elecciones")
@@ -170,8 +174,9 @@ fn of(code: &str) -> (&'static str, &'static str) {
         "scene-syntax" | "scene-style" | "scene-refused" | "scene-definition" | "scene-point" => ("Scene", "Escena"),
         "plot-syntax" | "constant-abscissa" | "sweep" => ("Plots", "Gráficas"),
         "preset-syntax" => ("Presets", "Ajustes"),
-        "check-syntax" | "check-constant" => ("Checks", "Comprobaciones"),
+        "check-syntax" | "check-constant" | "true-by-definition" => ("Checks", "Comprobaciones"),
         "question-syntax" => ("Questions", "Preguntas"),
+        "survey-syntax" => ("Survey", "Encuesta"),
         "link" | "image" | "raw-html" | "math" => ("Text", "Texto"),
         "more-findings" => ("More messages", "Más mensajes"),
         _ => ("The document", "El documento"),

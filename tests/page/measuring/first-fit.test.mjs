@@ -9,7 +9,7 @@ for (const [language, tab, sample, fit] of [["en-GB", "Fit", "Column of 18 cm", 
     await lab.page.locator("#panel").getByRole("button", { name: sample, exact: true }).click();
     await lab.page.locator("#fit").click();
     // The left column of the sample stood at 9.5 cm.
-    await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /9[.,]4\d* ± 0[.,]0\d* *\tcm/), 60);
+    await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /9[.,]4\d* ± 0[.,]0\d*\s+cm/), 60);
     assert.equal(await lab.page.locator("#unsuitable").count(), 0);
     assert.equal(await lab.page.locator(".theory-chip[aria-pressed=true]").count(), 1);
   });

@@ -144,7 +144,7 @@ visit("a link without a document means the published simulation, and a new one n
   for (const fragment of ["1&p=b:200", "1"]) {
     const other = await Lab.open({ fragment: `#${fragment}` });
     await shows(other, "Oscillations of a liquid in a U-tube");
-    await other.close();
+    await other.context.close();
   }
 });
 

@@ -157,8 +157,11 @@ fn is_in_formula(text: &str) -> bool {
 /// Place in a drawing: between tags, in a tag, or in the value of an attribute.
 fn in_scene<'a>(source: &'a str, scene: Range<usize>, line: Range<usize>) -> (Place<'a>, Span) {
     let text = &source[scene.clone()];
-    let Some(open) = text.rfind('<').filter(|&open| !text[open..].contains('>')) else {
-        let is_drawn = text.contains('<');
+    // In `k < 1` and `k <= 1` it is a comparison.
+    let begins = |(open, _): &(usize, &str)| !text[open + 1..].starts_with([' ', '=']);
+    let tag = text.rmatch_indices('<').find(begins).map(|(open, _)| open);
+    let Some(open) = tag.filter(|&open| !text[open..].contains('>')) else {
+        let is_drawn = tag.is_some();
         return if is_drawn { in_braces(source, line) } else { in_expression(source, line, false) };
     };
     let tag = &text[open + 1..];

@@ -27,7 +27,7 @@ pub fn button(app: App) -> View {
             .class("quiet with-icon")
             .id("film-next-doubt")
             .title(format!("{} (.)", words.next_doubtful))
-            .attr("aria-label", words.next_doubtful)
+            .attr("aria-label", format!("{} ({})", words.next_doubtful, count.get()))
             .when(events::click, move |_| next(app))
             .child(icons::doubt())
             .child(span().child(count.get().to_string()))

@@ -3,7 +3,7 @@
 use crate::common::meniscus;
 use document::page::Source;
 use saved::Item;
-use saved::format::{Answer, Content, Record};
+use saved::format::{Content, Record};
 use saved::project::Project;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -62,23 +62,24 @@ fn parts_without_values_are_named_with_the_reason() {
     let path = project(directory.path());
     let mut project = Project::read(&std::fs::read_to_string(&path).unwrap()).unwrap();
     let fit = include_str!("../../../desk/tests/all/stored/fit.json").trim().to_owned();
-    let answer = Item(Content::Answer(Answer { typed: "42".to_owned(), ..Answer::default() })).write(5);
-    let items = [("cut", "{".to_owned()), ("fit", fit), ("question", answer)];
-    project.items.extend(items.map(|(name, text)| (name.to_owned(), text)));
+    project.items.push(("fit".to_owned(), fit));
     "2&b=9".clone_into(&mut project.state);
     std::fs::write(&path, project.write()).unwrap();
     let done = meniscus(&["hand-in", path.to_str().unwrap(), "--name", "a"]);
     assert_eq!(done.code, 0, "{}", done.stderr);
     for expected in [
-        "Without values for cut: it is damaged, or was saved by a later version",
-        ": its record ",
-        "Without values for answer \"42\": the document does not have its question",
-        "Without values for state of the run: ",
+        "Without values for fit of theories/linear.md: its record ",
+        " is missing\n",
+        "Without values for state of the run: it cannot be read\n",
     ] {
         assert!(done.stderr.contains(expected), "{expected}: {}", done.stderr);
     }
     let spanish = meniscus(&["--language", "es", "hand-in", path.to_str().unwrap(), "--name", "a"]);
-    assert!(spanish.stderr.contains("Sin valores para cut: está dañado"), "{}", spanish.stderr);
+    assert!(
+        spanish.stderr.contains("Sin valores para ajuste de theories/linear.md: falta su registro "),
+        "{}",
+        spanish.stderr
+    );
 }
 
 #[test]

@@ -95,7 +95,9 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "vector-in-function"
         | "vector-power"
         | "vector-product" => ("Vectors", "Vectores"),
-        "aggregate-inside" | "function-form" | "unused-argument" | "argument-without-name" => ("Functions", "Funciones"),
+        "aggregate-inside" | "function-form" | "unused-argument" | "argument-without-name" => {
+            ("Functions", "Funciones")
+        }
         "table-comma" | "table-form" | "table-order" | "table-points" => ("Tables", "Tablas"),
         "not-a-choice" | "choice-form" | "choice-incomplete" | "switch-value" => {
             ("Switches and choices", "Interruptores y elecciones")

@@ -75,11 +75,13 @@ fn a_document_that_cannot_hold_a_record_says_so() {
     let line: String = (0..50).map(|row| format!("{row} {}\n", 0.01 * f64::from(row))).collect();
     desk.add_record("line.txt", line.as_bytes()).unwrap();
     assert_eq!(desk.cannot_hold(), None);
-    // All theories can hold a column of a laboratory.
-    for name in ["cosine", "linear", "quadratic", "linear-quadratic", "power-law", "dry-friction", "saturating-spring"]
-    {
-        let mut desk = Desk::open(theory(name));
-        desk.add_record("film.txt", film(0.24, 0.4, 1).as_bytes()).unwrap();
-        assert_eq!(desk.cannot_hold(), None, "{name}");
+    // All theories can hold columns of a laboratory, and larger and smaller ones: some oscillations of any period.
+    let names = ["cosine", "linear", "quadratic", "linear-quadratic", "power-law", "dry-friction", "saturating-spring"];
+    for name in names {
+        for length in [0.05, 0.18, 0.24, 0.6, 2.0, 6.9] {
+            let mut desk = Desk::open(theory(name));
+            desk.add_record("film.txt", film(length, 0.05, 1).as_bytes()).unwrap();
+            assert_eq!(desk.cannot_hold(), None, "{name}, {length} m");
+        }
     }
 }

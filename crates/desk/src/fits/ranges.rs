@@ -11,9 +11,9 @@ use units::order::median;
 /// Maximum work of all runs together, in floating-point operations: some milliseconds.
 const MOST_WORK: u64 = 4_000_000;
 /// Length of a run, in periods of the record.
-const PERIODS: f64 = 12.0;
+const PERIODS: f64 = 24.0;
 /// Rows of a run per period of the record.
-const ROWS: usize = 48;
+const ROWS: usize = 24;
 /// Maximum number of rows of the record that are read: the beginning of a long one.
 const MOST_ROWS: usize = 4000;
 /// Relative change of a period below which a parameter does not change it.

@@ -66,6 +66,9 @@ fn a_document_that_cannot_hold_a_record_says_so() {
     );
     desk.set_language("es");
     assert!(desk.cannot_hold().unwrap().ends_with("el registro tiene uno de 0,696 s. Elige una teoría."));
+    let mut desk = opened("../utube.md");
+    desk.add_sample(0, theory("linear")).unwrap();
+    assert!(desk.cannot_hold().is_some(), "the shortest sample");
     // Its own size of column.
     let mut desk = opened("../utube.md");
     desk.add_record("film.txt", film(7.5, 0.02, 1).as_bytes()).unwrap();

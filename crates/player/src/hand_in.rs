@@ -51,7 +51,7 @@ fn made(play: &mut Play, name: &str) -> Option<(String, String, usize)> {
     let (first, text) = files.first()?;
     let state = play.share();
     let mut again = Play::open(play.program().clone());
-    // What cannot be restored is missing when the file is verified, too.
+    // Parts that cannot be restored are missing when the file is verified, too.
     let _ = again.restore(&state);
     let saved = play.answers().saved(play.basis());
     for (question, answer) in &saved {

@@ -18,7 +18,7 @@ window.API = {
 const every = (answer) => `window.API = new Proxy({}, { get: () => () => { ${answer} } });`;
 const later = (own, milliseconds) => `setTimeout(() => { ${platform(own)} }, ${milliseconds});`;
 
-/** What the student is told, and the platform that gives the reason. */
+/** Message to the student, and the platform that gives the reason. */
 const MISSING = "The course does not answer";
 const REFUSED = "The course has not accepted everything";
 const UNREAD = "The work in the course could not be read";

@@ -1,11 +1,12 @@
 //! Comparison of the period of a record with the periods that the open document has within the ranges of its parameters.
 
-use crate::records::measurement::recorded;
+use crate::records::measurement::{recorded, value_at};
 use crate::records::recognise::observed;
 use crate::records::record::Record;
 use crate::{Desk, number};
 use analysis::cycles::{NoCycles, cycles};
-use engine::{Method, Readings, Setup};
+use engine::{Method, Setup};
+use program::{Model, NodeId};
 use units::order::median;
 
 /// Maximum work of all runs together, in floating-point operations: some milliseconds.
@@ -24,10 +25,13 @@ const NEAR: f64 = 1.3;
 impl Desk {
     /// Reason why the open document cannot hold the chosen record: the record oscillates, and all periods that the document
     /// has at the ends of the range of each varied parameter are much longer or all much shorter. `None` if it can, or if
-    /// that is not known: a varied parameter has no range.
+    /// that is not known.
     pub fn cannot_hold(&self) -> Option<String> {
-        let own = self.period_of_record()?;
-        let periods = self.periods_within_ranges(own)?;
+        let record = self.record(self.chosen_record()?)?;
+        let column = record.uses.iter().position(|used| used.fitted)?;
+        let own = self.period_of(record, column)?;
+        let quantity = observed(self.play.model(), &record.uses.get(column)?.meaning.quantity)?;
+        let periods = self.periods_within_ranges(quantity.node, own)?;
         let (shortest, longest) =
             periods.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), one| (low.min(*one), high.max(*one)));
         if shortest <= own * NEAR && longest >= own / NEAR {
@@ -57,44 +61,31 @@ impl Desk {
         ))
     }
 
-    /// The chosen record and the index of its first fitted column.
-    fn fitted_column(&self) -> Option<(&Record, usize)> {
-        let record = self.record(self.chosen_record()?)?;
-        Some((record, record.uses.iter().position(|used| used.fitted)?))
-    }
-
-    /// Period of the fitted column of the chosen record, SI. `None` if it does not oscillate.
-    fn period_of_record(&self) -> Option<f64> {
-        let (record, column) = self.fitted_column()?;
+    /// Period of a column of a record, SI. `None` if it does not oscillate.
+    fn period_of(&self, record: &Record, column: usize) -> Option<f64> {
         let (mut times, mut values) = record.series(column, &self.play.model().independent.name)?;
         times.truncate(MOST_ROWS);
         values.truncate(MOST_ROWS);
         period(&times, &values).filter(|period| *period > 0.0 && period.is_finite())
     }
 
-    /// The quantity of the fitted column of the chosen record.
-    fn fitted_quantity(&self) -> Option<program::Compiled> {
-        let (record, column) = self.fitted_column()?;
-        observed(self.play.model(), &record.uses.get(column)?.meaning.quantity)
-    }
-
-    /// Periods of the fitted quantity, SI, at the present values and with each varied parameter at either end of its range.
+    /// Periods of a quantity, SI, at the present values and with each varied parameter at either end of its range.
     /// `own`: period of the record. `None` if a period is not known: a varied parameter has no range, or it changes the period
     /// and there is no oscillation at one of its ends within [`PERIODS`] periods of the record.
-    fn periods_within_ranges(&self, own: f64) -> Option<Vec<f64>> {
+    fn periods_within_ranges(&self, quantity: NodeId, own: f64) -> Option<Vec<f64>> {
         let (model, values) = (self.play.model(), self.play.course().parameters());
         let varied = self.fits.setup.varied.iter().zip(&model.parameters).enumerate();
         let varied = varied.filter(|(_, (varied, parameter))| **varied && parameter.is_shown());
         let ranges: Option<Vec<_>> = varied.map(|(index, (_, parameter))| Some((index, parameter.range?))).collect();
         let ranges = ranges?;
         let most_work = MOST_WORK / (1 + 2 * ranges.len() as u64);
-        let present = self.period_at(values.to_vec(), own, most_work)?;
+        let present = period_at(model, quantity, values, own, most_work)?;
         let mut found = vec![present];
         for (index, (low, high)) in ranges {
             let at = |end: f64| {
                 let mut changed = values.to_vec();
                 changed.iter_mut().skip(index).take(1).for_each(|value| *value = end);
-                self.period_at(changed, own, most_work)
+                period_at(model, quantity, &changed, own, most_work)
             };
             match (at(low), at(high)) {
                 (Some(one), Some(other)) => found.extend([one, other]),
@@ -105,31 +96,23 @@ impl Desk {
         }
         Some(found)
     }
+}
 
-    /// Period of the fitted quantity with these parameters, SI; 0 if it is too short for the rows. `None` if it does not oscillate,
-    /// or if the run needs too much work.
-    fn period_at(&self, parameters: Vec<f64>, own: f64, most_work: u64) -> Option<f64> {
-        let model = self.play.model();
-        let observed = self.fitted_quantity()?;
-        let step = own / ROWS as f64;
-        let setup = Setup {
-            parameters: parameters.clone(),
-            method: Method::DormandPrince,
-            tolerance: 1e-4,
-            step,
-            ..Setup::defaults(model)
-        };
-        let mut run = recorded(model, setup, PERIODS * own, most_work).ok()?;
-        let mut readings = Readings::new(model, &[observed.node]);
-        let mut state = vec![0.0; model.states.len()];
-        let times: Vec<f64> = (0..ROWS * PERIODS as usize).map(|row| row as f64 * step).collect();
-        let mut read = |time: &f64| {
-            run.interpolate(*time, &mut state);
-            readings.at(&parameters, run.initial(), *time, &state).first().copied().unwrap_or(f64::NAN)
-        };
-        let values: Vec<f64> = times.iter().map(&mut read).collect();
-        period(&times, &values)
-    }
+/// Period of a quantity with these parameters, SI; 0 if it is too short for the rows. `own`: period of the record. `None` if it does
+/// not oscillate, or if the run needs more than `most_work` floating-point operations.
+fn period_at(model: &Model, quantity: NodeId, parameters: &[f64], own: f64, most_work: u64) -> Option<f64> {
+    let step = own / ROWS as f64;
+    let setup = Setup {
+        parameters: parameters.to_vec(),
+        method: Method::DormandPrince,
+        tolerance: 1e-4,
+        step,
+        ..Setup::defaults(model)
+    };
+    let mut run = recorded(model, setup, PERIODS * own, most_work).ok()?;
+    let times: Vec<f64> = (0..ROWS * PERIODS as usize).map(|row| row as f64 * step).collect();
+    let values: Vec<f64> = times.iter().copied().map(value_at(model, &mut run, quantity, parameters)).collect();
+    period(&times, &values)
 }
 
 /// Median period of values over times, in the unit of the times; 0 if the rows are too sparse for it. `None` if the values do not

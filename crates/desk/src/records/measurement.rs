@@ -4,6 +4,7 @@ use crate::records::recognise::observed;
 use crate::{Desk, Refusal, number};
 use analysis::virtual_record::{Camera, tracked_velocities};
 use engine::{Advance, Method, Readings, Run, Setup};
+use program::NodeId;
 use std::fmt::Write as _;
 
 /// Typed settings of a virtual measurement: numbers in the units of [`Desk::measurement_units`], or with a unit of
@@ -116,13 +117,7 @@ impl Desk {
         let end = camera.times().last().copied().unwrap_or_default();
         let run = recorded(model, exact, end, MOST_WORK).or_else(|_| recorded(model, setup, end, MOST_WORK));
         let mut run = run.map_err(nothing)?;
-        let mut readings = Readings::new(model, &[observed.node]);
-        let mut state = vec![0.0; model.states.len()];
-        let parameters = self.play.course().parameters();
-        let values = camera.read(|time| {
-            run.interpolate(time, &mut state);
-            readings.at(parameters, run.initial(), time, &state).first().copied().unwrap_or(f64::NAN)
-        });
+        let values = camera.read(value_at(model, &mut run, observed.node, self.play.course().parameters()));
         let times = camera.times();
         let time_unit = &model.independent.unit;
         let rate = quantity_rate(model, quantity);
@@ -166,6 +161,21 @@ fn quantity_rate(model: &program::Model, quantity: &str) -> Option<(String, unit
     let dimension = observed(model, quantity)?.dimension();
     let rate = dimension.per(model.independent.unit.dimension)?;
     (dimension == units::Dimension::LENGTH).then(|| ("v".to_owned(), units::Unit::si(rate)))
+}
+
+/// Value of a quantity of a run with these parameters at a time, all SI.
+pub(crate) fn value_at<'a>(
+    model: &'a program::Model,
+    run: &'a mut Run,
+    quantity: NodeId,
+    parameters: &'a [f64],
+) -> impl FnMut(f64) -> f64 + 'a {
+    let mut readings = Readings::new(model, &[quantity]);
+    let mut state = vec![0.0; model.states.len()];
+    move |time| {
+        run.interpolate(time, &mut state);
+        readings.at(parameters, run.initial(), time, &state).first().copied().unwrap_or(f64::NAN)
+    }
 }
 
 /// Simulates a run up to time `end`, SI. Fails if the work exceeds `most_work` floating-point operations or the run stops earlier.

@@ -1,4 +1,4 @@
-//! What is told to a course of the answers: score, plain numbers, attempts without texts.
+//! Answers as a course receives them: score, plain numbers, attempts without texts.
 
 use play::Play;
 

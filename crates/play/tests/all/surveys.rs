@@ -23,7 +23,7 @@ fn answers_are_chosen_changed_and_removed() {
     assert_eq!(play.revision().survey, before.survey + 1);
     play.choose_in_survey(1, Some(4));
     assert_eq!(play.revision().survey, before.survey + 1, "nothing has changed");
-    // What does not exist changes nothing.
+    // Items and answers that do not exist change nothing.
     for (item, answer) in [(1, 5), (0, 2), (3, 0), (4, 0)] {
         play.choose_in_survey(item, Some(answer));
     }

@@ -73,7 +73,7 @@ fn a_document_that_cannot_hold_a_record_says_so() {
     let mut desk = opened("../utube.md");
     desk.add_record("film.txt", film(7.5, 0.02, 1).as_bytes()).unwrap();
     assert_eq!(desk.cannot_hold(), None);
-    // What does not oscillate is not judged.
+    // A record without oscillation is not judged.
     let mut desk = opened("../utube.md");
     let line: String = (0..50).map(|row| format!("{row} {}\n", 0.01 * f64::from(row))).collect();
     desk.add_record("line.txt", line.as_bytes()).unwrap();

@@ -3,7 +3,7 @@
 use crate::blocks::questions;
 use crate::blocks::questions::{QUESTIONS, RawQuestion};
 use crate::blocks::settings;
-use crate::blocks::{assignment, plots, presets, survey, vary};
+use crate::blocks::{assignment, named, plots, presets, survey};
 use crate::card;
 use crate::checks::Checks;
 use crate::document::{Document, Opened};
@@ -112,8 +112,8 @@ impl<'a> File<'a> {
         card::check(self.outline.front_matter(), &mut self.diagnostics);
         let assignment = assignment::read(self.outline.front_matter(), &model, &places, &mut self.diagnostics);
         let mut expressions = Expressions::new(self.outline.source(), &mut model, &places, &functions);
-        let vary =
-            self.outline.front_matter().get("vary").map_or_else(Vec::new, |value| vary::read(&mut expressions, value));
+        let vary = named::vary(&mut expressions, self.outline.front_matter());
+        let main = named::main(&mut expressions, self.outline.front_matter());
         let mut plots = Vec::new();
         for block in self.outline.blocks_of(BlockKind::Plots) {
             plots::read(&mut expressions, block.content.range(), settings.until, &mut plots);
@@ -188,6 +188,7 @@ impl<'a> File<'a> {
             assignment,
             seat: None,
             vary,
+            main,
             plots,
             presets,
             questions: compiled,

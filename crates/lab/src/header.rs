@@ -14,8 +14,8 @@ pub fn view(app: App) -> HtmlHeader {
         .title(words.library_title)
         .attr("aria-haspopup", "dialog")
         .when(events::click, move |_| library_list::choose(app));
-    let own = View::from((browse, open_button(app), publish::button_of(app)));
-    view::header::view(app.page, own)
+    let own = View::from((browse, publish::button_of(app)));
+    view::header::view(app.page, own, open_button(app))
 }
 
 fn open_button(app: App) -> View {

@@ -125,7 +125,8 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "out-of-range"
         | "hidden-parameter"
         | "varies"
-        | "vary" => ("Parameters", "Parámetros"),
+        | "vary"
+        | "main" => ("Parameters", "Parámetros"),
         "assigned-form" | "assigned-out-of-range" | "assigned-step" | "assigned-values" | "assignment" => {
             ("Assigned values", "Valores asignados")
         }

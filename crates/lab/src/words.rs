@@ -252,6 +252,7 @@ table_of_words! {
     run_speed: "Shown in one second", "Se muestra en un segundo";
     run_tolerance: "Tolerance", "Tolerancia";
     run_vary: "Varied by fits", "Varían los ajustes";
+    run_main: "Parameters shown first", "Parámetros que se ven primero";
     form_parameters: "Parameters", "Parámetros";
     form_initial_values: "Initial values", "Valores iniciales";
     form_equations: "Equations and definitions", "Ecuaciones y definiciones";

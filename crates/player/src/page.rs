@@ -79,7 +79,8 @@ fn head(app: App) -> HtmlHeader {
         .id("share")
         .title(words.share_title)
         .when(events::click, move |_| share(app));
-    header::view(app, View::from((site::links(app), source::button_of(app), hand_in::button_of(app), share)))
+    let own = View::from((site::links(app), hand_in::button_of(app), share));
+    header::view(app, own, source::button_of(app))
 }
 
 /// Heading for screen readers if the header is hidden.

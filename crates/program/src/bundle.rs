@@ -11,7 +11,7 @@ use crate::{
 /// Signature at the start of a bundle.
 const SIGNATURE: &[u8] = b"meniscus";
 /// Format version; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 10;
+const VERSION: u8 = 11;
 /// Maximum length of a bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
@@ -88,7 +88,8 @@ fn check(program: &Program) -> Result<(), BundleError> {
         })
         && model.buttons.iter().all(|button| (button.event as usize) < model.events.len())
         && program.speed.as_ref().is_none_or(|speed| speed.per_second.is_finite() && speed.per_second > 0.0)
-        && program.vary.iter().all(parameter)
+        && program.vary.iter().chain(&program.main).all(parameter)
+        && program.main.len() <= Program::MOST_MAIN
         && program.plots.iter().all(|plot| plot.expressions().all(|curve| compiled(&curve.value)))
         && program.plots.iter().all(|plot| drawing_exists(&plot.drawing, plot.curves.len(), model, &known))
         && program.presets.iter().all(|preset| assignments(&preset.values))

@@ -33,6 +33,9 @@ pub struct Program {
     pub seat: Option<Seat>,
     /// Parameters that a fit varies by default, as indices in [`Model::parameters`].
     pub vary: Vec<usize>,
+    /// Parameters that the page shows first, at most [`Program::MOST_MAIN`], as indices in [`Model::parameters`]; empty if the
+    /// document does not name them.
+    pub main: Vec<usize>,
     /// The plots, in the order of the text.
     pub plots: Vec<Plot>,
     /// The presets, in the order of the text; those of one group are adjacent.
@@ -48,6 +51,18 @@ pub struct Program {
 impl Program {
     /// Default end of a run, in the unit of the independent variable.
     pub const UNTIL: f64 = 100.0;
+
+    /// Maximum number of parameters that the page shows first.
+    pub const MOST_MAIN: usize = 5;
+
+    /// Indices of the parameters that the page shows first: those that the document names, otherwise the first ones.
+    pub fn main_parameters(&self) -> Vec<usize> {
+        if self.main.is_empty() {
+            self.model.shown_parameters().map(|(index, _)| index).take(Self::MOST_MAIN).collect()
+        } else {
+            self.main.clone()
+        }
+    }
 
     /// End of a run, SI units.
     pub fn end(&self) -> f64 {

@@ -192,6 +192,10 @@ pub struct Page {
     pub narrow: Signal<bool>,
     /// The plot shown in a narrow window.
     pub front_plot: Signal<Option<PlotId>>,
+    /// True if the parameters beyond the main ones, state, method and recorded values are shown.
+    pub more_open: Signal<bool>,
+    /// True while the projector's view is shown: the stage alone, with large letters.
+    pub projecting: Signal<bool>,
     /// True if method and step are shown.
     pub numerics_open: Signal<bool>,
 }
@@ -234,6 +238,8 @@ impl App {
             table_open: create_signal(false),
             narrow: create_signal(browser::matches(stage::NARROW)),
             front_plot: create_signal(None),
+            more_open: create_signal(false),
+            projecting: create_signal(false),
             numerics_open: create_signal(false),
         };
         Self(Box::leak(Box::new(page)))

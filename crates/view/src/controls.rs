@@ -12,25 +12,59 @@ use crate::{buttons, drawings, parameters};
 use play::{MethodView, ParameterGroup, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
 
-/// The card with parameters and presets.
+/// Maximum number of presets with a button each. More presets are offered as one list for each group.
+const CHIPS: usize = 4;
+
+/// The card with the main parameters and the presets.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
-    let restore = button()
-        .class("quiet")
-        .id("restore-defaults")
-        .title(words.restore_defaults_title)
-        .when(events::click, move |_| restore_all(app))
-        .child(words.restore_defaults);
+    let main = app.read(|play| play.program().main_parameters());
+    let main = app.read(|play| {
+        main.into_iter().filter_map(|index| play.basis().parameter(play.course(), index)).collect::<Vec<_>>()
+    });
     let parameters = div()
         .class("block")
-        .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
+        .child(div().class("block-head").child(h3().child(words.parameters)).child(restore_button(app)))
         .each(app.read(|play| play.basis().sizes()), |size| sizes::control(app, size))
-        .each(app.read(|play| play.basis().parameter_groups(play.course())).into_iter().enumerate(), |group| {
-            parameter_group(app, group)
-        });
+        .each(main, |first| parameters::control(app, first));
     let controls = part("controls", "controls card", words.controls).child(buttons::view(app));
     let values = View::from((parameters, drawings::view(app), presets(app)));
     controls.child(seat::view(app)).child(lockable(app, values))
+}
+
+/// The card with the parameters that are not among the main ones; empty if there are none.
+pub fn further(app: App) -> View {
+    let main = app.read(|play| play.program().main_parameters());
+    let mut groups = app.read(|play| play.basis().parameter_groups(play.course()));
+    for group in &mut groups {
+        group.parameters.retain(|parameter| !main.contains(&parameter.index));
+    }
+    groups.retain(|group| !group.parameters.is_empty());
+    if groups.is_empty() {
+        return View::new();
+    }
+    let words = app.words();
+    let block = div()
+        .class("block")
+        .child(div().class("block-head").child(h3().child(words.further_parameters)))
+        .each(groups.into_iter().enumerate(), |group| parameter_group(app, group));
+    part("further", "controls card", words.further_parameters).child(lockable(app, block.into())).into()
+}
+
+/// Button that restores the values of the document. Hidden while they are set.
+fn restore_button(app: App) -> HtmlButton {
+    let words = app.words();
+    let is_as_written = memo(move || {
+        app.changes.parameters.track();
+        app.read(|play| play.is_as_written())
+    });
+    button()
+        .class("quiet")
+        .id("restore-defaults")
+        .title(words.restore_defaults_title)
+        .hidden(move || is_as_written.get())
+        .when(events::click, move |_| restore_all(app))
+        .child(words.restore_defaults)
 }
 
 /// Controls of a parameter group under its heading.
@@ -64,8 +98,9 @@ fn restore_all(app: App) {
     app.act(Play::restore_defaults);
     if resized {
         app.rebuild();
-        browser::focus("restore-defaults");
     }
+    // The button is hidden now.
+    browser::focus("panel-play");
 }
 
 /// Present state, method and step: changed less often than parameters.
@@ -91,19 +126,40 @@ fn presets(app: App) -> View {
         })
     };
     let refusal = create_signal(None::<String>);
+    let apply = move |index: usize| refusal.set(app.attempt(|play| play.apply_preset(index)));
     let choose = |preset: PresetView| {
         let index = preset.index;
         button()
             .class("chip")
             .title(preset.description)
             .attr("aria-pressed", move || selected(index).to_string())
-            .when(events::click, move |_| refusal.set(app.attempt(|play| play.apply_preset(index))))
+            .when(events::click, move |_| apply(index))
             .child(preset.name)
     };
-    let group = |(number, group): (usize, PresetGroup)| {
+    let many = groups.iter().map(|group| group.presets.len()).sum::<usize>() > CHIPS;
+    let group = |(number, group): (usize, PresetGroup)| -> View {
         let id = format!("presets-{number}");
         let name = if group.name.is_empty() { words.presets.to_owned() } else { group.name };
-        headed("preset-group", id, name).child(div().class("chips").each(group.presets, choose))
+        if !many {
+            return headed("preset-group", id, name).child(div().class("chips").each(group.presets, choose)).into();
+        }
+        let indices: Vec<usize> = group.presets.iter().map(|preset| preset.index).collect();
+        let now = move || indices.iter().find(|index| selected(**index)).map(usize::to_string).unwrap_or_default();
+        let none = option().value("").disabled(true).child(words.choose);
+        let choices = group.presets.into_iter().map(|preset| {
+            option().value(preset.index.to_string()).title(preset.description).child(preset.name)
+        });
+        let choose = select()
+            .id(id.clone())
+            .child(none)
+            .each(choices, |choice| choice)
+            .prop("value", now)
+            .when(events::change, move |event| {
+                if let Ok(index) = value_of(&event).parse() {
+                    apply(index);
+                }
+            });
+        div().class("parameter preset-choice").child(label().r#for(id).child(span().child(name))).child(choose).into()
     };
     div()
         .class("block presets")

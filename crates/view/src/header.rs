@@ -3,27 +3,14 @@
 use crate::app::{App, title};
 use crate::theme::Theme;
 use crate::views::*;
-use crate::{browser, icons, keys, presenter};
+use crate::{browser, icons, keys};
 use units::Language;
+use wasm_bindgen::JsCast;
+use web_sys::{FocusEvent, KeyboardEvent, Node};
 
-/// The header, with the page's `own` buttons before the others.
-pub fn view(app: App, own: View) -> HtmlHeader {
-    let words = app.words();
-    let help = button()
-        .class("icon")
-        .id("help")
-        .title(format!("{} (?)", words.keys_title))
-        .attr("aria-label", words.keys_title)
-        .attr("aria-haspopup", "dialog")
-        .when(events::click, move |_| keys::open())
-        .child(icons::keyboard());
-    let tools = div()
-        .class("head-tools")
-        .child(own)
-        .child(help)
-        .child(presenter::button_of(app))
-        .child(theme(app))
-        .child(languages(app));
+/// The header, with the page's `own` buttons before the menu, and `in_menu` as its first entries.
+pub fn view(app: App, own: View, in_menu: View) -> HtmlHeader {
+    let tools = div().class("head-tools").child(own).child(menu(app, in_menu));
     header()
         .class("head")
         .child(p().class("brand").child(icons::mark()).child(span().child("Meniscus")))
@@ -32,6 +19,54 @@ pub fn view(app: App, own: View) -> HtmlHeader {
             title(app)
         })))
         .child(tools)
+}
+
+/// Button with a menu of what is needed seldom. The menu closes when the focus leaves it.
+fn menu(app: App, first: View) -> HtmlDiv {
+    let words = app.words();
+    let open = create_signal(false);
+    let mut place = div().class("head-menu-place");
+    let node: Node = place.node();
+    let left = move |event: FocusEvent| {
+        let to = event.related_target().and_then(|to| to.dyn_into::<Node>().ok());
+        if to.is_some() && !node.contains(to.as_ref()) {
+            open.set(false);
+        }
+    };
+    let escape = move |event: KeyboardEvent| {
+        if event.key() == "Escape" && open.get_untracked() {
+            event.prevent_default();
+            open.set(false);
+            browser::focus("menu");
+        }
+    };
+    let more = button()
+        .class("icon")
+        .id("menu")
+        .called(words.menu)
+        .attr("aria-expanded", move || open.get().to_string())
+        .attr("aria-controls", "head-menu")
+        .when(events::click, move |_| open.update(|open| *open = !*open))
+        .child(icons::more());
+    let keys = labelled(icons::keyboard(), words.keys_title)
+        .id("help")
+        .title(format!("{} (?)", words.keys_title))
+        .attr("aria-haspopup", "dialog")
+        .when(events::click, move |_| {
+            open.set(false);
+            keys::open();
+        });
+    let entries = div()
+        .class("head-menu card")
+        .id("head-menu")
+        .role("group")
+        .attr("aria-label", words.menu)
+        .hidden(move || !open.get())
+        .child(first)
+        .child(keys)
+        .child(theme(app))
+        .child(languages(app));
+    place.when(events::focusout, left).when(events::keydown, escape).child(more).child(entries)
 }
 
 fn languages(app: App) -> HtmlDiv {
@@ -46,7 +81,7 @@ fn languages(app: App) -> HtmlDiv {
             .when(events::click, move |_| {
                 app.set_language(language);
                 // The page and the button have been rebuilt.
-                browser::focus_later(format!("language-{}", language.tag()));
+                browser::focus_later("menu".to_owned());
             })
             .child(language.tag().to_ascii_uppercase())
     };
@@ -67,10 +102,9 @@ fn theme(app: App) -> HtmlButton {
         app.notify(label());
     };
     button()
-        .class("icon")
+        .class("quiet with-icon")
         .id("theme")
-        .title(label)
-        .attr("aria-label", label)
         .when(events::click, next)
         .child(icons::theme())
+        .child(span().child(text(move || label().to_owned())))
 }

@@ -59,8 +59,6 @@ icons! {
     more: "M6 12h.01M12 12h.01M18 12h.01";
     /// Four corners that point outwards.
     full_screen: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5M4 4l6 6M20 4l-6 6M20 20l-6-6M4 20l6-6";
-    /// A large and a small letter A.
-    type_size: "M3 18L8 6l5 12M4.7 14h6.6M15 18l3-7 3 7M16 15.7h4";
     /// An arrow that points upwards.
     up: "M12 19V5.5M6 11l6-6 6 6";
     /// An arrow that points downwards.

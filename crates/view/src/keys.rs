@@ -41,6 +41,11 @@ fn pressed(app: App, hands: &Hands, event: &KeyboardEvent) {
     if event.key() == "Tab" {
         hands.points.set(false);
     }
+    if event.key() == "Escape" && app.projecting.get_untracked() && !event.default_prevented() {
+        app.projecting.set(false);
+        event.prevent_default();
+        return;
+    }
     // In a text field, the browser undoes the typing.
     let undoes = (event.ctrl_key() || event.meta_key()) && !event.shift_key() && !event.alt_key() && event.key() == "z";
     let typing = event
@@ -129,6 +134,7 @@ pub fn dialog(app: App) -> HtmlDialog {
                 (vec!["R"], words.back_to_start),
                 (vec!["<", ">"], words.key_speed),
                 (vec!["S"], words.key_keep),
+                (vec!["Esc"], words.key_projector),
                 (vec!["Ctrl Z"], words.key_undo),
                 (vec!["?"], words.key_help),
             ],

@@ -25,7 +25,7 @@ mod parameters;
 pub mod picture;
 pub mod pieces;
 pub mod playing;
-pub mod presenter;
+pub mod projector;
 pub mod question;
 pub mod reading;
 mod readouts;

@@ -118,7 +118,8 @@ fn body(app: App, tab: Tab) -> HtmlDiv {
         .role("tabpanel")
         .id(format!("panel-{id}"))
         .attr("aria-labelledby", format!("tab-{id}"))
-        .tabindex("0")
+        // A panel that begins with controls needs no stop of its own.
+        .tabindex(if id == PLAY { "-1" } else { "0" })
         .hidden(move || !selected())
         .child(changing(built))
 }

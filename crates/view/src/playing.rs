@@ -1,4 +1,5 @@
-//! Tab for playing: parameters and presets, values, state and method, the recorded run as a table.
+//! Tab for playing: main parameters, presets and values; folded, all other parameters, state and method, and the recorded
+//! run as a table.
 
 use crate::app::App;
 use crate::views::*;
@@ -15,6 +16,21 @@ pub fn view(app: App) -> HtmlDiv {
         .maybe((embedding.locked && adjusts).then(|| note(app.words().locked)))
         .maybe(adjusts.then(|| controls::view(app)))
         .maybe(reads.then(|| readouts::view(app)))
+        .child(more(app, adjusts, reads))
+}
+
+/// What is needed less often, folded. It stays open when the page is rebuilt in another language.
+fn more(app: App, adjusts: bool, reads: bool) -> HtmlDetails {
+    let mut details = details();
+    let node: HtmlDetailsElement = details.node();
+    let open = app.more_open;
+    details
+        .class("more")
+        .id("more")
+        .open(open.get_untracked())
+        .when(events::toggle, move |_| open.set(node.open()))
+        .child(summary().child(app.words().more))
+        .maybe(adjusts.then(|| controls::further(app)))
         .maybe(adjusts.then(|| controls::lockable(app, controls::state_and_method(app).into())))
         .maybe(reads.then(|| recorded(app)))
 }

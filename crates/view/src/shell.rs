@@ -3,12 +3,12 @@
 use crate::app::{App, title};
 use crate::theme::Theme;
 use crate::views::*;
-use crate::{browser, frame, keys, messages, presenter, stage, worksheet};
+use crate::{browser, frame, keys, messages, projector, stage, worksheet};
 
 /// Installs the listeners for the whole page.
 pub fn prepare(app: App) {
     Theme::remembered().apply(app);
-    presenter::remembered(app);
+    projector::follow(app);
     browser::on_match_change("(prefers-color-scheme: dark)", move || Theme::remembered().apply(app));
     browser::on_match_change(stage::NARROW, move || app.narrow.set(browser::matches(stage::NARROW)));
     frame::start(app);

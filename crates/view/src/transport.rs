@@ -1,12 +1,11 @@
 //! The transport: play, step, back to start, time line, speed, sound.
 
 use crate::app::App;
-use crate::stage::full_screen;
 use crate::steady::Steady;
 use crate::views::*;
-use crate::{browser, icons};
+use crate::{browser, icons, projector};
 use play::{Play, SPEEDS, Status};
-use web_sys::{Element, HtmlElement, HtmlInputElement};
+use web_sys::{HtmlElement, HtmlInputElement};
 
 /// Number of positions of the time line.
 const POSITIONS: f64 = 10_000.0;
@@ -114,7 +113,7 @@ pub fn view(app: App) -> HtmlSection {
         .attr("aria-label", words.transport)
         .child(buttons)
         .child(div().class("time").child(clock).child(place_of_line))
-        .child(div().class("extras").child(speed(app)).child(sound(app)).maybe(fill_screen(app)))
+        .child(div().class("extras").child(speed(app)).child(sound(app)).child(projector::button_of(app)))
         // The first reason is announced by the simulation; only the second one must be a live region.
         .child(ended(app))
         .child(p().class("trouble").child(text(move || trouble(true))))
@@ -185,23 +184,6 @@ fn sound(app: App) -> HtmlButton {
         .attr("aria-pressed", move || on.get().to_string())
         .when(events::click, toggle)
         .child(changing(move || if on.get() { icons::sound() } else { icons::mute() }))
-}
-
-/// Button that shows the stage in full-screen mode, if supported.
-fn fill_screen(app: App) -> Option<HtmlButton> {
-    let fill = |_| {
-        if let Some(stage) = browser::by_id::<Element>("apparatus") {
-            full_screen::toggle(&stage);
-        }
-    };
-    full_screen::is_offered().then(|| {
-        button()
-            .class("icon")
-            .id("full-screen")
-            .called(app.words().fill_screen)
-            .when(events::click, fill)
-            .child(icons::full_screen())
-    })
 }
 
 /// Message that the run has reached the end set by the document or an event, with a button to continue. The simulation

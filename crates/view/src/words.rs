@@ -38,7 +38,8 @@ table_of_words! {
     theme_system: "Colours: as the system", "Colores: como el sistema";
     theme_light: "Colours: light", "Colores: claros";
     theme_dark: "Colours: dark", "Colores: oscuros";
-    presenter: "Presenter's size", "Tamaño para proyectar";
+    projector: "Projector's view", "Vista para proyectar";
+    menu: "Open a file, colours, language", "Abrir un archivo, colores, idioma";
     document: "Document", "Documento";
     document_title: "Save the document of this simulation; the laboratory of Meniscus opens it", "Guardar el documento de esta simulación; el laboratorio de Meniscus lo abre";
     all_simulations: "All simulations", "Todas las simulaciones";
@@ -88,7 +89,6 @@ table_of_words! {
     speed: "Speed", "Velocidad";
     time: "Time", "Tiempo";
     time_line: "Time line", "Línea de tiempo";
-    fill_screen: "Stage in full screen", "Escenario a pantalla completa";
     sound: "Sound", "Sonido";
     sound_title: "Hear the displacement as a pitch", "Oír el desplazamiento como un tono";
     slow: "The computation cannot keep up with the clock at this speed.", "El cálculo no alcanza al reloj a esta velocidad.";
@@ -108,6 +108,7 @@ table_of_words! {
     key_step: "Step back, step forward", "Paso atrás, paso adelante";
     key_speed: "Slower, faster", "Más lento, más rápido";
     key_keep: "Keep this run", "Guardar esta serie";
+    key_projector: "Leave the projector's view", "Salir de la vista para proyectar";
     key_undo: "Undo the last removal or reset of parameters", "Deshacer lo último que se quitó o se restableció";
     key_help: "This list", "Esta lista";
     key_cursor: "Move the read-out (with Shift: ten rows)", "Mover la lectura (con Mayús: diez filas)";
@@ -130,6 +131,9 @@ table_of_words! {
     buttons: "Actions", "Acciones";
     clear_drawing: "Clear", "Borrar";
     drawing_hint: "Draw the curve in the field; the run starts again. Keys: left and right choose a point, up and down move it.", "Dibuja la curva en el recuadro; la serie comienza de nuevo. Teclas: izquierda y derecha eligen un punto, arriba y abajo lo mueven.";
+    further_parameters: "Further parameters", "Otros parámetros";
+    more: "More", "Más";
+    choose: "Choose ...", "Elegir ...";
     presets: "Presets", "Ajustes";
     restore_defaults: "Restore defaults", "Restaurar valores";
     restore_defaults_title: "Give all parameters and the start of the run the values of the document", "Dar a todos los parámetros y al inicio de la serie los valores del documento";
@@ -171,7 +175,7 @@ table_of_words! {
     save_png: "Download PNG", "Descargar PNG";
 
     save_plot_csv: "Download CSV of this plot", "Descargar CSV de esta gráfica";
-    plot_menu: "Download and full screen", "Descargas y pantalla completa";
+    plot_menu: "Zoom, download and full screen", "Acercar, descargar y pantalla completa";
     full_screen: "Full screen", "Pantalla completa";
     legend: "Legend", "Leyenda";
     pinned: "Pinned", "Fijado";

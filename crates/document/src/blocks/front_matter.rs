@@ -7,7 +7,7 @@ use std::ops::Range;
 use units::{nearest, words};
 
 /// Known keys.
-const KEYS: [&str; 12] = [
+const KEYS: [&str; 13] = [
     "title",
     "language",
     "summary",
@@ -19,11 +19,12 @@ const KEYS: [&str; 12] = [
     "speed",
     "tolerance",
     "vary",
+    "main",
     "assignment",
 ];
 
 /// Spanish keys and other synonyms, with the keys that they mean.
-const OTHER_KEYS: [(&str, &str); 21] = [
+const OTHER_KEYS: [(&str, &str); 23] = [
     ("titulo", "title"),
     ("nombre", "title"),
     ("idioma", "language"),
@@ -43,6 +44,8 @@ const OTHER_KEYS: [(&str, &str); 21] = [
     ("end", "until"),
     ("velocidad", "speed"),
     ("tolerancia", "tolerance"),
+    ("principal", "main"),
+    ("principales", "main"),
     ("tarea", "assignment"),
     ("asignacion", "assignment"),
 ];
@@ -253,7 +256,7 @@ mod tests {
             [
                 "the front matter has no key `titel`; did you mean `title`?",
                 "the front matter has no key `wibble`; the keys are title, language, summary, topics, translates, method, \
-                 step, until, speed, tolerance, vary, assignment",
+                 step, until, speed, tolerance, vary, main, assignment",
                 "`title` has no value",
                 "`step` is given twice",
             ]

@@ -110,12 +110,12 @@ fn computed(program: &Program) -> String {
 
 /// Edits that replace the old name where it means the quantity.
 fn in_file(outline: &Outline, old: &str, new: &str) -> Vec<Edit> {
-    // `vary` is a list of names.
-    let varied = outline.front_matter().get("vary").map(|value| value.span);
-    let is_varied = |span: &Span| varied.is_some_and(|all| all.start <= span.start && span.end <= all.end);
+    // `vary` and `main` are lists of names.
+    let lists = ["vary", "main"].map(|key| outline.front_matter().get(key).map(|value| value.span));
+    let is_listed = |span: &Span| lists.iter().flatten().any(|all| all.start <= span.start && span.end <= all.end);
     let places = outline.source().match_indices(old).map(|(at, _)| Span::new(at, at + old.len()));
     let meant = |span: &Span| {
-        if is_varied(span) {
+        if is_listed(span) {
             return word_at(outline.source(), span.end) == Some(*span);
         }
         let found = name_at(outline, span.end).filter(|found| found.span == *span);

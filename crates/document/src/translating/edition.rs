@@ -121,7 +121,7 @@ impl File<'_> {
                 );
             }
         }
-        for key in ["method", "step", "until", "speed", "tolerance", "vary", "assignment"] {
+        for key in ["method", "step", "until", "speed", "tolerance", "vary", "main", "assignment"] {
             if let Some(value) = self.outline.front_matter().get(key) {
                 let message =
                     words!("`{key}` in a translation means nothing", "`{key}` no significa nada en una traducción");

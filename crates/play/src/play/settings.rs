@@ -57,7 +57,7 @@ impl Play {
     /// restarts with the document's initial values and curves.
     pub fn restore_defaults(&mut self) {
         let parameters = self.basis.defaults().parameters.clone();
-        if self.is_started_by_hand() || self.course().begun().drawings != self.basis.defaults().drawings {
+        if !self.starts_as_written() {
             let before = self.setup();
             let drawings = self.basis.defaults().drawings.clone();
             self.restart(Setup { parameters, start: None, drawings, ..before.clone() });
@@ -111,6 +111,18 @@ impl Play {
             Some(value) => self.set_state(index, value),
             None => Ok(()),
         }
+    }
+
+    /// True if all sizes and parameters have the values of the document, and the run starts with its initial values and curves.
+    pub fn is_as_written(&self) -> bool {
+        self.starts_as_written()
+            && self.basis.sizes().iter().all(|size| size.is_default)
+            && self.basis.parameters(self.course()).iter().all(|parameter| parameter.is_default)
+    }
+
+    /// True if the run starts with the document's initial values and curves.
+    fn starts_as_written(&self) -> bool {
+        !self.is_started_by_hand() && self.course().begun().drawings == self.basis.defaults().drawings
     }
 
     /// True if the run started from a state set by hand instead of the model's initial values.

@@ -28,8 +28,8 @@ use section::{Moments, Section};
 use sweep::Swept;
 use traces::Columns;
 
-/// Number of document plots shown initially. More would be too small to read.
-const AT_FIRST: usize = 3;
+/// Number of document plots shown initially: the scene needs the room, and the others are one click away.
+const AT_FIRST: usize = 1;
 
 /// The plots: those of the document in the order of the text, then added ones.
 #[derive(Debug, Default)]

@@ -20,6 +20,17 @@ pub struct Scene {
     pub length: Option<usize>,
 }
 
+impl Scene {
+    /// Width and height of the view box in units of the drawing; `None` without a view box of fixed, positive size.
+    pub fn size(&self) -> Option<[f64; 2]> {
+        let view = self.root.attributes.iter().find(|attribute| attribute.name == "viewBox")?;
+        let [Piece::Literal(text)] = view.value.as_slice() else { return None };
+        let numbers = text.split([' ', ',']).filter(|part| !part.is_empty()).map(|part| part.parse().ok());
+        let [_, _, width, height] = numbers.collect::<Option<Vec<f64>>>()?[..] else { return None };
+        (width > 0.0 && height > 0.0 && (width / height).is_finite()).then_some([width, height])
+    }
+}
+
 /// Trace of a point: a line, or dots at equal intervals of time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trail {
@@ -181,6 +192,21 @@ pub enum Dragged {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_scene_has_the_size_of_a_fixed_view_box() {
+        let size = |value: Template| {
+            let attributes = vec![Attribute { name: "viewBox".into(), value }];
+            let root = Element { name: "svg".into(), attributes, children: Vec::new(), drag: None };
+            Scene { root, values: Vec::new(), trails: Vec::new(), length: None }.size()
+        };
+        let fixed = |text: &str| size(vec![Piece::Literal(text.into())]);
+        assert_eq!(fixed("-10 4, 330 486.5"), Some([330.0, 486.5]));
+        for text in ["", "0 0 10", "0 0 10 0", "0 0 -1 5", "0 0 a 5", "0 0 1 2 3", "0 0 inf 1"] {
+            assert_eq!(fixed(text), None, "{text}");
+        }
+        assert_eq!(size(vec![Piece::Value { index: 0, decimals: None }]), None);
+    }
 
     #[test]
     fn an_attribute_has_a_text_where_all_its_values_have_one() {

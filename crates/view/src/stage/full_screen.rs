@@ -1,4 +1,4 @@
-//! Full-screen mode for the stage and for single plots. Some browsers do not support it.
+//! Full-screen mode for single plots. Some browsers do not support it.
 
 use crate::views::document;
 use web_sys::Element;

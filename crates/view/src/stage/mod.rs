@@ -36,15 +36,32 @@ pub fn view(app: App) -> View {
 fn stage(app: App) -> HtmlSection {
     let words = app.words();
     let [picture, frames] = app.host().picture();
-    let body = div().class("stage-body").child(picture).child(scene(app)).child(plots::view(app));
+    let aspect = aspect(app);
+    let body = div()
+        .class(if aspect > WIDE { "stage-body wide" } else { "stage-body" })
+        .style(format!("--aspect:{aspect:.3}"))
+        .child(picture)
+        .child(scene(app))
+        .child(plots::view(app));
     section()
         .class("stage")
         .id("apparatus")
         .tabindex("-1")
         .attr("aria-label", words.apparatus)
-        .child(body)
-        .child(frames)
+        // First for the keyboard, drawn below the scene.
         .child(transport::view(app))
+        .child(frames)
+        .child(body)
+}
+
+/// Aspect (width / height) from which a scene is laid out above the plots instead of beside them.
+const WIDE: f64 = 1.15;
+
+/// Aspect (width / height) of the scene's view box; 1 without a fixed one.
+fn aspect(app: App) -> f64 {
+    let language = app.language.get_untracked().tag();
+    let size = app.read(|play| play.program().scene(language).and_then(program::Scene::size));
+    size.map_or(1.0, |[width, height]| width / height)
 }
 
 fn scene(app: App) -> HtmlSection {

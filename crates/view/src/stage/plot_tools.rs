@@ -1,4 +1,4 @@
-//! Toolbar of a plot: zoom, and a menu with downloads and full screen.
+//! Toolbar of a plot: a menu with zoom, downloads and full screen.
 
 use super::{canvas, full_screen};
 use crate::app::App;
@@ -18,14 +18,11 @@ const SAVED_SCALE: f64 = 2.0;
 /// Toolbar of the plot shown by the element `figure`.
 pub fn view(app: App, id: PlotId, figure: Element) -> HtmlDiv {
     let words = app.words();
-    let automatic = move || app.plot(id).is_none_or(|plot| plot.automatic);
-    let zoom = move |factor: f64| {
-        app.act(|play| play.change_plots(|plots| plots.zoom(id, None, factor, figure::Direction::Both)))
-    };
-    let tool = |name: &'static str| button().class("icon").called(name);
     let open = create_signal(false);
     let menu_id = format!("plot-menu-{id}");
-    let more = tool(words.plot_menu)
+    let more = button()
+        .class("icon")
+        .called(words.plot_menu)
         .id(format!("plot-more-{id}"))
         .attr("aria-expanded", move || open.get().to_string())
         .attr("aria-controls", menu_id.clone())
@@ -49,14 +46,6 @@ pub fn view(app: App, id: PlotId, figure: Element) -> HtmlDiv {
     tools
         .when(events::focusout, left)
         .when(events::keydown, escape)
-        .child(tool(words.zoom_out).when(events::click, move |_| zoom(0.5)).child(icons::minus()))
-        .child(tool(words.zoom_in).when(events::click, move |_| zoom(2.0)).child(icons::plus()))
-        .child(
-            tool(words.fit)
-                .attr("aria-disabled", move || automatic().to_string())
-                .when(events::click, move |_| app.act(|play| play.change_plots(|plots| plots.reset(id))))
-                .child(icons::fit()),
-        )
         .child(more)
         .child(menu(app, id, menu_id, open, figure))
 }
@@ -78,12 +67,24 @@ fn menu(app: App, id: PlotId, menu_id: String, open: Signal<bool>, figure: Eleme
         };
         button().class("icon").called(words.full_screen).when(events::click, fill).child(icons::full_screen())
     });
+    let automatic = move || app.plot(id).is_none_or(|plot| plot.automatic);
+    let zoom = move |factor: f64| {
+        app.act(|play| play.change_plots(|plots| plots.zoom(id, None, factor, figure::Direction::Both)))
+    };
+    let tool = |name: &'static str| button().class("icon").called(name);
+    let fit = tool(words.fit)
+        .attr("aria-disabled", move || automatic().to_string())
+        .when(events::click, move |_| app.act(|play| play.change_plots(|plots| plots.reset(id))))
+        .child(icons::fit());
     div()
         .class("menu")
         .id(menu_id)
         .role("group")
         .attr("aria-label", words.plot_menu)
         .hidden(move || !open.get())
+        .child(tool(words.zoom_out).when(events::click, move |_| zoom(0.5)).child(icons::minus()))
+        .child(tool(words.zoom_in).when(events::click, move |_| zoom(2.0)).child(icons::plus()))
+        .child(fit)
         .child(item(words.save_svg, "SVG", save_svg))
         .child(item(words.save_png, "PNG", save_png))
         .child(item(words.save_plot_csv, "CSV", save_csv))

@@ -21,6 +21,7 @@ pub fn view(app: App) -> HtmlDiv {
         ("speed", words.run_speed, "1 [s]"),
         ("tolerance", words.run_tolerance, "1e-9"),
         ("vary", words.run_vary, "k, b"),
+        ("main", words.run_main, "k, m"),
     ];
     let line = |(key, name, example)| line(app, key, name, example);
     let run = details()

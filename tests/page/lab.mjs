@@ -223,10 +223,41 @@ export class Lab {
     return this.page.getByRole("slider", { name });
   }
 
-  /** Goes to the tab of parameters and values, unless what is wanted is in sight. */
+  /** Goes to the tab of parameters and values, and unfolds *More* there, unless what is wanted is in sight. */
   async play(wanted) {
     if (await wanted.isVisible()) return;
     await this.page.locator("#tab-play").click();
+    await this.drawn();
+    if (!(await wanted.isVisible())) await this.openMore();
+  }
+
+  /** Unfolds the parameters beyond the main ones, state, method and recorded values. */
+  async openMore() {
+    if (!(await this.page.locator("#more").evaluate((more) => more.open))) await this.page.locator("#more > summary").click();
+    await this.drawn();
+  }
+
+  /** Chooses a preset: with its button, or from the list of its group where there are many. */
+  async preset(name) {
+    const choice = this.page.locator(".preset-choice select").filter({ has: this.page.getByRole("option", { name, exact: true }) });
+    if (await choice.count()) await choice.selectOption({ label: name });
+    else await this.button(name).click();
+    await this.drawn();
+  }
+
+  /** Opens the menu of the page, with files, keys, colours and languages. */
+  async openMenu() {
+    if ((await this.page.locator("#menu").getAttribute("aria-expanded")) === "false") await this.page.locator("#menu").click();
+  }
+
+  async pressInMenu(name) {
+    await this.openMenu();
+    await this.press(name);
+  }
+
+  /** Shows all plots. */
+  async showPlots() {
+    for (const chip of await this.page.locator(".plots-bar .chip[aria-pressed=false]:visible").all()) await chip.click();
     await this.drawn();
   }
 

@@ -33,24 +33,30 @@ function gallery() {
   return named.length ? all.filter((name) => named.includes(name.replace(/\.md$/, ""))) : ["", ...all];
 }
 
-/** The drawing as a file of its own: with all that it paints, and without its texts. */
+/** The drawing without its texts as a file of its own, and the box around its texts, in its units. */
 function drawn() {
   const svg = document.querySelector(".scene .drawing").shadowRoot?.querySelector("svg");
   if (!svg) return undefined;
   const view = svg.viewBox.baseVal;
   const place = svg.getBoundingClientRect();
-  const written = (texts) => {
-    const copy = svg.cloneNode(true);
-    for (const node of copy.querySelectorAll(`[part~=ring], title${texts ? "" : ", text"}`)) node.remove();
-    copy.removeAttribute("part");
-    copy.style.cssText = "display:block;color:#000";
-    copy.setAttribute("viewBox", [view.x - view.width / 2, view.y - view.height / 2, 2 * view.width, 2 * view.height].join(" "));
-    copy.setAttribute("width", 2 * view.width);
-    copy.setAttribute("height", 2 * view.height);
-    return new XMLSerializer().serializeToString(copy);
-  };
+  const copy = svg.cloneNode(true);
+  for (const node of copy.querySelectorAll("[part~=ring], title, text")) node.remove();
+  copy.removeAttribute("part");
+  copy.style.cssText = "display:block;color:#000";
+  copy.setAttribute("viewBox", [view.x - view.width / 2, view.y - view.height / 2, 2 * view.width, 2 * view.height].join(" "));
+  copy.setAttribute("width", 2 * view.width);
+  copy.setAttribute("height", 2 * view.height);
+  const toUnits = svg.getScreenCTM().inverse();
+  let texts;
+  for (const text of svg.querySelectorAll("text")) {
+    const box = text.getBoundingClientRect();
+    if (!text.textContent.trim() || !box.width || getComputedStyle(text).opacity === "0") continue;
+    const [from, to] = [new DOMPoint(box.left, box.top), new DOMPoint(box.right, box.bottom)].map((point) => point.matrixTransform(toUnits));
+    texts ??= [from.x, from.y, to.x, to.y];
+    texts = [Math.min(texts[0], from.x), Math.min(texts[1], from.y), Math.max(texts[2], to.x), Math.max(texts[3], to.y)];
+  }
   const scale = Math.min(place.width / view.width, place.height / view.height);
-  return { shapes: written(false), all: written(true), view: [view.x, view.y, view.width, view.height], scale };
+  return { shapes: new XMLSerializer().serializeToString(copy), texts, view: [view.x, view.y, view.width, view.height], scale };
 }
 
 /** Box around what a drawing paints visibly, in its units. */
@@ -129,20 +135,20 @@ for (const name of gallery()) {
   const speeds = await page.locator("#speed option").evaluateAll((all) => all.map((option) => option.value));
   await page.locator("#speed").selectOption(speeds.at(-1));
   await page.locator("#play").click();
-  let [shapes, all, view, scale] = [];
+  let [shapes, texts, view, scale] = [];
   const end = Date.now() + 3500;
   do {
     const now = await page.evaluate(drawn);
     if (!now) break;
     ({ view, scale } = now);
     shapes = joined(shapes, await blank.evaluate(boxOf, [now.shapes, view]));
-    if (options.boxes) all = joined(all, await blank.evaluate(boxOf, [now.all, view]));
+    texts = joined(texts, now.texts);
     await page.waitForTimeout(60);
   } while (Date.now() < end);
   const title = (name || "(opening)").padEnd(34);
   if (options.boxes) {
     const rounded = (box) => box?.map(Math.round).join(" ") ?? "-";
-    console.log(title, `view ${view?.join(" ")}`.padEnd(26), `painted ${rounded(shapes)}`.padEnd(30), `with texts ${rounded(all)}`);
+    console.log(title, `view ${view?.join(" ")}`.padEnd(26), `painted ${rounded(shapes)}`.padEnd(30), `with texts ${rounded(joined(shapes, texts))}`);
   } else {
     const box = view && within(shapes, view);
     const share = box ? ((box[2] - box[0]) * (box[3] - box[1]) * scale * scale) / (width * height) : 0;

@@ -234,6 +234,9 @@ impl Figure {
         let intervals = libm::floor(height / least).clamp(2.0, 8.0) as usize;
         let extents: Vec<Extent> = (plot.y.iter().enumerate())
             .map(|(index, axis)| {
+                if axis.only.is_some() {
+                    return Extent::EMPTY.with(axis.only);
+                }
                 (plot.series.iter().filter(|series| series.axis == index))
                     .map(|series| self.extent_up(series).union(spread::extent(series)))
                     .fold(Extent::EMPTY, Extent::union)
@@ -260,7 +263,10 @@ impl Figure {
     fn horizontal_scale(&mut self, plot: &Plot<'_>, left: f64, right: f64) -> Ticks {
         let font = self.font_size;
         let mut extent = Extent::EMPTY.with(plot.x.include);
-        for series in &plot.series {
+        if plot.x.only.is_some() {
+            extent = Extent::EMPTY.with(plot.x.only);
+        }
+        for series in plot.series.iter().filter(|_| plot.x.only.is_none()) {
             extent = extent.union(if plot.ordered { Extent::of_ordered(series.x) } else { self.extent_across(series) });
         }
         let wide = right - left;

@@ -36,6 +36,8 @@ pub struct Axis<'a> {
     pub unit: &'a str,
     /// Range that automatic limits must contain as well, in the unit of the axis; keeps an axis from starting empty.
     pub include: Option<Interval>,
+    /// Range of the automatic limits instead of that of the series, in the unit of the axis.
+    pub only: Option<Interval>,
 }
 
 /// A series of points.
@@ -108,6 +110,19 @@ impl Interval {
     /// Interval between two values, in any order.
     pub fn new(one: f64, other: f64) -> Interval {
         if other < one { Interval { low: other, high: one } } else { Interval { low: one, high: other } }
+    }
+
+    /// Interval around the finite ones of these values; `None` if there are none.
+    pub fn around(values: impl IntoIterator<Item = f64>) -> Option<Interval> {
+        values.into_iter().filter(|value| value.is_finite()).fold(None, |around: Option<Interval>, value| {
+            let Interval { low, high } = around.unwrap_or(Interval { low: value, high: value });
+            Some(Interval { low: low.min(value), high: high.max(value) })
+        })
+    }
+
+    /// Smallest interval that contains both.
+    pub fn joined(self, other: Interval) -> Interval {
+        Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// Length of the interval.

@@ -170,8 +170,8 @@ fn draw(
     let plot = Plot {
         title,
         description: &description,
-        x: Axis { label: &name, unit: &time_unit, include: None },
-        y: vec![Axis { label: &shown, unit: &value_unit, include: None }],
+        x: Axis { label: &name, unit: &time_unit, ..Axis::default() },
+        y: vec![Axis { label: &shown, unit: &value_unit, ..Axis::default() }],
         series,
         ordered: true,
         view,

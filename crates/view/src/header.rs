@@ -54,6 +54,8 @@ fn menu(app: App, first: View) -> HtmlDiv {
         .attr("aria-haspopup", "dialog")
         .when(events::click, move |_| {
             open.set(false);
+            // The dialog returns the focus to this button: its own entry is hidden then.
+            browser::focus("menu");
             keys::open();
         });
     let entries = div()

@@ -65,7 +65,7 @@ table_of_words! {
     apparatus: "Apparatus", "Aparato";
     scene: "Scene", "Escena";
     no_scene: "This document draws no scene.", "Este documento no dibuja ninguna escena.";
-    outline: "Dashed: measured", "A trazos: lo medido";
+    outline: "Dotted: measured", "A puntos: lo medido";
     drag_hint: "Drag in the scene, or use the arrow keys.", "Arrastra en la escena, o usa las flechas.";
     drag_hint_touch: "Drag in the scene with a finger.", "Arrastra en la escena con un dedo.";
     drag_role: "handle", "asa";

@@ -40,7 +40,7 @@ visit("with other parameters and in Spanish too", { language: "es-ES" }, async (
   await lab.enter("Cross-section of the tube", "0.5");
   await lab.enter("Damping", "200");
   await record(lab, 5);
-  await lab.press("ES – Español");
+  await lab.pressInMenu("ES – Español");
   await lab.openTable();
   const { text } = await lab.save(lab.button("Descargar CSV"));
   const settings = ["h_l=2", "h_r=6", "rho=13600", "S=0.5", "b=200"].flatMap((setting) => ["--set", setting]);
@@ -77,7 +77,7 @@ visit("the table on the page follows the run", async (lab) => {
 
 visit("a link reopens the same state, and so does a reload", async (lab) => {
   await lab.enter("Damping", "20");
-  await lab.press("Moon");
+  await lab.preset("Moon");
   await record(lab, 2);
   const state = async (lab) => ({
     time: await lab.time(),

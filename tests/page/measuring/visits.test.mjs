@@ -105,7 +105,7 @@ visit("an own document is open again after a reload, and a link holds it with it
   await other(address, async (lab) => {
     await shows(lab, "My own oscillator");
     assert.equal(await lab.number("Stiffness"), 2.25);
-    await lab.press("ES – Español");
+    await lab.pressInMenu("ES – Español");
     await shows(lab, "Mi propio oscilador");
     assert.equal(await lab.number("Rigidez"), 2.25);
     await lab.page.reload();
@@ -209,7 +209,7 @@ visit("answers are kept in another language and after a reload", async (lab) => 
   await question().getByRole("textbox").fill("2");
   await question().getByRole("button", { name: "Check" }).click();
   await stands("2", "right", 0);
-  await lab.press("ES – Español");
+  await lab.pressInMenu("ES – Español");
   await shows(lab, "Mi propio oscilador");
   await stands("2", "right", 0);
   assert.match(await question().locator(".verdict").innerText(), /Correcto/);

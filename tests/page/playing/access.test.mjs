@@ -32,6 +32,7 @@ for (const language of ["en-GB", "es-ES"]) {
         await lab.page.locator("#parameter-0").fill("nonsense");
         await lab.page.locator("#parameter-0").press("Enter");
         found.push(...(await faults(lab, "a refusal")));
+        await lab.openMenu();
         await lab.page.locator("#help").click();
         found.push(...(await faults(lab, "the list of keys", "dialog")));
         assert.deepEqual(found, []);
@@ -227,11 +228,13 @@ visit("the whole laboratory is worked by keyboard alone", async (lab) => {
   assert.equal(await lab.time(), time);
 
   // The list of keys opens and closes, and the focus comes back.
+  await lab.tabTo("#menu");
+  await lab.keys("Enter");
   await lab.tabTo("#help");
   await lab.keys("Enter");
   await lab.page.getByRole("dialog").waitFor();
   await lab.keys("Escape");
-  assert.equal((await lab.focused()).id, "help");
+  assert.equal((await lab.focused()).id, "menu");
 });
 
 visit("single keys can be switched off, and never act while typing", async (lab) => {
@@ -239,7 +242,7 @@ visit("single keys can be switched off, and never act while typing", async (lab)
   await lab.keys("k", "r");
   assert.equal(await lab.page.locator("#play").getAttribute("aria-label"), "Play");
   await lab.keys("Escape");
-  await lab.press("Keyboard shortcuts");
+  await lab.pressInMenu("Keyboard shortcuts");
   await lab.page.getByRole("checkbox", { name: "Single-key shortcuts" }).uncheck();
   await lab.keys("Escape");
   await lab.page.evaluate(() => document.activeElement.blur());
@@ -252,7 +255,7 @@ visit("changes are announced", async (lab) => {
   await lab.keys("k");
   await eventually(async () => assert.notEqual(await lab.told(), ""));
   await lab.keys("k");
-  await lab.press("Mercury");
+  await lab.preset("Mercury");
   await eventually(async () => assert.match(await lab.told(), /Mercury/));
 });
 
@@ -260,20 +263,21 @@ visit("the language is switched live, and nothing is lost", async (lab) => {
   await lab.enter("Damping", "62.5");
   await lab.press("Step forward");
   const time = await lab.time();
-  await lab.press("ES – Español");
+  await lab.pressInMenu("ES – Español");
   assert.equal(await lab.page.locator("html").getAttribute("lang"), "es");
   assert.equal(await lab.time(), time);
   assert.equal(await lab.field("Amortiguamiento").inputValue(), "62,5");
-  assert.equal((await lab.focused()).id, "language-es", "the focus stays");
+  assert.equal((await lab.focused()).id, "menu", "the focus stays at the menu");
   await lab.press("Reproducir");
   await lab.press("Pausar");
-  await lab.press("EN – English");
+  await lab.pressInMenu("EN – English");
   assert.equal(await lab.field("Damping").inputValue(), "62.5");
 });
 
 visit("light and dark follow the system and can be chosen", { theme: "dark" }, async (lab) => {
   const ground = () => lab.page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const dark = await ground();
+  await lab.openMenu();
   await lab.page.getByRole("button", { name: /^Colours/ }).click();
   const light = await ground();
   assert.notEqual(light, dark);

@@ -45,7 +45,7 @@ visit("an error stays until it is dismissed, ordinary messages follow one anothe
   const error = lab.page.locator(".message.error");
   assert.equal(await error.evaluate((line) => getComputedStyle(line).animationName), "none");
   await lab.press("Restore defaults");
-  await lab.press("Mercury");
+  await lab.preset("Mercury");
   assert.equal(await messages(lab).count(), 2, "the error, and the last of the others");
   await error.getByRole("button", { name: "Dismiss" }).click();
   assert.equal(await error.count(), 0);
@@ -177,7 +177,7 @@ visit("what is drawn besides the curves is explained", async (lab) => {
   assert.doesNotMatch(await svg(), /level\.csv|previous run/);
   await drop(lab, { name: "level.csv", text: TABLE });
   assert.match(await svg(), />y \(level\.csv\)</, "the points");
-  assert.equal(await lab.page.locator("#scene").getByText("Dashed: measured: level.csv").isVisible(), true, "the outline in the scene");
+  assert.equal(await lab.page.locator("#scene").getByText("Dotted: measured: level.csv").isVisible(), true, "the outline in the scene");
   await lab.press("Play");
   await lab.watchUntil(1);
   await lab.press("Pause");
@@ -186,6 +186,6 @@ visit("what is drawn besides the curves is explained", async (lab) => {
   await lab.press("Step forward");
   assert.match(await svg(), />previous run</);
   await lab.page.getByText("Previous run", { exact: true }).waitFor();
-  await lab.press("ES – Español");
-  assert.equal(await lab.page.locator("#scene").getByText("A trazos: lo medido: level.csv").isVisible(), true);
+  await lab.pressInMenu("ES – Español");
+  assert.equal(await lab.page.locator("#scene").getByText("A puntos: lo medido: level.csv").isVisible(), true);
 });

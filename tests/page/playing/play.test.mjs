@@ -139,10 +139,10 @@ visit("what cannot be is refused in words, and corrected", async (lab) => {
 });
 
 visit("presets set what they name", async (lab) => {
-  await lab.press("Mercury");
+  await lab.preset("Mercury");
   assert.ok((await lab.number("Density of the liquid")) > 13000);
   assert.equal(await lab.button("Mercury").getAttribute("aria-pressed"), "true");
-  await lab.press("Moon");
+  await lab.preset("Moon");
   assert.ok((await lab.number("Gravitational acceleration")) < 2);
 });
 

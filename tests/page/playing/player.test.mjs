@@ -22,7 +22,7 @@ visit("a visitor plays, changes, drags and goes back", { file: exported }, async
   await page.press("Pause");
   await page.enter("Damping", "0.2 t/s");
   assert.equal(await page.number("Damping"), 200);
-  await page.press("Mercury");
+  await page.preset("Mercury");
   assert.equal(await page.number("Density of the liquid"), 13_546);
   await page.press("Back to start");
   assert.equal(await page.time(), 0);

@@ -179,7 +179,7 @@ for (const hands of ["mouse", "keyboard", "finger"]) {
     person.actions += 1;
     await lab.page.setInputFiles("#open-file", [temporary(base.name), temporary(other.name)]);
     await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "A mass on a spring"));
-    await lab.press("ES – Español");
+    await lab.pressInMenu("ES – Español");
     await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Una masa en un resorte"));
     // The tab is the one before the reload.
     await lab.tab("Explorar");

@@ -155,7 +155,7 @@ visit("a translation is begun, written beside the texts of the document, and its
   await lab.page.locator("#only-missing").check();
   await eventually(async () => assert.equal(await lab.page.locator(".side").count(), before - 3));
   await eventually(async () => assert.match(await status(lab).innerText(), /The simulation runs as written/));
-  await lab.press("ES – Español");
+  await lab.pressInMenu("ES – Español");
   await lab.page.locator("#tab-play").click();
   await eventually(async () => assert.ok(await lab.page.getByText("Rigidez del resorte").first().isVisible()));
   await lab.page.locator("#tab-write").click();

@@ -94,7 +94,7 @@ visit("a document in which nothing runs opens in the editor, says what is wrong,
   // One error corrected, one left: nothing runs yet, and what was typed stays in another language.
   await replace(lab, "sqr(", "sqrt(");
   await eventually(async () => assert.match(await status(lab).innerText(), /^1 error\. There is nothing to run yet\.$/));
-  await lab.press("ES – Español");
+  await lab.pressInMenu("ES – Español");
   await lab.page.getByRole("heading", { name: "Todavía no hay nada que ejecutar" }).waitFor();
   await eventually(async () => assert.match(await text(lab), /sqrt\(/));
   await lab.press("EN – English");

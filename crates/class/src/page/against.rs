@@ -121,8 +121,8 @@ fn figure(quantity: &Quantity, collection: &Collection, parameter: &Fixed, look:
     let description = format!("{name}{}{against}", language.pick(" against ", " en función de "));
     let plot = Plot {
         description: &description,
-        x: Axis { label: &against, unit: &against_unit, include: None },
-        y: vec![Axis { label: &name, unit: &unit, include: None }],
+        x: Axis { label: &against, unit: &against_unit, ..Axis::default() },
+        y: vec![Axis { label: &name, unit: &unit, ..Axis::default() }],
         series,
         steady: true,
         ..Plot::default()

@@ -113,8 +113,8 @@ fn draw(
     let shown = [prefix, &name].concat();
     let plot = Plot {
         description: &[&shown, ": ", description].concat(),
-        x: Axis { label: &across, unit: &across_unit, include: None },
-        y: vec![Axis { label: &shown, unit: &unit, include: None }],
+        x: Axis { label: &across, unit: &across_unit, ..Axis::default() },
+        y: vec![Axis { label: &shown, unit: &unit, ..Axis::default() }],
         series,
         ordered: true,
         ..Plot::default()
@@ -160,7 +160,7 @@ pub fn results(quantity: &Quantity, look: Look) -> String {
     let plot = Plot {
         description: &description,
         x: Axis { label: language.pick("group", "grupo"), ..Axis::default() },
-        y: vec![Axis { label: &name, unit: &unit, include: None }],
+        y: vec![Axis { label: &name, unit: &unit, ..Axis::default() }],
         series,
         view: View { x: Some(Interval::new(ends[0], ends[1])), y: Vec::new() },
         ordered: true,
@@ -190,7 +190,7 @@ pub fn histogram(quantity: &Quantity, look: Look) -> String {
     let bars = Series { style: Style::Bars, colour: RESULTS, x: &middles, y: &counts, width, ..Series::default() };
     let plot = Plot {
         description: &description,
-        x: Axis { label: &name, unit: &unit, include: None },
+        x: Axis { label: &name, unit: &unit, ..Axis::default() },
         y: vec![Axis {
             label: language.pick("groups", "grupos"),
             include: Some(Interval::new(0.0, 2.0)),

@@ -37,7 +37,7 @@ impl CycleValues {
     }
 
     fn axis(&self) -> Axis<'_> {
-        Axis { label: self.label, unit: &self.unit, include: None }
+        Axis { label: self.label, unit: &self.unit, ..Axis::default() }
     }
 }
 
@@ -74,7 +74,7 @@ fn measured(record: &Record, time: &CycleValues, amplitude: &CycleValues) -> Str
     let offsets = record.found.cycles.iter().map(|cycle| cycle.offset.value);
     let (above, below): (Vec<f64>, Vec<f64>) =
         offsets.zip(&amplitude.values).map(|(offset, size)| (offset + size, offset - size)).unzip();
-    let axis = Axis { label: &record.name, unit: &record.unit, include: None };
+    let axis = Axis { label: &record.name, unit: &record.unit, ..Axis::default() };
     let envelope = |y| Series { label: "", colour: 1, x: &time.values, y, ..Series::default() };
     let points = Series { label: "", style: Style::Points, x: &record.times, y: &record.values, ..Series::default() };
     drawn(&Plot {

@@ -17,8 +17,8 @@ fn run() -> Run {
 
 fn time_plot(run: &Run) -> Plot<'_> {
     Plot {
-        x: Axis { label: "t", unit: "s", include: None },
-        y: vec![Axis { label: "y", unit: "m", include: None }, Axis { label: "y′", unit: "m/s", include: None }],
+        x: Axis { label: "t", unit: "s", ..Axis::default() },
+        y: vec![Axis { label: "y", unit: "m", ..Axis::default() }, Axis { label: "y′", unit: "m/s", ..Axis::default() }],
         series: vec![
             Series { label: "y", x: &run.time, y: &run.displacement, ..Series::default() },
             Series { label: "y′", axis: 1, colour: 1, x: &run.time, y: &run.velocity, ..Series::default() },
@@ -30,8 +30,8 @@ fn time_plot(run: &Run) -> Plot<'_> {
 
 fn phase_plot(run: &Run) -> Plot<'_> {
     Plot {
-        x: Axis { label: "y", unit: "m", include: None },
-        y: vec![Axis { label: "y′", unit: "m/s", include: None }],
+        x: Axis { label: "y", unit: "m", ..Axis::default() },
+        y: vec![Axis { label: "y′", unit: "m/s", ..Axis::default() }],
         series: vec![Series { x: &run.displacement, y: &run.velocity, ..Series::default() }],
         ..Plot::default()
     }
@@ -148,7 +148,7 @@ fn the_cursor_steps_over_what_cannot_be_drawn() {
 fn the_cursor_reads_both_rows_of_a_jump() {
     let (time, velocity) = ([0.0, 1.0, 1.0, 2.0], [0.0, -4.0, 3.0, 0.0]);
     let plot = Plot {
-        y: vec![Axis { label: "v", unit: "m/s", include: None }],
+        y: vec![Axis { label: "v", unit: "m/s", ..Axis::default() }],
         series: vec![Series { x: &time, y: &velocity, breaks: &[2], ..Series::default() }],
         ordered: true,
         ..Plot::default()

@@ -16,11 +16,11 @@ pub fn columns(rows: usize) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
 }
 
 pub fn time_axis<'a>() -> Axis<'a> {
-    Axis { label: "t", unit: "s", include: None }
+    Axis { label: "t", unit: "s", ..Axis::default() }
 }
 
 pub fn axis<'a>(label: &'a str, unit: &'a str) -> Axis<'a> {
-    Axis { label, unit, include: None }
+    Axis { label, unit, ..Axis::default() }
 }
 
 /// All texts in order.

@@ -7,8 +7,8 @@ fn svg(title: &str, label: &str) -> String {
     let plot = Plot {
         title,
         description: "Displacement against time",
-        x: Axis { label: "t", unit: "s", include: None },
-        y: vec![Axis { label, unit: "m", include: None }],
+        x: Axis { label: "t", unit: "s", ..Axis::default() },
+        y: vec![Axis { label, unit: "m", ..Axis::default() }],
         series: vec![
             Series { label, x: &x, y: &y, present: Some((1.0, 0.5)), ..Series::default() },
             Series { label: "kept", style: Style::Kept(2), x: &x, y: &y, ..Series::default() },

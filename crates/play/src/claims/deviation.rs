@@ -57,8 +57,8 @@ pub fn deviation_svg(
     let settings = Settings { decimal_comma: basis.style().decimal_comma, ..*settings };
     let plot = Plot {
         title: basis.text(&claim.name),
-        x: Axis { label: &independent.name, unit: &independent.unit.text, include: None },
-        y: vec![Axis { label: words::deviation(basis.language(), is_relative), unit, include: None }],
+        x: Axis { label: &independent.name, unit: &independent.unit.text, ..Axis::default() },
+        y: vec![Axis { label: words::deviation(basis.language(), is_relative), unit, ..Axis::default() }],
         series: vec![Series { x: &times, y: &off, ..Series::default() }],
         ordered: true,
         ..Plot::default()

@@ -44,7 +44,7 @@ impl Play {
         }
         let changes = self.line.set_speed(1.0);
         self.note(changes);
-        let changes = self.plots.reset_all(self.basis.program().plots.len());
+        let changes = self.plots.reset_all();
         self.note(changes);
         let fields: Vec<&str> = fields.collect();
         self.restore_seat(&fields);

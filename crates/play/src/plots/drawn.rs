@@ -64,11 +64,24 @@ impl Figures<'_> {
         let independent = self.is_against_independent(index);
         let unit = &self.basis.model().independent.unit;
         let first = Interval::new(0.0, unit.from_si(self.basis.first_part(self.line.course())));
+        // Beside a record, a run is compared with it: the axes are those of the record.
+        let along = |axis: usize| {
+            let on_axis = state.points.iter().zip(&state.measured).filter(|(points, _)| {
+                columns.curves.get(points.curve).is_some_and(|curve| curve.axis == axis)
+            });
+            on_axis.filter_map(|(_, measured)| measured[1]).reduce(Interval::joined)
+        };
+        let only = state.measured.iter().filter_map(|measured| measured[0]).reduce(Interval::joined);
+        let only = only.filter(|_| independent);
+        let include = independent.then_some(first);
+        let y = labels.axes.iter().enumerate();
+        let y = y.map(|(axis, (label, unit))| Axis { label, unit, only: along(axis), ..Axis::default() });
+        let y = y.collect();
         Some(Plot {
             title: &labels.title,
             description: &labels.description,
-            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: independent.then_some(first) },
-            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, include, only },
+            y,
             series,
             marker: if independent { self.line.present().get(columns.x).copied() } else { None },
             view: state.view.clone(),
@@ -85,8 +98,8 @@ impl Figures<'_> {
         Some(Plot {
             title: &labels.title,
             description: &labels.description,
-            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: None },
-            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, ..Axis::default() },
+            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, ..Axis::default() }).collect(),
             view: state.view.clone(),
             equal: self.has_equal_axes(index),
             ..Plot::default()
@@ -200,11 +213,11 @@ impl Figures<'_> {
             ..Series::default()
         });
         let limits = added.y_limits.filter(|_| view.y.is_empty());
-        let axis = |(label, unit): &'a (String, String)| Axis { label, unit, include: added.y_includes };
+        let axis = |(label, unit): &'a (String, String)| Axis { label, unit, include: added.y_includes, only: None };
         Plot {
             title: &labels.title,
             description: &labels.description,
-            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: added.x_includes },
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: added.x_includes, only: None },
             y: labels.axes.iter().map(axis).collect(),
             series: series.collect(),
             marker: added.marks_time.then(|| unit.from_si(self.line.course().time())),

@@ -20,7 +20,7 @@ pub use plot::{PlotId, PlotView};
 pub use series::LegendEntry;
 
 use crate::{Basis, Changes, Course, TimeLine, WORK_PER_TICK};
-use figure::{Direction, Figure, Point, Readout, Settings, Style, View};
+use figure::{Direction, Figure, Interval, Point, Readout, Settings, Style, View};
 use histogram::Histogram;
 use members::Snapshot;
 use program::{Drawing, Model, Plot, Program};
@@ -107,26 +107,26 @@ impl Plots {
         Changes::PLOTS.only_if(plot.map(|plot| plot.shown = shown).is_some())
     }
 
-    /// Shows the first plots without zoom, as at first, or all.
-    pub(crate) fn reset_all(&mut self, of_document: usize) -> Changes {
+    /// Shows the first plots without zoom, as at first.
+    pub(crate) fn reset_all(&mut self) -> Changes {
         for (index, plot) in self.states.iter_mut().enumerate() {
-            (plot.shown, plot.view) = (!(AT_FIRST..of_document).contains(&index), View::default());
+            (plot.shown, plot.view) = (index < AT_FIRST, View::default());
         }
         Changes::PLOTS
     }
 
-    /// Shows all plots except those with these indices; `None` if one does not exist.
+    /// Shows all plots of the document except those with these indices; `None` if one does not exist.
     pub(crate) fn show_except(&mut self, hidden: impl Iterator<Item = Option<usize>>) -> Option<Changes> {
-        self.states.iter_mut().for_each(|plot| plot.shown = true);
+        self.states.iter_mut().for_each(|plot| plot.shown = plot.added.is_none());
         for index in hidden {
             self.states.get_mut(index?)?.shown = false;
         }
         Some(Changes::PLOTS)
     }
 
-    /// Indices of the hidden plots; `None` if they are those hidden at first.
+    /// Indices of the hidden plots of the document; `None` if they are those hidden at first.
     pub(crate) fn hidden(&self, of_document: usize) -> Option<Vec<usize>> {
-        let hidden = self.states.iter().enumerate().filter(|(_, plot)| !plot.shown);
+        let hidden = self.states.iter().take(of_document).enumerate().filter(|(_, plot)| !plot.shown);
         let hidden: Vec<usize> = hidden.map(|(index, _)| index).collect();
         (!hidden.iter().copied().eq(AT_FIRST..of_document)).then_some(hidden)
     }
@@ -146,9 +146,9 @@ impl Plots {
         })
     }
 
-    /// Adds an empty plot after the others.
+    /// Adds an empty plot after the others. It is hidden until it is asked for, unless it is the only one.
     pub(crate) fn add(&mut self) -> (PlotId, Changes) {
-        self.states.push(PlotState::added());
+        self.states.push(PlotState { shown: self.states.is_empty(), ..PlotState::added() });
         (PlotId(self.states.len() - 1), Changes::PLOTS)
     }
 
@@ -172,8 +172,11 @@ impl Plots {
 
     /// Replaces the points over the curves of a plot of the document.
     pub fn set_points(&mut self, plot: usize, points: Vec<Points>) -> Changes {
-        let state = self.states.get_mut(plot);
-        Changes::PLOTS.only_if(state.map(|state| state.points = points).is_some())
+        let Some(state) = self.states.get_mut(plot) else { return Changes::NONE };
+        let range = |values: &[f64]| Interval::around(values.iter().copied());
+        state.measured = points.iter().map(|points| [range(&points.x), range(&points.y)]).collect();
+        state.points = points;
+        Changes::PLOTS
     }
 
     /// Updates the texts of all plots to the chosen language.
@@ -299,6 +302,8 @@ struct PlotState {
     labels: Labels,
     /// Measured points over the curves.
     points: Vec<Points>,
+    /// Horizontal and vertical range of each of them.
+    measured: Vec<[Option<Interval>; 2]>,
     /// Content of a plot that does not come from the document.
     added: Option<AddedPlot>,
     /// Computed content.
@@ -330,6 +335,7 @@ impl Default for PlotState {
             cursor: None,
             labels: Labels::default(),
             points: Vec::new(),
+            measured: Vec::new(),
             added: None,
             content: Content::Run,
         }

@@ -20,6 +20,8 @@ visit("a dropped file is recognised, drawn, and fitted by one button", async (la
   assert.ok(await lab.page.getByRole("checkbox", { name: "Fit it, y [cm]" }).isChecked());
   // Outline of the measured level in the scene.
   await eventually(async () => assert.ok((await lab.page.locator("#scene [part=measured]").count()) > 0));
+  assert.equal(await lab.page.getByRole("heading", { name: "Residuals" }).isVisible(), false, "folded until it is asked for");
+  await lab.press("Residuals");
   assert.equal(await lab.page.getByRole("heading", { name: "Residuals" }).isVisible(), true);
 
   const found = await fit(lab);

@@ -13,14 +13,14 @@ async function record(lab, seconds) {
   await lab.press("Pause");
 }
 
-visit("the plots share the stage, and one alone fills it", async (lab) => {
-  const [first, second, third] = await boxes(lab);
-  assert.ok(Math.abs(first - second) < 2 && Math.abs(second - third) < 2, "three of the same height");
-  await lab.press("Phase portrait");
-  await lab.press("Energy");
+visit("one plot is open beside the scene; more of them share its room", async (lab) => {
   const alone = await boxes(lab);
   assert.equal(alone.length, 1);
-  assert.ok(alone[0] > 2.8 * first, `${alone[0]} px`);
+  await lab.press("Phase portrait");
+  await lab.press("Energy");
+  const [first, second, third] = await boxes(lab);
+  assert.ok(Math.abs(first - second) < 2 && Math.abs(second - third) < 2, "three of the same height");
+  assert.ok(alone[0] > 1.8 * first, `${alone[0]} px`);
   // The canvas has as many pixels as it is large.
   const sizes = await lab.page.locator("#canvas-0").evaluate((canvas) => [canvas.width, canvas.clientWidth * devicePixelRatio, canvas.height, canvas.clientHeight * devicePixelRatio]);
   assert.ok(Math.abs(sizes[0] - sizes[1]) <= 1 && Math.abs(sizes[2] - sizes[3]) <= 1, String(sizes));
@@ -36,14 +36,16 @@ visit("the stage stays in sight while the panel is read", async (lab) => {
   assert.ok(play.y > 0 && play.y + play.height < 900);
 });
 
-visit("on a phone one plot is in sight, above the slider that moves it", { width: 390, height: 844, touch: true }, async (lab) => {
+visit("on a phone the scene and one plot are in sight, above the slider that moves them", { width: 390, height: 844, touch: true }, async (lab) => {
   assert.equal((await boxes(lab)).length, 1);
   await lab.press("Energy");
   assert.deepEqual(await lab.page.locator(".figures .plot:visible h3").allTextContents(), ["Energy"]);
-  const slider = lab.slider(/^Initial velocity/);
+  await lab.openMore();
+  const slider = lab.page.locator("#further").getByRole("slider").first();
   await slider.evaluate((slider) => slider.scrollIntoView({ block: "center", behavior: "instant" }));
-  const [above, below] = [await lab.page.locator(".figures canvas:visible").boundingBox(), await slider.boundingBox()];
-  assert.ok(above.y >= 0 && above.y + above.height <= below.y && above.height > 100, `${JSON.stringify(above)}, ${below.y}`);
+  const [scene, above, below] = [await lab.page.locator("#scene .drawing").boundingBox(), await lab.page.locator(".figures canvas:visible").boundingBox(), await slider.boundingBox()];
+  assert.ok(scene.y >= 0 && scene.height > 150 && scene.y + scene.height <= above.y, JSON.stringify(scene));
+  assert.ok(above.y + above.height <= below.y && above.height > 90, `${JSON.stringify(above)}, ${below.y}`);
 });
 
 visit("two readings are pinned by pressing, and compared", async (lab) => {
@@ -90,6 +92,7 @@ visit("a tip is as long as it needs to be, and in the window", async (lab) => {
     await record(lab, 3);
     await lab.press("Keep run");
   }
+  await lab.press("Energy");
   const box = await lab.page.locator("#canvas-2").boundingBox();
   await lab.page.mouse.move(box.x + box.width * 0.15, box.y + box.height / 2);
   await lab.page.mouse.move(box.x + box.width * 0.15 + 1, box.y + box.height / 2);
@@ -115,15 +118,34 @@ visit("kept runs have colours of their own, in the list and in what is saved", a
   assert.match(text, />b = 300\skg\/s</);
 });
 
-visit("the presenter's size is remembered", async (lab) => {
-  const size = () => lab.page.locator("#parameter-0").evaluate((field) => field.getBoundingClientRect().height);
+visit("the projector's view shows the stage alone; the button and Escape leave it", async (lab) => {
+  const size = async () => {
+    const { width, height } = await lab.page.locator("#scene").boundingBox();
+    return width * height;
+  };
   const before = await size();
-  await lab.press("Presenter's size");
-  assert.ok((await size()) > 1.2 * before);
-  assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false, "no sideways scrolling");
-  await lab.page.reload();
-  await lab.page.getByRole("heading", { level: 1 }).waitFor();
-  assert.ok((await size()) > 1.2 * before);
+  for (const leave of [() => lab.press("Projector's view"), () => lab.keys("Escape")]) {
+    await lab.press("Projector's view");
+    assert.equal(await lab.page.locator(".head").isVisible(), false);
+    assert.equal(await lab.page.locator("#panel").isVisible(), false);
+    assert.ok((await size()) > 1.4 * before, `${await size()} after ${before}`);
+    const { overflows } = await lab.page.evaluate(() => ({ overflows: document.documentElement.scrollWidth > innerWidth || document.documentElement.scrollHeight > innerHeight }));
+    assert.equal(overflows, false, "everything is on the screen");
+    await leave();
+    assert.equal(await lab.page.locator("#panel").isVisible(), true);
+    assert.ok(Math.abs((await size()) - before) < 1);
+  }
+});
+
+visit("at most 30 controls on the first screen, and Play among the first stops of Tab", async (lab) => {
+  await lab.tabTo("#play", 12);
+  const stops = await lab.page.locator("button, input, select, a[href], summary, canvas, [tabindex='0']").evaluateAll((all) =>
+    all.filter((node) => {
+      const box = node.getBoundingClientRect();
+      return node.tabIndex >= 0 && node.checkVisibility() && box.bottom > 0 && box.top < innerHeight && box.right > 0;
+    }).length);
+  const handles = 2;
+  assert.ok(stops + handles <= 30, `${stops} and ${handles} handles`);
 });
 
 visit("a stopwatch measures the time of the run", async (lab) => {

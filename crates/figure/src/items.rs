@@ -66,6 +66,8 @@ pub enum Ink {
     Series(u8),
     /// A kept run in its own colour, given by index.
     Run(u8),
+    /// Kept runs, by the index of their series: its hue, paler.
+    Faded(u8),
     /// A series of an earlier run: the colour of the series, faint.
     Ghost(u8),
     /// Uncertainty of a series: the colour of the series, very faint.

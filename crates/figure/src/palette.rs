@@ -136,6 +136,7 @@ impl Palette {
             Ink::Marker => self.marker,
             Ink::Series(number) => series(number),
             Ink::Run(number) => self.runs[usize::from(number) % RUN_COLOURS],
+            Ink::Faded(number) => series(number).mixed(self.ground, 150),
             Ink::Ghost(number) => series(number).mixed(self.ground, 96),
             Ink::Band(number) => series(number).mixed(self.ground, 40),
         }

@@ -80,7 +80,10 @@ pub enum Style {
     Ghost,
     /// A line with a dash pattern, by index modulo their number.
     Kept(u8),
-    /// A kept run, with its own colour and dash pattern, by index modulo their numbers. Curves after the first are thinner.
+    /// A kept run: paler than the series of its colour, with a dash pattern, by index modulo their number. Curves after the first
+    /// are thinner.
+    Faded(u8),
+    /// One of several runs, with its own colour and dash pattern, by index modulo their numbers. Curves after the first are thinner.
     Run(u8),
     /// Separate points: measured data.
     Points,

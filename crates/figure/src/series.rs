@@ -121,6 +121,10 @@ pub(crate) fn stroke(series: &Series<'_>) -> Stroke {
             Stroke { ink: Ink::Series(series.colour), width: 2.0, dash: Dash::Solid }
         }
         Style::Ghost => Stroke { ink: Ink::Ghost(series.colour), width: 1.25, dash: Dash::Solid },
+        Style::Faded(number) => {
+            let width = if series.colour == 0 { 1.75 } else { 1.25 };
+            Stroke { ink: Ink::Faded(series.colour), width, dash: Dash::Pattern(number) }
+        }
         Style::Run(number) => {
             let width = if series.colour == 0 { 1.75 } else { 1.25 };
             Stroke { ink: Ink::Run(number), width, dash: Dash::Pattern(number) }

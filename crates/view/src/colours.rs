@@ -7,6 +7,7 @@ pub struct Colours {
     plain: [String; 6],
     series: [String; SERIES_COLOURS],
     runs: [String; RUN_COLOURS],
+    faded: [String; SERIES_COLOURS],
     ghosts: [String; SERIES_COLOURS],
     bands: [String; SERIES_COLOURS],
 }
@@ -19,6 +20,7 @@ impl Colours {
             plain: [Ink::Ground, Ink::Text, Ink::Grid, Ink::Zero, Ink::Axis, Ink::Marker].map(text),
             series: std::array::from_fn(|number| text(Ink::Series(number as u8))),
             runs: std::array::from_fn(|number| text(Ink::Run(number as u8))),
+            faded: std::array::from_fn(|number| text(Ink::Faded(number as u8))),
             ghosts: std::array::from_fn(|number| text(Ink::Ghost(number as u8))),
             bands: std::array::from_fn(|number| text(Ink::Band(number as u8))),
         }
@@ -35,6 +37,7 @@ impl Colours {
             Ink::Marker => &self.plain[5],
             Ink::Series(number) => &self.series[usize::from(number) % SERIES_COLOURS],
             Ink::Run(number) => &self.runs[usize::from(number) % RUN_COLOURS],
+            Ink::Faded(number) => &self.faded[usize::from(number) % SERIES_COLOURS],
             Ink::Ghost(number) => &self.ghosts[usize::from(number) % SERIES_COLOURS],
             Ink::Band(number) => &self.bands[usize::from(number) % SERIES_COLOURS],
         }

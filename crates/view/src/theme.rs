@@ -4,7 +4,7 @@ use crate::app::App;
 use crate::browser;
 use crate::colours::Colours;
 use crate::views::*;
-use figure::{Ink, Palette, RUN_COLOURS, SERIES_COLOURS};
+use figure::{Ink, Palette, SERIES_COLOURS};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlElement;
 
@@ -62,8 +62,9 @@ impl Theme {
                 let colour = palette.colour(Ink::Series(number)).to_string();
                 let _ = style.set_property(&format!("--series-{number}"), &colour);
             }
-            for number in 0..RUN_COLOURS as u8 {
-                let _ = style.set_property(&format!("--run-{number}"), &palette.colour(Ink::Run(number)).to_string());
+            for number in 0..SERIES_COLOURS as u8 {
+                let faded = palette.colour(Ink::Faded(number)).to_string();
+                let _ = style.set_property(&format!("--faded-{number}"), &faded);
             }
             let _ = root.set_attribute("data-theme", if dark { Self::Dark } else { Self::Light }.name());
         }

@@ -1,4 +1,4 @@
-// Plots as a person reads them: what shares the room, pinned readings, kept runs in colours of their own.
+// Plots as a person reads them: what shares the room, pinned readings, kept runs in the hue of their curve.
 
 import assert from "node:assert/strict";
 import { eventually, number, visit } from "../lab.mjs";
@@ -103,15 +103,18 @@ visit("a tip is as long as it needs to be, and in the window", async (lab) => {
   assert.equal((await tip.innerText()).split("\n").length, 16, "time, three curves, and those of four runs");
 });
 
-visit("kept runs have colours of their own, in the list and in what is saved", async (lab) => {
+visit("kept runs have dashes of their own and the hue of their curve, paler, in the list and in what is saved", async (lab) => {
   await lab.press("Step forward");
   await lab.press("Keep run");
   await lab.press("Back to start");
   await lab.enter("Damping", "300");
   await lab.press("Step forward");
   await lab.press("Keep run");
-  const colours = await lab.page.locator(".runs .sample").evaluateAll((samples) => samples.map((sample) => getComputedStyle(sample).color));
-  assert.equal(new Set(colours).size, 2, String(colours));
+  const samples = lab.page.locator(".runs .sample");
+  const colours = await samples.evaluateAll((samples) => samples.map((sample) => getComputedStyle(sample).color));
+  assert.equal(new Set(colours).size, 1, String(colours));
+  const dashes = await samples.locator("path").evaluateAll((paths) => paths.map((path) => path.getAttribute("stroke-dasharray")));
+  assert.equal(new Set(dashes).size, 2, String(dashes));
   const curve = await lab.page.locator(".legend li:not(.of-run) .sample").first().evaluate((sample) => getComputedStyle(sample).color);
   assert.ok(!colours.includes(curve));
   const { text } = await lab.saveOfPlot(lab.page.locator("figure.plot").first(), "Download SVG");

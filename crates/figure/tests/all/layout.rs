@@ -249,3 +249,20 @@ fn bars_stand_on_zero_and_are_as_wide_as_their_bins() {
     let read = figure.readout(&plot, 0, 2).unwrap();
     assert_eq!((read.heading.as_str(), read.samples[0].text.as_str()), ("v = 2.5000\u{a0}m/s", "Count = 4.000"));
 }
+
+#[test]
+fn an_axis_may_show_one_range_only() {
+    let (x, y) = ([0.0, 10.0, 20.0], [-50.0, 0.0, 50.0]);
+    let plot = Plot {
+        x: Axis { only: Some(Interval { low: 0.0, high: 4.0 }), ..axis("t", "s") },
+        y: vec![Axis { only: Some(Interval { low: -1.0, high: 2.0 }), ..axis("y", "cm") }],
+        series: vec![Series { x: &x, y: &y, ..Series::default() }],
+        ordered: true,
+        ..Plot::default()
+    };
+    let figure = layout(&plot, &settings(640.0, 320.0));
+    // The series is longer and higher than the panel.
+    let (low, high) = (figure.place(0, 0.0, -1.0).unwrap(), figure.place(0, 4.0, 2.0).unwrap());
+    assert!(figure.panel.contains(low) && figure.panel.contains(high), "{low:?}, {high:?}");
+    assert!(high.x - low.x > figure.panel.width / 2.0 && low.y - high.y > figure.panel.height / 2.0);
+}

@@ -34,7 +34,7 @@ impl Figures<'_> {
         let columns = self.line.columns().plot(index)?;
         let labels = &state.labels;
         let ghosts = self.line.ghost_traces().map(|traces| (traces, Style::Ghost)).into_iter();
-        let kept = self.line.kept_traces().map(|(traces, pattern)| (traces, Style::Run(pattern)));
+        let kept = self.line.kept_traces().map(|(traces, pattern)| (traces, Style::Faded(pattern)));
         let points = state.points.iter().filter_map(|points| {
             let axis = columns.curves.get(points.curve)?.axis;
             let (colour, style) = (points.colour, Style::Points);

@@ -11,7 +11,7 @@ use figure::{Plot, Readout, Series, Style};
 pub struct LegendEntry {
     /// Text of the entry.
     pub label: String,
-    /// Palette index of the series; for kept runs their pattern number, as `style` tells.
+    /// Palette index of the series.
     pub colour: u8,
     /// Drawing style.
     pub style: Style,
@@ -34,7 +34,7 @@ impl Figures<'_> {
         let entry = |(series, name): (&Series<'_>, SeriesName)| {
             // One entry stands for all curves of a kept run.
             let (label, colour) = match series.style {
-                Style::Run(pattern) if series.colour == 0 => (name.run.unwrap_or_default(), pattern),
+                Style::Faded(_) if series.colour == 0 => (name.run.unwrap_or_default(), series.colour),
                 _ => (self.legend_name(index, series).to_owned(), series.colour),
             };
             (!label.is_empty()).then_some(LegendEntry { label, colour, style: series.style })
@@ -104,7 +104,7 @@ impl Figures<'_> {
     /// Removes the samples of kept runs from a read-out, unless it contains nothing else.
     pub fn own_samples(&self, PlotId(index): PlotId, mut readout: Readout) -> Readout {
         let Some(plot) = self.figure_of(index) else { return readout };
-        let own = |style: Style| !matches!(style, Style::Run(_) | Style::Ghost);
+        let own = |style: Style| !matches!(style, Style::Faded(_) | Style::Ghost);
         let is_own = |number: usize| plot.series.get(number).is_some_and(|series| own(series.style));
         if readout.samples.iter().any(|sample| is_own(sample.series)) {
             readout.samples.retain(|sample| is_own(sample.series));
@@ -129,7 +129,7 @@ impl Figures<'_> {
         let moment = self.moment_of(index);
         let name = |series: &Series<'_>| {
             let run = match series.style {
-                Style::Run(pattern) => kept.iter().find(|kept| kept.pattern == pattern).map(|kept| kept.name.clone()),
+                Style::Faded(pattern) => kept.iter().find(|kept| kept.pattern == pattern).map(|kept| kept.name.clone()),
                 Style::Ghost => Some(words::previous_run(self.basis.language()).to_owned()),
                 _ => moment.clone(),
             };

@@ -43,7 +43,7 @@ impl<'a> Figures<'a> {
         }
         // One legend entry stands for all curves of a kept run.
         for (series, name) in plot.series.iter_mut().zip(&names) {
-            if let (Style::Run(_), 0, Some(run)) = (series.style, series.colour, &name.run) {
+            if let (Style::Faded(_), 0, Some(run)) = (series.style, series.colour, &name.run) {
                 series.label = run;
             } else {
                 series.label = self.legend_name(index, series);

@@ -15,7 +15,7 @@ pub struct KeptView {
     pub name: String,
     /// True if it is drawn.
     pub shown: bool,
-    /// Dash pattern of its lines, see [`figure::Style::Run`].
+    /// Dash pattern of its lines, see [`figure::Style::Faded`].
     pub pattern: u8,
 }
 

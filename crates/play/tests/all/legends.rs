@@ -13,7 +13,7 @@ fn kept_runs_are_named_in_legend_csv_and_figure_and_left_out_of_pins() {
     let legend = play.plots().legend(PlotId::at(0));
     let labels: Vec<&str> = legend.iter().map(|entry| entry.label.as_str()).collect();
     assert_eq!(labels, ["initial settings", "y", "y′"]);
-    assert_eq!(legend[0].style, figure::Style::Run(0));
+    assert_eq!(legend[0].style, figure::Style::Faded(0));
     let csv = play.plots_to_front().csv(PlotId::at(0));
     let head = csv.lines().next().unwrap();
     assert!(head.starts_with("t (initial settings) [s],y (initial settings) [m],"), "{head}");

@@ -16,7 +16,7 @@ pub fn view(app: App, id: PlotId) -> View {
     });
     changing(move || {
         let entries = entries.get_clone();
-        let is_run = |entry: &LegendEntry| matches!(entry.style, Style::Run(_));
+        let is_run = |entry: &LegendEntry| matches!(entry.style, Style::Faded(_));
         if entries.is_empty() {
             return View::new();
         }
@@ -32,7 +32,7 @@ pub fn view(app: App, id: PlotId) -> View {
 /// is not an index.
 fn name(entry: &LegendEntry) -> HtmlSpan {
     let of_model = match entry.style {
-        Style::Run(_) => 0,
+        Style::Faded(_) => 0,
         Style::Points => entry.label.find(" (").unwrap_or(entry.label.len()),
         _ => entry.label.len(),
     };
@@ -43,7 +43,7 @@ fn name(entry: &LegendEntry) -> HtmlSpan {
 /// Sample of a line or a point in its colour and style.
 pub fn sample(style: Style, colour: u8) -> SvgSvg {
     let ink = match style {
-        Style::Run(_) => format!("color:var(--run-{})", usize::from(colour) % figure::RUN_COLOURS),
+        Style::Faded(_) => format!("color:var(--faded-{})", usize::from(colour) % figure::SERIES_COLOURS),
         _ => format!("color:var(--series-{})", usize::from(colour) % figure::SERIES_COLOURS),
     };
     let drawing = svg()
@@ -54,7 +54,7 @@ pub fn sample(style: Style, colour: u8) -> SvgSvg {
         .attr("aria-hidden", "true")
         .style(ink);
     let dash = match style {
-        Style::Kept(pattern) | Style::Run(pattern) => Dash::Pattern(pattern),
+        Style::Kept(pattern) | Style::Faded(pattern) => Dash::Pattern(pattern),
         _ => Dash::Solid,
     };
     let dashes: Vec<String> = dash.lengths().iter().map(f32::to_string).collect();

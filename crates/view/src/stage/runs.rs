@@ -45,7 +45,7 @@ pub fn list(app: App) -> View {
             let tick = input().r#type("checkbox").prop("checked", move || shown(id)).when(events::change, show);
             let remove = remove(app, &name, move |play| play.remove_kept(id));
             let name = span().class("run-name").title(name.clone()).child(name);
-            let line = legend::sample(figure::Style::Run(pattern), pattern);
+            let line = legend::sample(figure::Style::Faded(pattern), 0);
             li().class("run").child(switch(tick, View::from((line, name)))).child(remove)
         };
         let ghost = ghost.then(|| {

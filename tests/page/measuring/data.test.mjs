@@ -33,7 +33,7 @@ visit("the table is that of the command line, byte for byte", async (lab) => {
 });
 
 visit("with other parameters and in Spanish too", { language: "es-ES" }, async (lab) => {
-  await lab.press("EN – English");
+  await lab.pressInMenu("EN – English");
   await lab.enter("Height of the left column", "2");
   await lab.enter("Height of the right column", "6");
   await lab.enter("Density of the liquid", "13600");

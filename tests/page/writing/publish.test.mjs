@@ -52,7 +52,7 @@ visit("a document is published as a page: it plays, has its controls and languag
     await played.press("Pausar");
     await played.enter("Amortiguamiento", "321");
     assert.equal(await played.number("Amortiguamiento"), 321);
-    await played.press("EN – English");
+    await played.pressInMenu("EN – English");
     await eventually(async () => assert.match(await played.page.getByRole("heading", { level: 1 }).innerText(), /U-tube/));
     played.wasQuiet();
   } finally {

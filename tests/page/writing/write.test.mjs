@@ -97,7 +97,7 @@ visit("a document in which nothing runs opens in the editor, says what is wrong,
   await lab.pressInMenu("ES – Español");
   await lab.page.getByRole("heading", { name: "Todavía no hay nada que ejecutar" }).waitFor();
   await eventually(async () => assert.match(await text(lab), /sqrt\(/));
-  await lab.press("EN – English");
+  await lab.pressInMenu("EN – English");
   await editor(lab).waitFor();
   await replace(lab, "+ k = 0", "+ k*x = 0");
   await runs(lab);
@@ -187,7 +187,7 @@ visit("a translation is written beside its document, and each file has its own u
   await title(/^Mis oscilaciones/);
   await lab.page.getByLabel("Archivo").selectOption("utube.md");
   await replace(lab, "title: Oscillations", "title: My oscillations");
-  await lab.press("EN – English");
+  await lab.pressInMenu("EN – English");
   await title(/^My oscillations/);
   await editor(lab).click();
   await lab.keys("Control+z");

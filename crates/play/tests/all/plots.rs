@@ -55,7 +55,7 @@ fn equal_axes_keep_a_circle_round_and_readings_name_the_abscissa() {
 
 /// A driven oscillator: the amplitude from the textbook, and that of the computed runs.
 fn resonance() -> Play {
-    open(
+    let mut play = open(
         "---\nstep: 0.02 [s]\nuntil: 40 [s]\nmethod: rk4\n---\n\
          ```model\nparameter omega = 3 [rad/s] in 0.5..12 \"Driving frequency\"\nparameter omega_0 = 5 [rad/s]\n\
          parameter gamma = 0.5 [1/s] in 0..5 \"Damping\"\nparameter f = 1 [m/s^2]\n\
@@ -64,7 +64,10 @@ fn resonance() -> Play {
          ```plots\n\"Theory\": A against omega in 1..12 [rad/s] step 0.5\n\
          \"Runs\": maximum(x) from 25 [s], A, x at end, mean(x^2) from 25 [s] against omega in 3..6 step 0.05\n```\n",
         &[],
-    )
+    );
+    // The second plot is folded at first.
+    play.change_plots(|plots| plots.show(PlotId::at(1), true));
+    play
 }
 
 /// The cells of a plot's CSV without the heading.

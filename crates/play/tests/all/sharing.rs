@@ -30,12 +30,12 @@ fn a_link_is_short_and_says_what_differs() {
     set(&mut play, "b", 200.0);
     set(&mut play, "h_l", 3.5);
     play.set_speed(2.0);
-    play.change_plots(|plots| plots.show(PlotId::at(2), false));
+    play.change_plots(|plots| plots.show(PlotId::at(2), true));
     go_on(&mut play, [5.0]);
-    assert_eq!(play.share(), "1&p=b:200,h_l:3.5&t=10&x=2&v=2");
+    assert_eq!(play.share(), "1&p=b:200,h_l:3.5&t=10&x=2&v=1");
     let other = reopened(&play);
     assert_eq!(bits(&other), bits(&play));
-    assert_eq!((other.time_line().speed(), other.plots().list()[2].shown), (2.0, false));
+    assert_eq!((other.time_line().speed(), other.plots().list()[2].shown), (2.0, true));
     assert!(!other.time_line().is_playing());
 }
 
@@ -220,14 +220,14 @@ fn restoring_replaces_what_was_there() {
 
 /// More than three plots would be too small. The others are hidden at first, and a link stores the selection.
 #[test]
-fn the_first_three_plots_are_shown_at_first() {
+fn the_first_plot_is_shown_at_first() {
     let plots: String = (0..5).map(|number| format!("\"Plot {number}\": {number} + x against t\n")).collect();
     let source = format!("---\ntitle: A\n---\n\n```model\nx' = -x/1 [s]\nx(0) = 1\n```\n\n```plots\n{plots}```\n");
     let open = || crate::support::open(&source, &[]);
     let shown = |play: &Play| play.plots().list().iter().map(|plot| plot.shown).collect::<Vec<_>>();
     let mut play = open();
-    assert_eq!((shown(&play), play.share().as_str()), (vec![true, true, true, false, false], ""));
-    for (changed, link) in [(4, "1&v=3"), (3, "1&v="), (0, "1&v=0")] {
+    assert_eq!((shown(&play), play.share().as_str()), (vec![true, false, false, false, false], ""));
+    for (changed, link) in [(4, "1&v=1,2,3"), (3, "1&v=1,2"), (0, "1&v=0,1,2")] {
         play.change_plots(|plots| plots.show(PlotId::at(changed), changed > 0));
         assert_eq!(play.share(), link);
         let mut other = open();
@@ -235,7 +235,7 @@ fn the_first_three_plots_are_shown_at_first() {
         assert_eq!(shown(&other), shown(&play), "{link}");
     }
     play.restore("1&t=1").unwrap();
-    assert_eq!(shown(&play), [true, true, true, false, false]);
+    assert_eq!(shown(&play), [true, false, false, false, false]);
 }
 
 #[test]

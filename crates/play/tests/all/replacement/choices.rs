@@ -51,7 +51,7 @@ fn plots_keep_what_was_chosen_by_their_titles() {
         play.layout_plot(PlotId::at(index), &settings);
         play.change_plots(|plots| plots.zoom(PlotId::at(index), None, 2.0, Direction::Both));
     }
-    play.change_plots(|plots| plots.show(PlotId::at(1), false));
+    play.change_plots(|plots| plots.show(PlotId::at(2), true));
     let added = play.add_plot();
     play.added_plot(added).unwrap().labels.title = "Residuals".to_owned();
     play.added_plot_changed(added);
@@ -70,7 +70,7 @@ fn plots_keep_what_was_chosen_by_their_titles() {
             ("Phase portrait", false, false),
             // The zoomed axis was in seconds and is now in metres.
             ("Energies", true, true),
-            ("Residuals", true, true),
+            ("Residuals", false, true),
         ]
     );
     assert!(play.added_plot(PlotId::at(4)).is_some());

@@ -121,9 +121,10 @@ export async function sight(element) {
 }
 
 export class Lab {
-  /** Opens a page file without a network, or with one the page at `address`: `language`, `theme`, `width`, `height`, `touch`, `motion`.
+  /** Opens a page file without a network, or with one the page at `address`: `language`, `theme`, `width`, `height`, `touch`, `motion`; `idle`: false
+      for a page that is never idle until `rest` is called, so that the laboratory comes only when it is asked for.
       Without a `fragment` the laboratory opens the published simulation, whose numbers the tests know. */
-  static async open({ file = labPage, address, fragment = file === labPage && !address ? "#1&d=utube.md" : "", language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {
+  static async open({ file = labPage, address, fragment = file === labPage && !address ? "#1&d=utube.md" : "", language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference", idle = true } = {}) {
     const context = await (await started()).newContext({
       viewport: { width, height },
       locale: language,
@@ -135,17 +136,32 @@ export class Lab {
     await context.setOffline(!address);
     context.setDefaultTimeout(10_000);
     const page = await context.newPage();
-    const lab = new Lab(context, page, address?.() ?? pathToFileURL(typeof file === "function" ? file() : file).href);
+    if (!idle) {
+      await page.addInitScript(() => {
+        window.resting = [];
+        window.requestIdleCallback = (does) => window.resting.push(does);
+      });
+    }
+    const lab = new Lab(context, page, address?.() ?? pathToFileURL(typeof file === "function" ? file() : file).href, idle);
     await lab.go(lab.address + fragment);
     return lab;
   }
 
-  constructor(context, page, address) {
+  constructor(context, page, address, idle = true) {
+    this.idle = idle;
     this.context = context;
     this.page = page;
     this.address = address;
     this.faults = [];
     this.requests = [];
+    for (const way of ["goto", "reload", "goBack", "goForward"]) {
+      const goes = page[way].bind(page);
+      page[way] = async (...words) => {
+        const response = await goes(...words);
+        await this.whole();
+        return response;
+      };
+    }
     page.on("pageerror", (error) => this.faults.push(String(error)));
     page.on("console", (message) => {
       if (message.type() === "error") this.faults.push(`${message.text()} (${message.location().url.slice(0, 120)})`);
@@ -161,7 +177,24 @@ export class Lab {
 
   async go(address) {
     await this.page.goto(address);
+  }
+
+  /** Until the page is there as a whole: the laboratory opens with a simulation alone, and its other tabs wait. */
+  async whole() {
+    if (!(await this.page.locator("#lab").count())) return;
     await this.page.getByRole("heading", { level: 1 }).waitFor();
+    if (this.idle) await this.taken();
+  }
+
+  /** Until the laboratory is there. */
+  async taken() {
+    await this.page.locator("[role=tab][aria-busy=true]").first().waitFor({ state: "detached" });
+  }
+
+  /** The page is idle, once. */
+  async rest() {
+    await this.page.evaluate(() => window.resting.splice(0).forEach((does) => does()));
+    await this.drawn();
   }
 
   /** The state of the page in one line, for a failure that is not seen again: faults, heading, history and names of what is stored. */

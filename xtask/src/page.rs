@@ -1,13 +1,17 @@
 //! Builds the laboratory and the player as one HTML file each: template, styles, JavaScript glue, and the WebAssembly
 //! module, gzipped and in base64. Nothing is fetched when the file is opened, so it works from a disk, from any host
 //! and inside a frame.
+//!
+//! The laboratory opens with the player, whose parts come first. Its own module, the documents, the editor and the template
+//! for published pages follow, so that a browser shows the simulation before it has received them.
 
 use crate::wasm::{self, Host};
 use crate::{editor, steps};
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use base64::Engine as _;
 use document::page::{self, Source};
 use flate2::{Compression, write::GzEncoder};
+use program::{Program, bundle};
 use std::io::Write as _;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
@@ -18,6 +22,9 @@ const FIRST: &str = "tube.md";
 /// Folders below `simulations` whose documents are included in the laboratory.
 const LIBRARY: [&str; 2] = ["theories", ""];
 
+/// Marker of the template for what follows the player.
+const LATER: &str = "<!--later-->";
+
 /// Number of iterations of zopfli; more do not make the page smaller.
 const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
 
@@ -25,6 +32,8 @@ const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
 struct Kind {
     /// Name of its package.
     package: &'static str,
+    /// Global name of its JavaScript.
+    global: &'static str,
     /// Style sheets below `crates`, in their order.
     styles: &'static [&'static str],
     /// True for the laboratory, which includes the shipped documents, the editor, and the player.
@@ -38,6 +47,7 @@ struct Kind {
 const KINDS: [Kind; 2] = [
     Kind {
         package: "player",
+        global: "wasm_bindgen",
         styles: &[
             "view/page/style.css",
             "view/page/stage.css",
@@ -51,6 +61,7 @@ const KINDS: [Kind; 2] = [
     },
     Kind {
         package: "lab",
+        global: "laboratory",
         styles: &[
             "view/page/style.css",
             "view/page/stage.css",
@@ -70,47 +81,43 @@ const KINDS: [Kind; 2] = [
     },
 ];
 
+/// Parts of a page that its module needs.
+struct Bound {
+    /// JavaScript of the module.
+    glue: String,
+    /// The module, gzipped.
+    packed: Vec<u8>,
+}
+
 /// Builds the pages and returns the path of the laboratory.
 pub fn build() -> Result<PathBuf> {
-    for (kind, module) in KINDS.iter().zip(wasm::build(KINDS.map(|kind| kind.package).as_slice())?) {
-        let directory = steps::target().join("page").join("parts");
-        wasm::bind(&module, Host::Page("wasm_bindgen"), &directory)?;
-        let glue = editor::minified(&directory.join(format!("{}.js", kind.package)))?;
-        let module = directory.join(format!("{}_bg.wasm", kind.package));
-        let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
-        let packed = pack(zopfli::Format::Gzip, &module)?;
-        let (mut editor, mut player) = (String::new(), String::new());
+    let modules = wasm::build(KINDS.map(|kind| kind.package).as_slice())?;
+    let bound = KINDS.iter().zip(modules).map(|(kind, module)| bound(kind, &module)).collect::<Result<Vec<_>>>()?;
+    let [player, laboratory] = bound.as_slice() else { bail!("there are two pages") };
+    let mut bare = String::new();
+    for kind in KINDS {
+        let mut page = assemble(&kind, player)?;
         if kind.is_laboratory {
-            (editor, player) = (editor::bundle()?, read(&steps::player())?);
+            page = with_laboratory(&page, laboratory, &bare)?;
+        } else {
+            bare.clone_from(&page);
         }
-        let styles = kind
-            .styles
-            .iter()
-            .map(|name| read(&steps::root().join("crates").join(name)))
-            .collect::<Result<String>>()?;
-        let style = directory.join(format!("{}.css", kind.package));
-        std::fs::write(&style, styles).with_context(|| format!("cannot write {}", style.display()))?;
-        let page = assemble(
-            kind,
-            &editor::minified(&style)?,
-            &glue,
-            &packed,
-            [(page::EDITOR, &editor), (page::PLAYER, &player)],
-        )?;
         let path = (kind.path)();
         write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
-        println!("{}", kind.package);
-        for (name, bytes, sent) in [
-            ("page", page.len(), gzip(page.as_bytes())?.len()),
-            ("glue", glue.len(), gzip(glue.as_bytes())?.len()),
-            ("module", module.len(), packed.len()),
-            ("editor", editor.len(), gzip(editor.as_bytes())?.len()),
-            ("player", player.len(), gzip(player.as_bytes())?.len()),
-        ] {
-            println!("  {name:10}{:8.1} kB, gzipped {:6.1} kB", bytes as f64 / 1000.0, sent as f64 / 1000.0);
-        }
+        print_sizes(&kind, &page)?;
     }
     Ok(steps::page())
+}
+
+/// Generates the JavaScript of a module and compresses the module.
+fn bound(kind: &Kind, module: &Path) -> Result<Bound> {
+    let directory = steps::target().join("page").join("parts");
+    wasm::bind(module, Host::Page(kind.global), &directory)?;
+    let glue = editor::minified(&directory.join(format!("{}.js", kind.package)))?;
+    let module = directory.join(format!("{}_bg.wasm", kind.package));
+    let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
+    let packed = pack(zopfli::Format::Gzip, &module)?;
+    Ok(Bound { glue, packed })
 }
 
 /// Compresses a part of the page with zopfli. The browser inflates it.
@@ -121,35 +128,33 @@ fn pack(format: zopfli::Format, part: &[u8]) -> Result<Vec<u8>> {
     Ok(packed)
 }
 
-/// Inserts the parts into the template.
-///
-/// `lazy`: parts of the laboratory that are inflated on first use, each with the opening tag of its element.
-fn assemble(kind: &Kind, style: &str, glue: &str, packed: &[u8], lazy: [(&str, &String); 2]) -> Result<String> {
-    let source = steps::root().join("crates").join("view").join("page");
-    let base64 = |bytes: &[u8]| base64::engine::general_purpose::STANDARD.encode(bytes);
+fn encoded(bytes: &[u8]) -> String {
+    base64::engine::general_purpose::STANDARD.encode(bytes)
+}
+
+/// Inserts styles, scripts and the player's module into the template.
+fn assemble(kind: &Kind, player: &Bound) -> Result<String> {
+    let crates = steps::root().join("crates");
+    let source = crates.join("view").join("page");
+    let styles = kind.styles.iter().map(|name| read(&crates.join(name))).collect::<Result<String>>()?;
+    let style = steps::target().join("page").join("parts").join(format!("{}.css", kind.package));
+    std::fs::write(&style, styles).with_context(|| format!("cannot write {}", style.display()))?;
     let font = source.join("math.woff2");
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
-    let style = style.replace("/*math-font*/", &base64(&font));
-    let boot = editor::minified(&source.join("boot.js"))?;
-    let module = format!("<script type=\"application/octet-stream\" id=\"module\">{}</script>", base64(packed));
-    let (mut carried, mut deflated) = (String::new(), String::new());
-    if kind.is_laboratory {
-        carried = format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?);
-        for (tag, text) in lazy {
-            // Raw deflate, as for texts in links.
-            deflated += &format!("{tag}{}</script>", base64(&pack(zopfli::Format::Deflate, text.as_bytes())?));
-        }
-    }
+    let style = editor::minified(&style)?.replace("/*math-font*/", &encoded(&font));
+    let opening = crates.join("lab").join("page").join("opening.js");
+    let opening = if kind.is_laboratory { editor::minified(&opening)? } else { String::new() };
+    let boot = opening + &editor::minified(&source.join("boot.js"))?;
     let mut html = read(&source.join("index.html"))?;
     let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">", page::POLICY);
+    let later = if kind.is_laboratory { LATER } else { "" };
     for (marker, text) in [
         ("<!--policy-->", policy),
         ("<!--style-->", format!("<style>\n{style}</style>")),
-        ("<!--glue-->", script(glue)),
-        ("<!--module-->", module),
-        ("<!--library-->", carried),
+        ("<!--glue-->", script(&player.glue)),
+        ("<!--module-->", format!("{}{}</script>", page::MODULE, encoded(&player.packed))),
         ("<!--boot-->", script(&boot)),
-        ("<!--later-->", deflated),
+        (LATER, later.to_owned()),
     ] {
         if html.matches(marker).count() != 1 {
             bail!("crates/view/page/index.html must contain {marker} once");
@@ -164,14 +169,60 @@ fn assemble(kind: &Kind, style: &str, glue: &str, packed: &[u8], lazy: [(&str, &
     Ok(html)
 }
 
+/// Inserts what follows the player in the laboratory, and the simulation with which it opens.
+fn with_laboratory(page: &str, laboratory: &Bound, player: &str) -> Result<String> {
+    let template = page::without_module(player).context("the player has no module")?;
+    let library = library()?;
+    let mut later = format!("{}{}</script>", page::LABORATORY, encoded(&laboratory.packed));
+    let library_of_page = format!("{}{}</script>", page::LIBRARY, page::write_list(&library));
+    for (tag, text) in [(page::GLUE, &laboratory.glue), (page::EDITOR, &editor::bundle()?), (page::PLAYER, &template)] {
+        // Raw deflate, as for texts in links.
+        later += &format!("{tag}{}</script>", encoded(&pack(zopfli::Format::Deflate, text.as_bytes())?));
+        if tag == page::GLUE {
+            later += &library_of_page;
+        }
+    }
+    let (name, program) = first(&library)?;
+    let bundle = bundle::write(&program).map_err(|error| anyhow!("{name} cannot be bundled: {error:?}"))?;
+    let page = page::opening(page, &name, &pack(zopfli::Format::Gzip, &bundle)?).context("the page has no marker")?;
+    Ok(page.replace(LATER, &later))
+}
+
+/// Name and program of the document with which the laboratory opens.
+fn first(library: &[Source]) -> Result<(String, Program)> {
+    let [home, others @ ..] = library else { bail!("the library is empty") };
+    let is_own = |other: &&Source| document::translates(&other.text).as_deref() == Some(&home.name);
+    let translations: Vec<&str> = others.iter().filter(is_own).map(|other| other.text.as_str()).collect();
+    let document = document::open(&home.text, &translations).sound();
+    let document = document.with_context(|| format!("{} has errors", home.name))?;
+    Ok((home.name.clone(), document.program))
+}
+
+/// Prints the elements of a page with what a visitor receives before the first picture and in all.
+fn print_sizes(kind: &Kind, page: &str) -> Result<()> {
+    let row = |name: &str, part: &str| -> Result<()> {
+        let sent = gzip(part.as_bytes())?.len() as f64 / 1000.0;
+        println!("  {name:26}{:8.1} kB, gzipped {sent:7.1} kB", part.len() as f64 / 1000.0);
+        Ok(())
+    };
+    println!("{}", kind.package);
+    for element in page.split("<style>").flat_map(|part| part.split("<script")).skip(1) {
+        let tag = element.split_once('>').map_or("", |(tag, _)| tag);
+        let name = tag.split_once("id=\"").and_then(|(_, rest)| rest.split_once('"'));
+        row(name.map_or("style or script", |(name, _)| name), element)?;
+    }
+    row("before the first picture", page.split_once(page::LABORATORY).map_or(page, |(first, _)| first))?;
+    row("page", page)
+}
+
 /// Script element with this JavaScript. Closing tags in the text are escaped.
 fn script(text: &str) -> String {
     format!("<script>\n{}\n</script>", text.trim_end().replace("</script", "<\\/script"))
 }
 
-/// JSON list of the shipped documents, named by their path below `simulations`. The document with which the laboratory
+/// The shipped documents, named by their path below `simulations`. The document with which the laboratory
 /// opens is first.
-fn library() -> Result<String> {
+fn library() -> Result<Vec<Source>> {
     let mut sources = Vec::new();
     for directory in LIBRARY {
         let path = steps::root().join("simulations").join(directory);
@@ -188,7 +239,7 @@ fn library() -> Result<String> {
         }
     }
     sources.sort_by_key(|source| source.name != FIRST);
-    Ok(page::write_list(&sources))
+    Ok(sources)
 }
 
 fn read(path: &Path) -> Result<String> {

@@ -50,12 +50,21 @@ pub fn played(player: &str, sources: &[Source], program: &Program) -> Result<Str
 /// The laboratory with these sources. `document`: the parsed sources, `None` if they have errors that leave no
 /// document.
 pub fn with(sources: &Sources, document: Option<&Document>) -> Result<String, Failure> {
+    // Without a bundle, as of a document too large for one, the page opens with the laboratory itself.
+    let bundle = document.and_then(|document| bundle::write(&document.program).ok());
     let options = Options {
         title: document.map(|document| document.program.title.clone()),
         language: document.map(|document| document.program.language.clone()),
-        bundle: None,
+        bundle: bundle.map(|bundle| gzip(&bundle)).transpose()?,
     };
     embed(own()?, &sources.embedded(), &options).ok_or_else(no_place)
+}
+
+/// The laboratory `html`, opening with this simulation.
+pub fn opening(html: &str, name: &str, program: &Program) -> Result<String, Failure> {
+    let bundle = bundle::write(program)
+        .map_err(|_| Failure::request(format!("{name} is too large for the laboratory to open with")))?;
+    document::page::opening(html, name, &gzip(&bundle)?).ok_or_else(no_place)
 }
 
 /// Error for an embedded page without the expected place.

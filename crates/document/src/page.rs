@@ -34,15 +34,27 @@ pub const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-u
 pub const EDITOR: &str = "<script type=\"application/octet-stream\" id=\"editor\">";
 
 /// Opening tag of the element with the page template for [`played`], used to publish documents from the laboratory:
-/// deflated, in base64.
+/// deflated, in base64. The template lacks the module of the player, with which the laboratory opens ([`without_module`]).
 pub const PLAYER: &str = "<script type=\"application/octet-stream\" id=\"player\">";
+
+/// Opening tag of the element with the module of the player: gzipped, in base64.
+pub const MODULE: &str = "<script type=\"application/octet-stream\" id=\"module\">";
+
+/// Opening tag of the element with the module of the laboratory: gzipped, in base64.
+pub const LABORATORY: &str = "<script type=\"application/octet-stream\" id=\"laboratory\">";
+
+/// Opening tag of the element with the script of the module of the laboratory: deflated, in base64.
+pub const GLUE: &str = "<script type=\"application/octet-stream\" id=\"laboratory-glue\">";
+
+/// Opening tag of the element with the documents of the laboratory ([`write_list`]).
+pub const LIBRARY: &str = "<script type=\"application/json\" id=\"library\">";
 
 /// Marker for the place of the documents in a page.
 pub const MARKER: &str = "<!--documents-->";
 
 const OPENING: &str = "<script type=\"application/json\" id=\"documents\">";
 const CLOSING: &str = "</script>";
-const BUNDLE: &str = "<script type=\"application/octet-stream\" id=\"bundle\">";
+const BUNDLE: &str = "<script type=\"application/octet-stream\" id=\"bundle\"";
 
 /// Page that plays a simulation: `player` with the bundle of the program (`program::bundle::write`), gzipped, and its
 /// sources. `None` if `player` has no place for them.
@@ -61,7 +73,7 @@ pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<
             (&template[..start - OPENING.len()], &template[end + CLOSING.len()..])
         }
     };
-    let mut head = before.to_owned();
+    let mut head = without_bundle(before).to_owned();
     if let Some(title) = &options.title {
         replace_between(&mut head, "<title>", "</title>", &units::markup::escaped(title));
     }
@@ -69,10 +81,43 @@ pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<
     {
         replace_between(&mut head, "<html lang=\"", "\"", language);
     }
-    let encoded = |bytes: &Vec<u8>| base64::engine::general_purpose::STANDARD.encode(bytes);
-    let bundle =
-        options.bundle.as_ref().map_or_else(String::new, |bytes| format!("{BUNDLE}{}{CLOSING}", encoded(bytes)));
+    let name = documents.first().map_or("", |document| &document.name);
+    let bundle = options.bundle.as_ref().map_or_else(String::new, |bytes| bundle(name, bytes));
     Some(format!("{head}{bundle}{OPENING}{}{CLOSING}{after}", write_list(documents)))
+}
+
+/// Inserts the simulation with which a laboratory opens, at the [`MARKER`] of its page: the document's name, and its bundle,
+/// gzipped. `None` if the page has no marker.
+pub fn opening(laboratory: &str, name: &str, gzipped_bundle: &[u8]) -> Option<String> {
+    let (before, after) = laboratory.split_once(MARKER)?;
+    Some(format!("{}{}{MARKER}{after}", without_bundle(before), bundle(name, gzipped_bundle)))
+}
+
+/// Element with a simulation.
+fn bundle(name: &str, gzipped: &[u8]) -> String {
+    let encoded = base64::engine::general_purpose::STANDARD.encode(gzipped);
+    format!("{BUNDLE} data-name=\"{}\">{encoded}{CLOSING}", units::markup::escaped(name))
+}
+
+/// Text without the element of a simulation at its end.
+fn without_bundle(text: &str) -> &str {
+    match text.rfind(BUNDLE) {
+        Some(start) if text.ends_with(CLOSING) => &text[..start],
+        _ => text,
+    }
+}
+
+/// The player without the text of its module. `None` if it has no module.
+pub fn without_module(player: &str) -> Option<String> {
+    let start = player.find(MODULE)? + MODULE.len();
+    let length = player[start..].find(CLOSING)?;
+    Some(format!("{}{}", &player[..start], &player[start + length..]))
+}
+
+/// The player with the text of its module, which [`without_module`] has left out. `None` if it has no place for it.
+pub fn with_module(player: &str, module: &str) -> Option<String> {
+    let place = player.find(&format!("{MODULE}{CLOSING}"))? + MODULE.len();
+    Some(format!("{}{module}{}", &player[..place], &player[place..]))
 }
 
 /// Documents as a JSON list that is safe inside a `script` element: it cannot end the element or begin a comment.
@@ -171,9 +216,36 @@ mod tests {
         let program = crate::open("---\ntitle: A & B\nlanguage: es\n---\n```model\nx' = 1 [1/s]\nx(0) = 0\n```\n", &[]);
         let program = program.document.unwrap().program;
         let page = played(TEMPLATE, &[source("1")], &program, vec![0, 1, 254]).unwrap();
-        let bundle = format!("<title>A &amp; B</title><body>{BUNDLE}AAH+{CLOSING}{OPENING}");
+        let bundle =
+            format!("<title>A &amp; B</title><body>{BUNDLE} data-name=\"a &quot;b&quot;.md\">AAH+{CLOSING}{OPENING}");
         assert!(page.starts_with("<!doctype html><html lang=\"es\">") && page.contains(&bundle), "{page}");
         assert_eq!(read(&page).unwrap(), [source("1")]);
+    }
+
+    #[test]
+    fn the_simulation_of_a_laboratory_gives_way_to_others() {
+        let page = opening(TEMPLATE, "a.md", &[0, 1, 254]).unwrap();
+        assert_eq!(page.matches(MARKER).count(), 1);
+        assert!(page.contains("id=\"bundle\" data-name=\"a.md\">AAH+</script>"), "{page}");
+        let other = opening(&page, "b.md", &[0]).unwrap();
+        assert!(other.contains("data-name=\"b.md\"") && !other.contains("a.md"), "{other}");
+        let own = embed(&other, &[source("1")], &Options::default()).unwrap();
+        assert!(!own.contains("id=\"bundle\""), "{own}");
+        let bundle = Some(vec![7]);
+        let played = embed(&other, &[source("1")], &Options { bundle, ..Options::default() }).unwrap();
+        assert_eq!(played.matches("id=\"bundle\"").count(), 1);
+        let again = embed(&played, &[source("2")], &Options::default()).unwrap();
+        assert!(!again.contains("id=\"bundle\""), "{again}");
+    }
+
+    #[test]
+    fn the_module_of_a_player_is_left_out_and_put_back() {
+        let player = format!("<body>{MODULE}AAEC{CLOSING}<script>1;</script></body>");
+        let template = without_module(&player).unwrap();
+        assert!(!template.contains("AAEC"));
+        assert_eq!(with_module(&template, "AAEC").unwrap(), player);
+        assert_eq!(with_module(&player, "AAEC"), None);
+        assert_eq!(without_module("<body></body>"), None);
     }
 
     #[test]

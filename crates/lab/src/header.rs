@@ -2,20 +2,15 @@
 
 use crate::app::App;
 use crate::{files, library_list, publish};
-use view::icons;
+use view::header;
 use view::views::*;
 use web_sys::HtmlInputElement;
 
 /// The header.
 pub fn view(app: App) -> HtmlHeader {
-    let words = app.words();
-    let browse = labelled(icons::books(), words.library)
-        .id("browse")
-        .title(words.library_title)
-        .attr("aria-haspopup", "dialog")
-        .when(events::click, move |_| library_list::choose(app));
+    let browse = header::browse(app.page).when(events::click, move |_| library_list::choose(app));
     let own = View::from((browse, publish::button_of(app)));
-    view::header::view(app.page, own, open_button(app))
+    header::view(app.page, own, open_button(app))
 }
 
 fn open_button(app: App) -> View {
@@ -29,10 +24,7 @@ fn open_button(app: App) -> View {
         }
         chosen.set_value("");
     };
-    let open = labelled(icons::folder(), words.open)
-        .id("open")
-        .title(words.open_title)
-        .when(events::click, move |_| node.click());
+    let open = header::open(app.page).when(events::click, move |_| node.click());
     let input = input
         .id("open-file")
         .hidden(true)

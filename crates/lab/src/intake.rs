@@ -2,9 +2,10 @@
 //! cancel button.
 
 use crate::app::App;
-use crate::{film, tabs};
+use crate::film;
 use desk::{Desk, Gathering, LONGEST_RECORD, RecordProgress, Refusal};
 use view::message::Message;
+use view::tabs;
 use view::views::*;
 use view::{browser, messages};
 use web_sys::File;

@@ -33,7 +33,6 @@ mod records;
 mod saved;
 mod served;
 mod stored;
-mod tabs;
 mod titles;
 mod verifying;
 mod virtual_form;

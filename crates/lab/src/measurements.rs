@@ -2,8 +2,8 @@
 
 use crate::app::App;
 use crate::intake::{self, refuse};
-use crate::tabs;
 use crate::{cycles, film, library, records, virtual_form};
+use view::tabs;
 use view::views::*;
 use view::{browser, icons};
 use web_sys::{HtmlInputElement, HtmlTextAreaElement};

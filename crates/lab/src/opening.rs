@@ -4,10 +4,11 @@ use crate::app::{App, Lab};
 use crate::links::Arrival;
 use crate::stored::VersionTimes;
 use crate::visited::Visited;
-use crate::{fit, saved, visited, write};
+use crate::{fit, library, saved, visited, write};
 use desk::{Desk, Writing};
 use document::Document;
 use document::page::Source;
+use view::opening::Handed;
 use view::{browser, messages};
 use web_sys::Event;
 
@@ -40,8 +41,28 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
     open_visited(app, present.unwrap_or(Visited { sources, draft: None }), state);
 }
 
+/// Opens the page's own document as the player shows it.
+pub fn take_over(app: App, handed: &mut Handed) {
+    handed.prepare(app.page);
+    let visited = visited::present().filter(|visited| visited.sources == library::home());
+    let visited = visited.unwrap_or_else(|| Visited { sources: library::home(), draft: None });
+    place_visited(app, visited, |desk, _| {
+        handed.continue_in(desk.play_mut());
+        None
+    });
+    visited::note(app, None);
+}
+
 /// Opens a document of a history entry, with its draft.
 fn open_visited(app: App, visited: Visited, state: &str) {
+    place_visited(app, visited, |desk, left| {
+        let state = if state.is_empty() { left } else { state };
+        if state.is_empty() { None } else { restored(desk, state).1 }
+    });
+}
+
+/// Opens a document. `restore` gets the state of the last visit, and returns the text of the refusal, if any.
+fn place_visited(app: App, visited: Visited, restore: impl FnOnce(&mut Desk, &str) -> Option<String>) {
     let (sources, written_as) = (visited.sources.clone(), write::kept::find(&visited));
     let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
     let (desk, findings) = match texts.split_first() {
@@ -70,8 +91,7 @@ fn open_visited(app: App, visited: Visited, state: &str) {
         place(lab, desk)
     });
     let left = saved::state(app);
-    let state = if state.is_empty() { left.as_str() } else { state };
-    let refusal = app.read_desk(|desk| if state.is_empty() { None } else { restored(desk, state).1 });
+    let refusal = app.read_desk(|desk| restore(desk, &left));
     write::resume(app, Some(visited));
     messages::leave_document(app.page);
     app.rebuild();

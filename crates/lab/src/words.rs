@@ -11,8 +11,6 @@ table_of_words! {
     link_local: "It opens only on this computer, in this page. For others, save the page below and send it, or put it on a web server.", "Solo se abre en este ordenador, en esta página. Para otras personas, guarda la página más abajo y envíala, o súbela a un servidor web.";
     not_saved: "The browser does not let this page store anything (storage full or forbidden): records, fits, answers and what is written will be lost when the page is closed", "El navegador no deja que esta página guarde nada (almacenamiento lleno o prohibido): los registros, los ajustes, las respuestas y lo que se escriba se perderán al cerrar la página";
     records_closed: "More records are stored than can be open at once. Remove one and load the page again to see the others", "Hay más registros guardados de los que pueden estar abiertos a la vez. Quita uno y vuelve a cargar la página para ver los demás";
-    open: "Open", "Abrir";
-    open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
     file_not_read: "The browser could not read this file:", "El navegador no pudo leer este archivo:";
 
     drop_title: "Drop a document, a film or measured data", "Suelta un documento, un vídeo o datos medidos";
@@ -84,8 +82,6 @@ table_of_words! {
     cycles_run: "The line of the simulation is drawn once the simulation stands still.", "La línea de la simulación se dibuja cuando la simulación está detenida.";
 
     // Library.
-    library: "Documents", "Documentos";
-    library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
     library_search: "Search", "Buscar";
     library_topics: "Topics", "Temas";
     library_found: "Documents found", "Documentos encontrados";
@@ -139,7 +135,6 @@ table_of_words! {
     fit_errors: "The standard errors allow for autocorrelated residuals.", "Los errores estándar tienen en cuenta que los residuos pueden estar autocorrelacionados.";
 
     // Writing.
-    tab_write: "Write", "Escribir";
     editor_label: "Text of the document", "Texto del documento";
     editor_keys: "Tab leads out of the text. Control with M lets it indent, and again lead out. Control with F searches.", "El tabulador lleva fuera del texto. Control con M hace que ponga sangría, y otra vez que lleve fuera. Control con F busca.";
     editor_waiting: "The editor is loading ...", "El editor se está cargando ...";

@@ -1,17 +1,24 @@
 //! The whole page: header, stage, panel, and the live region for screen readers.
 
 use crate::app::App;
-use crate::links::Arrival;
 use crate::{
-    class, drop, film, header, idle, library_list, links, navigation, opening, panel, publish, served, tabs, verifying,
+    class, drop, film, header, idle, library, library_list, links, navigation, opening, panel, publish, served,
+    verifying,
 };
 use units::Language;
+use view::opening::{Handed, Opening};
 use view::views::*;
-use view::{browser, shell, stage};
+use view::{browser, shell, stage, tabs};
+use web_sys::HtmlElement;
 
 /// Starts the laboratory in the element `lab`.
 pub fn start() {
-    let Some(place) = browser::by_id::<web_sys::HtmlElement>("lab") else { return };
+    let Some(place) = browser::by_id::<HtmlElement>("lab") else { return };
+    // The documents are read while the player still shows its simulation.
+    drop(library::home());
+    if let Some(handed) = Opening::of_page().and_then(|opening| opening.take()) {
+        return take_over(handed, &place);
+    }
     let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
     wasm_bindgen_futures::spawn_local(async move {
         // A link may contain its document, which the browser must inflate.
@@ -20,17 +27,33 @@ pub fn start() {
         // The laboratory lives as long as the page.
         let laboratory = move || {
             let app = App::new(Language::of(&tag));
-            prepare(app, arrival);
+            prepare(app);
+            opening::arrive(app, arrival);
             page(app)
         };
         sycamore_web::render_to(laboratory, &place);
     });
 }
 
-fn prepare(app: App, arrival: Arrival) {
+/// Takes the simulation over from the player, within one frame.
+fn take_over(mut handed: Handed, place: &HtmlElement) {
+    let mut shown = None;
+    let laboratory = || {
+        let app = App::new(handed.language());
+        prepare(app);
+        opening::take_over(app, &mut handed);
+        shown = Some(app);
+        page(app)
+    };
+    sycamore_web::render_to(laboratory, place);
+    if let Some(app) = shown {
+        handed.finish(app.page);
+    }
+}
+
+fn prepare(app: App) {
     shell::prepare(app.page);
-    tabs::keep(app);
-    opening::arrive(app, arrival);
+    tabs::keep(app.page);
     opening::save_when_left(app);
     navigation::listen(app);
     drop::listen(app);

@@ -51,8 +51,8 @@ pub use controls::{
     PresetView, SizeView, Slider,
 };
 pub use facts::{Fact, FactValue};
-pub use play::Play;
 pub use play::share::Extent;
+pub use play::{Passed, Play};
 pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};
 pub use questions::{Answer, AnswerView, Answers, Attempt, Grade, Verdict};
 pub use refusal::Refusal;

@@ -4,6 +4,7 @@ mod answers;
 mod course;
 mod hand_in;
 mod height;
+mod laboratory;
 mod page;
 mod simulation;
 mod site;

@@ -18,6 +18,8 @@ pub struct Simulation {
     pub course: Option<Course>,
     /// Options in the address of the page.
     embedding: Embedding,
+    /// True if the laboratory will take the simulation over; it keeps the answers.
+    is_passed_on: bool,
     /// Revision of the answers saved last.
     saved: Cell<u64>,
 }
@@ -26,6 +28,11 @@ impl Simulation {
     /// Creates the host without a simulation, for a page with these options.
     pub fn new(embedding: Embedding) -> Self {
         Self { embedding, course: Course::of_page(), ..Self::default() }
+    }
+
+    /// Creates the host for the page of a laboratory.
+    pub fn of_laboratory() -> Self {
+        Self { is_passed_on: true, ..Self::default() }
     }
 }
 
@@ -49,7 +56,7 @@ impl Host for Simulation {
     fn raise(&self) {
         let answers = self.play.try_borrow().ok().and_then(|play| Some(play.as_ref()?.revision().answers));
         let (Some(answers), Some(app)) = (answers, self.app.get()) else { return };
-        if self.saved.replace(answers) == answers {
+        if self.is_passed_on || self.saved.replace(answers) == answers {
             return;
         }
         match &self.course {

@@ -18,11 +18,12 @@ const stopped = (error) => {
 };
 addEventListener("error", (event) => stopped(event.error));
 addEventListener("unhandledrejection", (event) => stopped(event.reason));
-// The gzipped bytes of a part. It stands in the page as text, or in a file of its own in a site. From a disk nothing can be
+// The packed bytes of a part. It stands in the page as text, or in a file of its own in a site. From a disk nothing can be
 // fetched; there a script puts the text of that file into the page.
 const packed = async (part) => {
-  if (part.href && location.protocol !== "file:") return new Uint8Array(await (await fetch(part.href)).arrayBuffer());
-  if (part.href) {
+  const file = part.href || part.dataset.file;
+  if (file && location.protocol !== "file:") return new Uint8Array(await (await fetch(file)).arrayBuffer());
+  if (file && !part.textContent) {
     await new Promise((done, failed) => {
       document.head.append(Object.assign(document.createElement("script"), { src: part.dataset.text, onload: done, onerror: failed }));
     });
@@ -30,36 +31,36 @@ const packed = async (part) => {
   const text = part.textContent;
   return Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
 };
-// Inflates the module, and the simulation of a page that has one, and starts it.
-const inflated = async (part) => {
+// Inflates a part.
+const inflated = async (part, format = "gzip") => {
   const bytes = await packed(part);
   // Written to directly: the stream of a blob makes the way through the browser's other processes.
-  const inflater = new DecompressionStream("gzip");
+  const inflater = new DecompressionStream(format);
   const writer = inflater.writable.getWriter();
   // Of damage one hears where it is read.
   writer.write(bytes).catch(() => {});
   writer.close().catch(() => {});
   return new Response(inflater.readable).arrayBuffer();
 };
-(async () => {
-  const parts = ["module", "bundle"].map((id) => document.getElementById(id)).filter(Boolean);
-  const [module, bundle] = await Promise.all(parts.map(inflated)).catch((error) => {
-    // The browser knows no DecompressionStream.
-    if (error instanceof ReferenceError) throw error;
-    return [];
-  });
-  if (!module && parts[0]?.href) {
+// Says why a part cannot be started.
+const failed = (error) => {
+  if (globalThis.WebAssembly && error instanceof WebAssembly.RuntimeError) throw error;
+  // The browser knows no DecompressionStream or WebAssembly, or an earlier one.
+  if (error instanceof ReferenceError || error instanceof WebAssembly.CompileError) {
+    console.error(error);
+    tell("This browser is too old for Meniscus.", "Este navegador es demasiado antiguo para Meniscus.");
+  } else if (document.querySelector("#module[href], [data-file]")) {
     tell("A part of this page could not be loaded. Load the page again.", "No se ha podido cargar una parte de esta página. Vuelve a cargarla.");
-    return;
-  }
-  if (!module) {
+  } else {
     tell("This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.");
-    return;
   }
+};
+// Starts the player with the simulation of the page.
+const start = async () => {
+  const parts = ["module", "bundle"].map((id) => document.getElementById(id)).filter(Boolean);
+  const [module, bundle] = await Promise.all(parts.map((part) => inflated(part)));
   globalThis.bundle = bundle && new Uint8Array(bundle);
   await wasm_bindgen({ module_or_path: module });
-})().catch((error) => {
-  if (globalThis.WebAssembly && error instanceof WebAssembly.RuntimeError) throw error;
-  console.error(error);
-  tell("This browser is too old for Meniscus.", "Este navegador es demasiado antiguo para Meniscus.");
-});
+};
+if (globalThis.opening) opening.begin();
+else start().catch(failed);

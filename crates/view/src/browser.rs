@@ -6,8 +6,8 @@ use js_sys::{Array, Function, Promise, Reflect, Uint8Array};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{
-    Blob, BlobPropertyBag, Event, FocusOptions, HtmlAnchorElement, HtmlElement, HtmlTextAreaElement, ScrollBehavior,
-    ScrollToOptions, Url,
+    AbortController, AddEventListenerOptions, Blob, BlobPropertyBag, Event, EventTarget, FocusOptions,
+    HtmlAnchorElement, HtmlElement, HtmlTextAreaElement, ScrollBehavior, ScrollToOptions, Url,
 };
 
 /// Element with this id, if it is of type `T`.
@@ -103,11 +103,35 @@ pub fn bring_to_top(id: &str) {
     }
 }
 
-/// Calls `react` for every event of this type in the window, as long as the page lives.
+thread_local! {
+    /// Ends the listeners of [`listen`] and [`on_match_change`]; `None` if the browser does not have it.
+    static LISTENING: Option<AbortController> = AbortController::new().ok();
+}
+
+/// Calls `react` for every event of this type in the window, until [`end_listening`].
 pub fn listen<E: JsCast + 'static>(event: &str, mut react: impl FnMut(&E) + 'static) {
-    let closure = Closure::<dyn FnMut(Event)>::new(move |event: Event| react(event.unchecked_ref()));
-    let _ = window().add_event_listener_with_callback(event, closure.as_ref().unchecked_ref());
+    listen_to(&window(), event, Closure::new(move |event: Event| react(event.unchecked_ref())));
+}
+
+fn listen_to(target: &EventTarget, event: &str, closure: Closure<dyn FnMut(Event)>) {
+    let options = AddEventListenerOptions::new();
+    LISTENING.with(|listening| {
+        if let Some(listening) = listening {
+            options.set_signal(&listening.signal());
+        }
+    });
+    let listener = closure.as_ref().unchecked_ref();
+    let _ = target.add_event_listener_with_callback_and_add_event_listener_options(event, listener, &options);
     closure.forget();
+}
+
+/// Removes the listeners of [`listen`] and [`on_match_change`].
+pub fn end_listening() {
+    LISTENING.with(|listening| {
+        if let Some(listening) = listening {
+            listening.abort();
+        }
+    });
 }
 
 /// True if a media query matches now.
@@ -115,13 +139,11 @@ pub fn matches(query: &str) -> bool {
     window().match_media(query).ok().flatten().is_some_and(|list| list.matches())
 }
 
-/// Calls `react` whenever the result of a media query changes.
-pub fn on_match_change(query: &str, react: impl FnMut() + 'static) {
+/// Calls `react` whenever the result of a media query changes, until [`end_listening`].
+pub fn on_match_change(query: &str, mut react: impl FnMut() + 'static) {
     if let Ok(Some(list)) = window().match_media(query) {
-        let closure = Closure::<dyn FnMut()>::new(react);
-        list.set_onchange(Some(closure.as_ref().unchecked_ref()));
-        // The listener lives as long as the page.
-        closure.forget();
+        listen_to(&list, "change", Closure::new(move |_| react()));
+        // The list lives as long as the page.
         std::mem::forget(list);
     }
 }

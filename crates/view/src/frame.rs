@@ -34,7 +34,8 @@ pub struct Nodes {
     /// Sound output.
     pub sound: Sound,
     callback: Option<Closure<dyn FnMut(f64)>>,
-    asked: bool,
+    /// Frame that is requested from the browser.
+    asked: Option<i32>,
     /// Time of the frame in which the run moved last, in milliseconds; `None` while it is paused.
     moved: Option<f64>,
     /// Time at which changing values were updated last, in milliseconds.
@@ -44,11 +45,31 @@ pub struct Nodes {
 impl Nodes {
     /// Requests a frame from the browser, once.
     pub fn ask(&mut self) {
-        if !self.asked
+        if self.asked.is_none()
             && let Some(callback) = &self.callback
         {
-            self.asked = window().request_animation_frame(callback.as_ref().unchecked_ref()).is_ok();
+            self.asked = window().request_animation_frame(callback.as_ref().unchecked_ref()).ok();
         }
+    }
+
+    /// Ends the frames and discards the nodes.
+    pub fn end(&mut self) {
+        if let Some(frame) = self.asked.take() {
+            let _ = window().cancel_animation_frame(frame);
+        }
+        self.callback = None;
+        self.sound.turn(false);
+        self.clear();
+    }
+
+    /// Time of the frame in which the run moved last, in milliseconds; `None` while it is paused.
+    pub fn moved(&self) -> Option<f64> {
+        self.moved
+    }
+
+    /// Continues from a frame of another page, whose run moved last at this time, in milliseconds.
+    pub fn go_on_from(&mut self, moved: Option<f64>) {
+        self.moved = moved;
     }
 
     /// Discards the nodes before they are replaced.
@@ -69,7 +90,7 @@ pub fn start(app: App) {
 fn draw(app: App, now: f64) {
     let more = app.host().follow();
     let advanced = app.nodes(|nodes| {
-        nodes.asked = false;
+        nodes.asked = None;
         let part = app.host().part();
         app.read(|play| advance(nodes, play, part, now))
     });

@@ -71,6 +71,23 @@ fn menu(app: App, first: View) -> HtmlDiv {
     place.when(events::focusout, left).when(events::keydown, escape).child(more).child(entries)
 }
 
+/// Button of the laboratory for the list of documents.
+pub fn browse(app: App) -> HtmlButton {
+    let words = app.words();
+    labelled(icons::books(), words.library).id("browse").title(words.library_title).attr("aria-haspopup", "dialog")
+}
+
+/// Button of the laboratory that opens a file.
+pub fn open(app: App) -> HtmlButton {
+    labelled(icons::folder(), app.words().open).id("open").title(app.words().open_title)
+}
+
+/// Button of the laboratory for sharing and publishing.
+pub fn publish(app: App) -> HtmlButton {
+    let words = app.words();
+    labelled(icons::link(), words.publish).id("share").title(words.publish_title).attr("aria-haspopup", "dialog")
+}
+
 fn languages(app: App) -> HtmlDiv {
     let words = app.words();
     let choose = |language: Language| {

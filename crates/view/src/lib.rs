@@ -20,6 +20,7 @@ pub mod keys;
 mod member;
 pub mod message;
 pub mod messages;
+pub mod opening;
 pub mod panel;
 mod parameters;
 pub mod picture;

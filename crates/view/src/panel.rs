@@ -20,12 +20,14 @@ pub struct Tab {
     offered: fn(App) -> bool,
     /// True if the content stays when the program is replaced.
     lasting: bool,
+    /// True if the content is not there yet.
+    waits: bool,
 }
 
 impl Tab {
     /// A tab that is offered only if there is a simulation.
     pub fn new(id: &'static str, title: &'static str, content: impl Fn() -> View + 'static) -> Self {
-        Self { id, title, content: std::rc::Rc::new(content), offered: runs, lasting: false }
+        Self { id, title, content: std::rc::Rc::new(content), offered: runs, lasting: false, waits: false }
     }
 
     /// A tab that is always offered and whose content follows program changes itself.
@@ -47,6 +49,16 @@ impl Tab {
     /// Tab of prose and equations, with additional content of the page (`besides`).
     pub fn theory(app: App, besides: impl Fn() -> View + 'static) -> Self {
         Self::new(THEORY, app.words().tab_theory, move || reading::theory(app, besides()).into())
+    }
+
+    /// The tab while its content is not there yet. Opening it asks for the content (`ask`).
+    #[must_use]
+    pub fn waiting(self, app: App, ask: impl Fn() + 'static) -> Self {
+        let content = move || {
+            ask();
+            p().class("note").child(app.words().tab_waits).into()
+        };
+        Self { content: std::rc::Rc::new(content), waits: true, ..self }
     }
 
     fn is_offered(&self, app: App) -> bool {
@@ -85,7 +97,7 @@ pub fn view(app: App, tabs: Vec<Tab>) -> HtmlSection {
 }
 
 fn head(app: App, tab: &Tab) -> HtmlButton {
-    let (id, offered) = (tab.id, tab.offered);
+    let (id, offered, waits) = (tab.id, tab.offered, tab.waits);
     let selected = move || app.tab.get() == id;
     let hidden = move || {
         app.changes.program.track();
@@ -96,6 +108,7 @@ fn head(app: App, tab: &Tab) -> HtmlButton {
         .id(format!("tab-{id}"))
         .attr("aria-controls", format!("panel-{id}"))
         .attr("aria-selected", move || selected().to_string())
+        .attr("aria-busy", waits.then_some("true"))
         .tabindex(move || if selected() { "0" } else { "-1" })
         .hidden(hidden)
         .when(events::click, move |_| show(app, id))
@@ -104,7 +117,7 @@ fn head(app: App, tab: &Tab) -> HtmlButton {
 
 /// Content of a tab. Built when it is first opened, and when it is first opened with another program.
 fn body(app: App, tab: Tab) -> HtmlDiv {
-    let Tab { id, content, lasting, .. } = tab;
+    let Tab { id, content, lasting, waits, .. } = tab;
     let selected = move || app.tab.get() == id;
     let mut seen = None;
     // Program counter for which the content was built.
@@ -118,6 +131,7 @@ fn body(app: App, tab: Tab) -> HtmlDiv {
         .role("tabpanel")
         .id(format!("panel-{id}"))
         .attr("aria-labelledby", format!("tab-{id}"))
+        .attr("aria-busy", waits.then_some("true"))
         // A panel that begins with controls needs no stop of its own.
         .tabindex(if id == PLAY { "-1" } else { "0" })
         .hidden(move || !selected())

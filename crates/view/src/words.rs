@@ -40,6 +40,12 @@ table_of_words! {
     theme_dark: "Colours: dark", "Colores: oscuros";
     projector: "Projector's view", "Vista para proyectar";
     menu: "Open a file, colours, language", "Abrir un archivo, colores, idioma";
+    library: "Documents", "Documentos";
+    library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
+    open: "Open", "Abrir";
+    open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
+    publish: "Share", "Compartir";
+    publish_title: "Link, page, frame for other pages, QR code, files", "Enlace, página, marco para otras páginas, código QR, archivos";
     document: "Document", "Documento";
     document_title: "Save the document of this simulation; the laboratory of Meniscus opens it", "Guardar el documento de esta simulación; el laboratorio de Meniscus lo abre";
     all_simulations: "All simulations", "Todas las simulaciones";
@@ -198,6 +204,8 @@ table_of_words! {
     tab_measure: "Measure", "Medir";
     tab_fit: "Fit", "Ajustar";
     tab_theory: "Theory", "Teoría";
+    tab_write: "Write", "Escribir";
+    tab_waits: "The laboratory is loading ...", "El laboratorio se está cargando ...";
     contents: "Contents", "Contenido";
     equations: "Model", "Modelo";
     equations_intro: "The equations as the document states them; the program solves exactly these.", "Las ecuaciones tal como las enuncia el documento; el programa resuelve exactamente estas.";

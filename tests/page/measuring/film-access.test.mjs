@@ -68,6 +68,7 @@ visit("in a sandboxed frame, as in a course page", async (lab) => {
   await lab.go(pathToFileURL(file).href);
   const frame = lab.page.frames().find((frame) => frame !== lab.page.mainFrame());
   await frame.locator("#apparatus").waitFor();
+  await frame.locator("[role=tab][aria-busy=true]").first().waitFor({ state: "detached" });
   await isRight(lab.page, frame, SOME);
 });
 

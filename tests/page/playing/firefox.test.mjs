@@ -45,6 +45,7 @@ async function inNewContext(address, does) {
     const visitor = new Visitor(await context.newPage());
     await sized(visitor.page, 1440, 900);
     await visitor.page.goto(address);
+    await visitor.whole();
     await does(visitor);
     assert.deepEqual(visitor.requests, [], "requests");
     assert.deepEqual(visitor.faults, [], "errors in the page");
@@ -68,6 +69,12 @@ class Visitor {
     page.on("pageerror", (error) => this.faults.push(String(error)));
     page.on("console", (message) => message.type() === "error" && this.faults.push(message.text()));
     page.on("request", (request) => !/^(file|data|blob):/.test(request.url()) && this.requests.push(request.url()));
+  }
+
+  /** Until the laboratory is there as a whole: it opens with a simulation alone, and its other tabs wait. */
+  async whole() {
+    await this.page.locator("h1").wait();
+    await eventually(async () => assert.equal(await this.page.$("[role=tab][aria-busy=true]"), null));
   }
 
   /** The first visible element with this role and name, in the page or in the scene's shadow tree; null if there is none. */
@@ -190,6 +197,7 @@ visit("a record is read and fitted, and is there again after a reload", "#1&d=th
     assert.ok(Math.abs(value - truth) < 3 * error + 1e-3, `${name}: ${value} ± ${error}, not ${truth}`);
   }
   await visitor.page.reload();
+  await visitor.whole();
   await visitor.openTab("Fit");
   await eventually(() => estimate("Length of the column"));
 });

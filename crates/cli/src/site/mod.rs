@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::page;
 use crate::terminal::Terminal;
 use collect::Simulation;
-use document::page::{Source, read_list, write_list};
+use document::page::{LIBRARY, Source, read_list, write_list};
 use files::Files;
 use folder::Folder;
 use names::{INDEX, LABORATORY, WORKER};
@@ -59,7 +59,8 @@ fn site(laboratory: &str, player: &str, simulations: &[Simulation]) -> Result<Fi
         files.add(simulation.page(), play_page(&player, simulation)?);
     }
     let laboratory = Parts::of(laboratory, "laboratory", &mut files)?;
-    files.add(LABORATORY, laboratory_page(&laboratory, simulations)?);
+    let page = laboratory_page(&laboratory, simulations, &mut files)?;
+    files.add(LABORATORY, page);
     let index = index::page(simulations, &player, &mut files);
     files.add(INDEX, index);
     files.add(WORKER, worker::script(&files));
@@ -81,12 +82,20 @@ fn play_page(player: &Parts, simulation: &Simulation) -> Result<String, Failure>
 }
 
 /// The laboratory with the documents of the site, and its own theories unless the site replaces them.
-fn laboratory_page(laboratory: &Parts, simulations: &[Simulation]) -> Result<String, Failure> {
+fn laboratory_page(laboratory: &Parts, simulations: &[Simulation], files: &mut Files) -> Result<String, Failure> {
     let mut library: Vec<Source> = simulations.iter().flat_map(Simulation::library).collect();
-    let own = parts::between(&laboratory.html, parts::LIBRARY, "</script>").ok_or_else(page::no_place)?;
+    let own = parts::between(&laboratory.html, LIBRARY, "</script>").ok_or_else(page::no_place)?;
     let shipped = read_list(own).unwrap_or_default().into_iter().filter(|source| source.name.starts_with(THEORIES));
     let theories: Vec<Source> = shipped.filter(|own| library.iter().all(|source| source.name != own.name)).collect();
     library.extend(theories);
-    let html = laboratory.html.replace(own, &write_list(&library));
+    // A script, because pages opened from a disk cannot load other files.
+    let list = serde_json::Value::from(write_list(&library));
+    let script = format!("document.getElementById(\"library\").textContent = {list};\n");
+    let script = files.share("library", "js", script);
+    let element = LIBRARY.replace('>', &format!(" data-script=\"{ROOT}{script}\">"));
+    let mut html = laboratory.html.replace(&format!("{LIBRARY}{own}"), &element);
+    if let (Some(first), Some(home)) = (simulations.first(), library.first()) {
+        html = page::opening(&html, &home.name, &first.document.program)?;
+    }
     Ok(html.replace(parts::LINKS, "").replace(ROOT, ""))
 }

@@ -5,7 +5,7 @@ use super::names::{FROM_DISK, WORKER};
 use crate::failure::Failure;
 use crate::page;
 use base64::Engine as _;
-use document::page::{EDITOR, PLAYER, POLICY};
+use document::page::{EDITOR, GLUE, LABORATORY, MODULE, PLAYER, POLICY};
 use flate2::read::DeflateDecoder;
 use std::io::Read as _;
 
@@ -14,15 +14,12 @@ use std::io::Read as _;
 pub const ROOT: &str = "<!--root-->";
 /// Placeholder in the head for the links of a page.
 pub const LINKS: &str = "<!--links-->";
-/// Start tag of the element with the documents of the laboratory.
-pub const LIBRARY: &str = "<script type=\"application/json\" id=\"library\">";
 
 /// Content security policy of the site's pages: only files of the site are loaded, and no inline script runs.
 pub const SITE_POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
                                img-src data: blob:; font-src data:; connect-src 'self'; worker-src 'self'; \
                                base-uri 'none'; form-action 'none'";
 
-const MODULE: &str = "<script type=\"application/octet-stream\" id=\"module\">";
 /// Script that registers the service worker and requests the module.
 const BEGIN: &str = include_str!("begin.js");
 
@@ -60,6 +57,14 @@ impl Parts {
                 }
                 "<script>" => scripts.push(content),
                 MODULE => module = Some(content),
+                LABORATORY => {
+                    let attributes = packed("laboratory", "laboratory", content, files)?.attributes("file");
+                    html.push_str(&LABORATORY.replace('>', &format!("{attributes}></script>")));
+                }
+                GLUE => {
+                    let script = files.share("laboratory", "js", inflated(content).ok_or_else(page::no_place)?);
+                    html.push_str(&GLUE.replace('>', &format!(" data-script=\"{ROOT}{script}\"></script>")));
+                }
                 EDITOR => {
                     let script = files.share("editor", "js", inflated(content).ok_or_else(page::no_place)?);
                     html.push_str(&EDITOR.replace('>', &format!(" data-script=\"{ROOT}{script}\"></script>")));
@@ -78,21 +83,16 @@ impl Parts {
         let (Some((first, scripts)), Some(text)) = (scripts.split_first(), module) else {
             return Err(page::no_place());
         };
-        let bytes = base64::engine::general_purpose::STANDARD.decode(text).map_err(|_| page::no_place())?;
         let style = files.share(name, "css", styles);
         let first_script = files.share("site", "js", [first.trim_start(), BEGIN].concat());
         let script = files.share(name, "js", scripts.concat().trim_start());
-        // The module is already gzipped and is inflated by the page, because hosts differ in whether they compress
-        // modules.
-        let module = files.share(name, "bin", bytes);
-        let from_disk = format!("document.getElementById(\"module\").textContent = \"{text}\";\n");
-        let from_disk = files.share(name, &FROM_DISK[1..], from_disk);
+        // The laboratory opens with the player, too.
+        let module = packed("player", "module", text, files)?.attributes("module");
         let head = format!(
             "<link rel=\"stylesheet\" href=\"{ROOT}{style}\">\n\
              <script defer src=\"{ROOT}{script}\"></script>\n{LINKS}"
         );
         let html = html.replace(POLICY, SITE_POLICY).replace(HEAD, &head);
-        let module = format!(" data-module=\"{ROOT}{module}\" data-text=\"{ROOT}{from_disk}\"");
         let html = html.replace(FIRST_SCRIPT, &begin(&first_script, ROOT, &module));
         Ok(Self { html, style, first_script })
     }
@@ -106,6 +106,27 @@ impl Parts {
 /// Element of the script with which every page begins. `root`: relative path to the top of the site.
 fn begin(first_script: &str, root: &str, module: &str) -> String {
     format!("<script src=\"{root}{first_script}\" data-worker=\"{root}{}\"{module}></script>", WORKER)
+}
+
+/// Paths of a module: its bytes, and the script that puts them into the page as text.
+struct Packed {
+    bytes: String,
+    text: String,
+}
+
+impl Packed {
+    /// Attributes with the paths; that of the bytes is `data-` and this name.
+    fn attributes(&self, name: &str) -> String {
+        format!(" data-{name}=\"{ROOT}{}\" data-text=\"{ROOT}{}\"", self.bytes, self.text)
+    }
+}
+
+/// Adds the files of a module, which stands in the element `id` of a single-file page. It stays gzipped and is inflated by the
+/// page, because hosts differ in whether they compress modules.
+fn packed(name: &str, id: &str, text: &str, files: &mut Files) -> Result<Packed, Failure> {
+    let bytes = base64::engine::general_purpose::STANDARD.decode(text).map_err(|_| page::no_place())?;
+    let script = format!("document.getElementById(\"{id}\").textContent = \"{text}\";\n");
+    Ok(Packed { bytes: files.share(name, "bin", bytes), text: files.share(name, &FROM_DISK[1..], script) })
 }
 
 const HEAD: &str = "<!--head-->";
@@ -128,38 +149,42 @@ pub fn between<'a>(text: &'a str, before: &str, after: &str) -> Option<&'a str> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use document::page::LIBRARY;
 
     #[test]
     fn a_page_is_taken_apart_and_put_together_by_its_addresses() {
         let whole = format!(
             "<head><meta content=\"{POLICY}\"><style>\nb {{}}</style><script>\n1;\n</script></head>\
-             <body><!--documents-->{LIBRARY}[]</script><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script>\
-             {EDITOR}M7EGAA==</script>{PLAYER}AAAA</script></body>"
+             <body><!--documents--><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script>\
+             {LABORATORY}AAED</script>{GLUE}M7EGAA==</script>{LIBRARY}[]</script>{EDITOR}M7EGAA==</script>\
+             {PLAYER}AAAA</script></body>"
         );
         let mut files = Files::default();
         let parts = Parts::of(&whole, "page", &mut files).expect("a page");
-        let named = |ending: &str| files.iter().find(|(path, _)| path.ends_with(ending)).expect("a file");
-        assert_eq!(named(".css").1, b"b {}");
-        assert_eq!(named(".bin").1, [0, 1, 2]);
-        let (script, content) = files
-            .iter()
-            .find(|(path, _)| path.starts_with("assets/page-") && path.ends_with(".js") && !path.ends_with(FROM_DISK))
-            .expect("a script");
+        let named = |start: &str, ending: &str| {
+            let is_named = |path: &str| path.starts_with(&format!("assets/{start}-")) && path.ends_with(ending);
+            files.iter().find(|(path, _)| is_named(path)).expect("a file")
+        };
+        assert_eq!(named("page", ".css").1, b"b {}");
+        assert_eq!(named("player", ".bin").1, [0, 1, 2]);
+        let (script, content) = named("page", ".js");
         assert_eq!(content, b"2;\n\n3;\n");
         assert!(parts.html.contains(&format!("<script defer src=\"{ROOT}{script}\"></script>")), "{}", parts.html);
-        assert!(parts.html.contains(SITE_POLICY) && !parts.html.contains("AAEC"), "{}", parts.html);
+        assert!(parts.html.contains(SITE_POLICY) && !parts.html.contains("AAE"), "{}", parts.html);
+        // The laboratory is loaded after the player.
+        let (module, bytes) = named("laboratory", ".bin");
+        assert_eq!(bytes, [0, 1, 3]);
+        let text = named("laboratory", FROM_DISK).0;
+        let laboratory = format!("id=\"laboratory\" data-file=\"{ROOT}{module}\" data-text=\"{ROOT}{text}\"></script>");
+        assert!(parts.html.contains(&laboratory), "{}", parts.html);
         // The editor is a separate script, which the laboratory loads on demand.
-        let editor = files.iter().find(|(path, _)| path.starts_with("assets/editor-")).expect("the editor");
+        let editor = named("editor", ".js");
         assert_eq!(editor.1, b"4;");
         let lazy = format!("id=\"editor\" data-script=\"{ROOT}{}\"></script>", editor.0);
-        let (publish, text) = files.iter().find(|(path, _)| path.starts_with("assets/publish-")).expect("the player");
+        let (publish, text) = named("publish", ".js");
         assert_eq!(text, b"document.getElementById(\"player\").textContent = \"AAAA\";\n");
         let player = format!("id=\"player\" data-script=\"{ROOT}{publish}\"></script>");
         assert!(parts.html.ends_with(&format!("{player}</body>")) && parts.html.contains(&lazy), "{}", parts.html);
-        assert!(
-            parts.html.contains(&format!("<body><!--documents-->{LIBRARY}[]</script><script type")),
-            "{}",
-            parts.html
-        );
+        assert!(parts.html.contains(&format!("{LIBRARY}[]</script>")), "{}", parts.html);
     }
 }

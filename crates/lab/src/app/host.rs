@@ -1,13 +1,14 @@
 //! The laboratory as the page around the views of the simulation: its announcements, views and storage.
 
 use super::Store;
-use crate::{data, film, saved, tabs, visited, write};
+use crate::{data, film, saved, visited, write};
 use desk::{Announcement, Desk};
 use play::Play;
 use units::Language;
 use view::browser;
 use view::message::Message;
 use view::stage::brush::Part;
+use view::tabs;
 use view::views::*;
 use view::{Host, News};
 

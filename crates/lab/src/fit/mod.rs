@@ -9,10 +9,10 @@ mod work;
 pub use work::go_on;
 
 use crate::app::App;
-use crate::tabs;
 use crate::{library, measurements};
 use desk::{Desk, FitProgress};
 use view::browser;
+use view::tabs;
 use view::views::*;
 
 /// The tab: record, theory, fit.

@@ -3,11 +3,11 @@
 use super::report;
 use crate::app::App;
 use crate::opening;
-use crate::tabs;
 use desk::{ExportKind, FitDetail, FitView, Imprint};
 use document::page::Source;
 use view::browser;
 use view::symbols::name_and_symbol;
+use view::tabs;
 use view::views::*;
 use wasm_bindgen::JsValue;
 

@@ -1,8 +1,8 @@
 //! Computes fits in slices between frames.
 
 use crate::app::App;
-use crate::tabs;
 use view::browser;
+use view::tabs;
 use view::views::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;

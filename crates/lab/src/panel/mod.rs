@@ -3,9 +3,9 @@
 mod source;
 
 use crate::app::App;
-use crate::tabs::{FIT, MEASURE, WRITE};
 use crate::{fit, measurements, write};
 use view::panel::Tab;
+use view::tabs::{FIT, MEASURE, WRITE};
 use view::views::*;
 
 /// The panel.

@@ -11,22 +11,17 @@ mod words;
 use crate::app::App;
 use crate::{class, write};
 use view::views::*;
-use view::{icons, views};
+use view::{header, views};
 
 /// The button in the header of the page.
 pub fn button_of(app: App) -> HtmlButton {
-    let words = words::of(app);
     let open = move |_| {
         // Publishes also the text typed last.
         write::flush(app);
         app.publishing.set(true);
         window::open();
     };
-    labelled(icons::link(), words.button)
-        .id("share")
-        .title(words.button_title)
-        .attr("aria-haspopup", "dialog")
-        .when(events::click, open)
+    header::publish(app.page).when(events::click, open)
 }
 
 /// The dialog. Its content exists only while it is open.

@@ -9,6 +9,7 @@ use document::page::{self, Source};
 use program::{Program, bundle};
 use std::rc::Rc;
 use view::browser;
+use view::opening::Opening;
 use view::views::*;
 
 /// The page, while the dialog is open.
@@ -113,7 +114,7 @@ async fn made(sources: &[Source]) -> Result<Made, Refused> {
     Ok(Made { html, program: document.program })
 }
 
-/// HTML of the player without a simulation.
+/// HTML of the player without a simulation. Its module is the one with which this page has opened.
 async fn player() -> Option<String> {
     let part = carried::part("player")?;
     if let Some(address) =
@@ -121,5 +122,6 @@ async fn player() -> Option<String> {
     {
         carried::run_file(&address).await?;
     }
-    carried::inflated(&part).await
+    let module = browser::wait(Opening::of_page()?.module()?).await.ok()?.as_string()?;
+    page::with_module(&carried::inflated(&part).await?, &module)
 }

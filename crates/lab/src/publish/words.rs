@@ -5,8 +5,6 @@ use view::table_of_words;
 
 table_of_words! {
     title: "Share and publish", "Compartir y publicar";
-    button: "Share", "Compartir";
-    button_title: "Link, page, frame for other pages, QR code, files", "Enlace, página, marco para otras páginas, código QR, archivos";
     close: "Close", "Cerrar";
     faulty: "The text has errors. They are listed in the tab Write; what is published here is ready as soon as they are corrected.", "El texto tiene errores. Están en la pestaña Escribir; se podrá publicar en cuanto estén corregidos.";
 

@@ -1,6 +1,7 @@
 //! The central state: a program, a run of it, and the choices of the visitor.
 
 mod drag;
+mod passing;
 mod removed;
 mod replacement;
 mod restore;
@@ -8,6 +9,8 @@ mod settings;
 pub(crate) mod share;
 mod transport;
 mod undo;
+
+pub use passing::Passed;
 
 use crate::announcement::{Announcement, Announcements};
 use crate::number::Style;

@@ -28,12 +28,17 @@ impl Play {
     /// A text that is not a state, or parts that do not fit: an unknown key, a value out of range, too many kept runs,
     /// a run that exceeds the work limit of a link.
     pub fn restore(&mut self, fragment: &str) -> Result<(), Refusal> {
-        self.restore_within(fragment, &mut { MOST_WORK })
+        self.restore_within(fragment, MOST_CHANGES, &mut { MOST_WORK })
     }
 
-    /// Restores a state with the work limit `work` for all runs together, in floating-point operations; it is reduced
-    /// by the work done.
-    fn restore_within(&mut self, fragment: &str, work: &mut u64) -> Result<(), Refusal> {
+    /// Restores a state with at most `most_changes` changes in each run, and the work limit `work` for all runs
+    /// together, in floating-point operations; it is reduced by the work done.
+    pub(super) fn restore_within(
+        &mut self,
+        fragment: &str,
+        most_changes: usize,
+        work: &mut u64,
+    ) -> Result<(), Refusal> {
         let fragment = fragment.trim_start_matches('#');
         if fragment.is_empty() {
             return Ok(());
@@ -48,7 +53,7 @@ impl Play {
         self.note(changes);
         let fields: Vec<&str> = fields.collect();
         self.restore_seat(&fields);
-        let mut reader = Reader { play: self, left_out: Vec::new() };
+        let mut reader = Reader { play: self, most_changes, left_out: Vec::new() };
         let mut sections = fields.split(|field| *field == "k");
         let present = reader.recipe(sections.next().unwrap_or_default());
         // Limited before anything is computed: a link can name far more runs than can be kept.
@@ -95,6 +100,7 @@ impl Play {
 /// Parser of fields; collects the parts that do not fit.
 struct Reader<'a> {
     play: &'a mut Play,
+    most_changes: usize,
     left_out: Vec<String>,
 }
 
@@ -154,7 +160,7 @@ impl Reader<'_> {
                 let last = recipe.changes.last();
                 if !(1..=MOST_ROWS).contains(&row)
                     || last.is_some_and(|before| before.row >= row)
-                    || recipe.changes.len() >= MOST_CHANGES
+                    || recipe.changes.len() >= self.most_changes
                 {
                     return None;
                 }
@@ -229,7 +235,7 @@ fn number(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MOST_NAMED, MOST_WORK};
+    use super::{MOST_CHANGES, MOST_NAMED, MOST_WORK};
     use crate::{MOST_KEPT, Play, Refusal};
 
     fn opened() -> Play {
@@ -241,7 +247,7 @@ mod tests {
     /// Work used to restore a link, in floating-point operations, and number of parts named as omitted.
     fn cost(link: &str) -> (u64, usize) {
         let (mut play, mut left) = (opened(), MOST_WORK);
-        let left_out = match play.restore_within(link, &mut left) {
+        let left_out = match play.restore_within(link, MOST_CHANGES, &mut left) {
             Ok(()) => 0,
             Err(Refusal::PartlyRestored { left_out }) => left_out.len(),
             Err(refusal) => panic!("{refusal:?}"),

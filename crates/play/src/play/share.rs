@@ -36,7 +36,9 @@ pub(super) const MOST_CHANGES: usize = 300;
 /// Parts of the state in a text that must be short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
-    /// All of it.
+    /// All of it, with any number of changes during the run: for [`Play::pass_on`].
+    Exact,
+    /// All of it, as far as a link has room.
     Whole,
     /// Without the kept runs.
     WithoutKept,
@@ -55,7 +57,11 @@ impl Play {
         let mut fields: Vec<String> = Vec::new();
         let mut recipe = self.course().recipe();
         let changed = !(recipe.changes.is_empty() && recipe.setup.presses.is_empty());
-        let begins_now = recipe.changes.len() > MOST_CHANGES || extent == Extent::Moment && changed;
+        let begins_now = match extent {
+            Extent::Exact => false,
+            Extent::Moment => changed,
+            _ => recipe.changes.len() > MOST_CHANGES,
+        };
         if begins_now && self.course().state().iter().all(|value| value.is_finite()) {
             let parameters = self.course().parameters().to_vec();
             let start = Some(self.course().state().to_vec());
@@ -88,7 +94,7 @@ impl Play {
         for (index, view) in self.plots.zoomed().filter(|(index, _)| *index < documents) {
             fields.push(format!("z={index},{}", limits(view)));
         }
-        for recipe in self.line.kept_recipes().filter(|_| extent == Extent::Whole) {
+        for recipe in self.line.kept_recipes().filter(|_| matches!(extent, Extent::Whole | Extent::Exact)) {
             fields.push("k".to_owned());
             self.write_recipe(recipe, &mut fields);
         }

@@ -5,6 +5,7 @@ use crate::time::course::Course;
 use engine::{History, Readings};
 use program::Plot;
 use program::{Model, NodeId};
+use serde::{Deserialize, Serialize};
 use units::Unit;
 
 /// Layout of the columns, and the column indices of each plot.
@@ -127,7 +128,7 @@ impl Columns {
 }
 
 /// The columns of one run.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Traces {
     columns: Vec<Vec<f64>>,
     /// For each curve of all plots, the rows before which its line is interrupted.

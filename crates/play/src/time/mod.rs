@@ -100,6 +100,18 @@ impl TimeLine {
         self.scales.get(state).copied().unwrap_or_default()
     }
 
+    /// Greatest magnitude of each state in this run, SI.
+    pub(crate) fn scales(&self) -> &[f64] {
+        &self.scales
+    }
+
+    /// Sets the greatest magnitudes of the states, SI, to those of the same run in another program.
+    pub(crate) fn set_scales(&mut self, scales: Vec<f64>) {
+        if scales.len() == self.scales.len() {
+            self.scales = scales;
+        }
+    }
+
     /// Returns the earliest time (SI) from which rows were discarded since the last call: data read after it is
     /// invalid. `None` if no rows were discarded.
     pub(crate) fn take_rewritten(&mut self) -> Option<f64> {

@@ -92,6 +92,20 @@ impl Values {
         self.scene_scales.clear();
     }
 
+    /// Greatest magnitudes in the run of the quantities and of the values of the scene, SI.
+    pub(crate) fn scales(&self) -> [Vec<f64>; 2] {
+        [self.quantity_scales.clone(), self.scene_scales.clone()]
+    }
+
+    /// Sets the greatest magnitudes to those of the same run in another program.
+    pub(crate) fn set_scales(&mut self, [quantities, scene]: [Vec<f64>; 2]) {
+        if quantities.len() == self.quantity_scales.len() {
+            self.quantity_scales = quantities;
+        }
+        // Empty until the scene is drawn; its length is then that of the values.
+        self.scene_scales = scene;
+    }
+
     /// Takes over the selected members of families from another program.
     pub(crate) fn adopt(&mut self, before: &mut Self) {
         self.lines.choose_as(std::mem::take(&mut before.lines));

@@ -8,7 +8,7 @@ mod gestures;
 mod legend;
 mod narrow;
 mod pinned;
-mod pins;
+pub(crate) mod pins;
 pub mod plot;
 mod plot_tools;
 pub mod plots;

@@ -55,9 +55,37 @@ pub fn clear(app: App, id: PlotId) -> bool {
     any
 }
 
+/// All pins, with the place of their plot.
+pub fn all(app: App) -> Vec<(usize, Readout)> {
+    let mut all = Vec::new();
+    app.nodes(|nodes| {
+        for (place, plot) in nodes.plots.iter().enumerate() {
+            all.extend(plot.iter().flat_map(|plot| plot.pins.iter().map(|pin| (place, pin.clone()))));
+        }
+    });
+    all
+}
+
+/// Puts back a pin, without words.
+pub fn put_back(app: App, id: PlotId, pin: Readout) {
+    with_plot(app, id, |plot| plot.pins.push(pin));
+    update(app, id);
+}
+
 /// Updates and speaks the texts of the pins.
 fn tell(app: App, id: PlotId) {
-    let Some((pins, pinned)) = with_plot(app, id, |plot| (plot.pins.clone(), plot.pinned)) else { return };
+    let Some(now) = update(app, id) else { return };
+    let words = app.words();
+    app.say(match (now.readings.last(), now.difference.as_str()) {
+        (None, _) => words.unpinned.to_owned(),
+        (Some(last), "") => format!("{}: {last}", words.pinned),
+        (Some(last), difference) => format!("{}: {last}. {}: {difference}", words.pinned, words.difference),
+    });
+}
+
+/// Updates the texts of the pins and returns them; `None` if the plot is not shown.
+fn update(app: App, id: PlotId) -> Option<Pinned> {
+    let (pins, pinned) = with_plot(app, id, |plot| (plot.pins.clone(), plot.pinned))?;
     let lines = |pin: &Readout| {
         let samples = pin.samples.iter().map(|sample| sample.text.clone());
         let lines: Vec<String> =
@@ -69,15 +97,9 @@ fn tell(app: App, id: PlotId) {
         _ => Vec::new(),
     };
     let now = Pinned { readings: pins.iter().map(lines).collect(), difference: difference.join(", ") };
-    let words = app.words();
-    let said = match (now.readings.last(), now.difference.as_str()) {
-        (None, _) => words.unpinned.to_owned(),
-        (Some(last), "") => format!("{}: {last}", words.pinned),
-        (Some(last), difference) => format!("{}: {last}. {}: {difference}", words.pinned, words.difference),
-    };
-    app.say(said);
-    pinned.set(now);
+    pinned.set(now.clone());
     app.wake();
+    Some(now)
 }
 
 /// The line below a plot with its pinned read-outs.

@@ -4,8 +4,8 @@ use super::{notes, truth};
 use crate::app::App;
 use crate::film::now::now;
 use crate::film::{doubts, words};
-use crate::tabs;
 use view::browser;
+use view::tabs;
 use view::views::*;
 
 /// Progress of the tracking, then its result.

@@ -1,0 +1,100 @@
+// The page begins with the player and its simulation. The laboratory, whose parts stand further on in the page or in files
+// of the site, takes the simulation over: when somebody asks for it, or when nothing else happens.
+globalThis.opening = {
+  // File name of the document with which the page opens.
+  name: document.getElementById("bundle")?.dataset.name ?? "",
+  // State in the address, for that document.
+  state: "",
+  // Element to be pressed in the laboratory.
+  pressed: "",
+  begin() {
+    if (isHome()) start().then(follow).catch(failed);
+    else takeOver();
+  },
+  // The module of the player as text, for pages that the laboratory publishes.
+  async module() {
+    const part = document.getElementById("module");
+    const bytes = await packed(part);
+    return part.textContent || (bytes.toBase64?.() ?? btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join("")));
+  },
+  ask(pressed) {
+    opening.pressed = pressed;
+    takeOver();
+  },
+};
+// True if the page shall show the document with which it opens. Of other documents only the laboratory knows the text.
+const isHome = () => {
+  if (!document.getElementById("bundle")) return false;
+  const visited = typeof history.state === "string" && history.state.startsWith("meniscus ") ? history.state : "";
+  if (visited) return visited.startsWith("meniscus home ");
+  const [, subject = "", name = ""] = /^#[^&]*&([dsf])=([^&]*)/.exec(location.hash) ?? [];
+  if (subject) return false;
+  opening.state = /[&=]/.test(location.hash) ? location.hash.slice(1) : "";
+  return true;
+};
+const parsed = new Promise((done) => {
+  if (document.readyState === "loading") addEventListener("DOMContentLoaded", done, { once: true });
+  else done();
+});
+// Runs a script of the site.
+const run = (src) =>
+  new Promise((onload, onerror) => document.head.append(Object.assign(document.createElement("script"), { src, onload, onerror })));
+let compiled;
+// Loads the parts of the laboratory, once, and compiles its module beside what goes on.
+const load = async () => {
+  await parsed;
+  const glue = document.querySelector("script#laboratory-glue");
+  const part = document.querySelector("script#laboratory");
+  const written = async () => {
+    if (glue.dataset.script) return run(glue.dataset.script);
+    const text = new TextDecoder().decode(await inflated(glue, "deflate-raw"));
+    document.head.append(Object.assign(document.createElement("script"), { textContent: text }));
+  };
+  const library = document.querySelector("script#library");
+  const [module] = await Promise.all([
+    inflated(part).then((bytes) => WebAssembly.compile(bytes)),
+    written(),
+    library?.dataset.script && run(library.dataset.script),
+  ]);
+  return module;
+};
+let taken;
+// Starts the laboratory, which takes over what the player shows.
+const takeOver = () => {
+  compiled ??= load();
+  taken ??= compiled.then((module) => {
+    listening.abort();
+    return laboratory({ module_or_path: module });
+  });
+  return taken.catch(failed);
+};
+// Until the laboratory is there, what it would take is held.
+const listening = new AbortController();
+let isPressed = false;
+const on = (events, react) => events.forEach((event) => addEventListener(event, react, { signal: listening.signal, capture: true }));
+on(["pointerdown", "keydown"], () => (isPressed = true));
+on(["pointerup", "pointercancel", "keyup", "blur"], () => (isPressed = false));
+on(["dragenter", "dragover", "drop"], (event) => {
+  if (!event.dataTransfer?.types.includes("Files")) return;
+  event.preventDefault();
+  takeOver();
+});
+on(["hashchange", "popstate"], takeOver);
+// True if nobody is about to do anything that another page would interrupt.
+const isAtRest = () =>
+  !isPressed &&
+  !document.activeElement?.closest("#panel, dialog") &&
+  !document.querySelector("dialog[open], #messages, .stage [aria-expanded=true], :popover-open");
+// Loads the laboratory when the page is idle, and starts it as soon as nobody is disturbed.
+const follow = () => {
+  const idle = globalThis.requestIdleCallback ?? ((then) => setTimeout(then, 200));
+  const wait = () => {
+    if (taken) return;
+    if (isAtRest()) idle(() => (isAtRest() ? takeOver() : wait()));
+    else setTimeout(wait, 200);
+  };
+  idle(() => {
+    compiled ??= load();
+    compiled.then(wait).catch(failed);
+  });
+};

@@ -1,0 +1,86 @@
+//! Page of the laboratory until the laboratory takes the simulation over: the same views, with its tabs and buttons, which ask
+//! for it.
+
+use crate::page::damaged;
+use crate::simulation::{self, Simulation};
+use std::rc::Rc;
+use sycamore_reactive::create_root;
+use units::Language;
+use view::opening::{self, Handed, Opening};
+use view::panel::{self, Tab};
+use view::views::*;
+use view::{App, browser, header, shell, stage, tabs};
+use web_sys::HtmlElement;
+
+/// Key prefix of the state in which the laboratory left a document.
+const STATE: &str = "state:";
+
+/// Shows the simulation of the page in the element `place`.
+pub fn open(opening: Opening, place: HtmlElement) {
+    let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
+    place.set_inner_html("");
+    let opening = Rc::new(opening);
+    let mut shown = None;
+    let root = create_root(|| {
+        let view = || {
+            // The simulation lives until the laboratory takes it over.
+            let simulation: &'static Simulation = Box::leak(Box::new(Simulation::of_laboratory()));
+            let app = App::new(simulation, Language::of(&tag));
+            shell::prepare(app);
+            let play = simulation::of_page();
+            let runs = play.is_some();
+            simulation.play.replace(play);
+            app.read(|play| play.set_language(Language::of(&tag).tag()));
+            restore(app, &opening);
+            tabs::keep(app);
+            shown = runs.then_some((app, simulation));
+            let opening = opening.clone();
+            shell::view(app, move || if runs { content(app, &opening) } else { damaged(app) })
+        };
+        sycamore_web::render_in_scope(view, &place);
+    });
+    let Some((app, simulation)) = shown else { return };
+    opening.offer(move || {
+        let handed = Handed::of(app);
+        opening::end(app);
+        place.set_inner_html("");
+        root.dispose();
+        simulation.play.replace(None);
+        handed
+    });
+}
+
+/// Restores the state in the address, otherwise that of the last visit.
+fn restore(app: App, opening: &Opening) {
+    let title = app.read(|play| play.program().title.clone());
+    let left = || browser::remembered(&format!("{STATE}{}:{title}", opening.name())).unwrap_or_default();
+    let state = Some(opening.state()).filter(|state| !state.is_empty()).unwrap_or_else(left);
+    if let Some(refusal) = app.attempt(|play| play.restore(&state)) {
+        app.complain(refusal);
+    }
+}
+
+fn content(app: App, opening: &Rc<Opening>) -> View {
+    let ask = |opening: &Rc<Opening>| {
+        let opening = opening.clone();
+        move || opening.ask("")
+    };
+    let press = |button: HtmlButton, id: &'static str| {
+        let opening = opening.clone();
+        button.when(events::click, move |_| opening.ask(id))
+    };
+    let words = app.words();
+    let own = View::from((press(header::browse(app), "browse"), press(header::publish(app), "share")));
+    let in_menu = View::from(press(header::open(app), "open"));
+    let later = |id, title| Tab::new(id, title, View::new).waiting(app, ask(opening));
+    let tabs = vec![
+        Tab::play(app),
+        Tab::activities(app).waiting(app, ask(opening)),
+        later(tabs::MEASURE, words.tab_measure),
+        later(tabs::FIT, words.tab_fit),
+        Tab::theory(app, View::new).waiting(app, ask(opening)),
+        later(tabs::WRITE, words.tab_write),
+    ];
+    let body = main().class("laboratory").child(stage::view(app)).child(panel::view(app, tabs));
+    View::from((header::view(app, own, in_menu), body))
+}

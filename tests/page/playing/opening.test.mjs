@@ -1,0 +1,112 @@
+// The laboratory opens with the player and its simulation, and takes it over.
+
+import assert from "node:assert/strict";
+import { eventually, visit } from "../lab.mjs";
+
+const waiting = (lab) => lab.page.locator("[role=tab][aria-busy=true]").count();
+
+/** Everything that stands on the page, and the pictures of its plots. */
+const seen = (lab) =>
+  lab.page.evaluate(() => ({
+    stage: document.querySelector(".stage").innerText,
+    panel: document.querySelector("#panel-play").innerText,
+    head: document.querySelector("header").innerText,
+    plots: [...document.querySelectorAll("canvas")].map((canvas) => canvas.toDataURL()),
+    scroll: scrollY,
+    theme: document.documentElement.dataset.theme,
+    language: document.documentElement.lang,
+  }));
+
+visit("the page opens with its simulation, and the tabs of the laboratory wait", { idle: false }, async (lab) => {
+  assert.equal(await waiting(lab), 5);
+  await lab.press("Play");
+  await lab.watchUntil(0.3);
+  assert.equal(await waiting(lab), 5);
+});
+
+visit("a tab that is asked for brings the laboratory, which shows what was there", { idle: false, theme: "dark" }, async (lab) => {
+  await lab.page.locator("#language-es").click();
+  await lab.enter("Amortiguamiento", "321");
+  await lab.press("Reproducir");
+  await lab.watchUntil(1);
+  await lab.press("Pausar");
+  await lab.press("Guardar serie");
+  await lab.press("Volver al inicio");
+  await lab.press("Reproducir");
+  await lab.watchUntil(0.5);
+  await lab.slider("Amortiguamiento").focus();
+  await lab.keys("ArrowRight", "ArrowRight");
+  await lab.watchUntil(1);
+  await lab.press("Pausar");
+  await lab.page.keyboard.press("Escape");
+  const before = await seen(lab);
+  await lab.page.locator("#tab-theory").click();
+  await lab.taken();
+  assert.equal(await lab.page.locator("#tab-theory").getAttribute("aria-selected"), "true");
+  assert.equal((await lab.focused()).id, "tab-theory");
+  await lab.page.locator("#panel-theory h2, #panel-theory h3").first().waitFor();
+  assert.equal(await lab.told(), "", "a screen reader hears nothing again");
+  await lab.page.locator("#tab-play").click();
+  await lab.page.evaluate(() => scrollTo(0, 0));
+  await lab.drawn();
+  const after = await seen(lab);
+  for (const part of Object.keys(before)) assert.deepEqual(after[part], before[part], part);
+});
+
+visit("a run that plays goes on", { idle: false }, async (lab) => {
+  await lab.press("Play");
+  await lab.watchUntil(0.3);
+  const before = await lab.time();
+  await lab.tab("Measure");
+  await lab.taken();
+  assert.ok((await lab.time()) >= before);
+  await lab.watchUntil(before + 0.5);
+  await lab.press("Pause");
+});
+
+visit("the laboratory waits until nothing in the panel has the focus, and no message is read", { idle: false }, async (lab) => {
+  const compiled = () => lab.page.evaluate(() => typeof laboratory);
+  await lab.slider("Damping").focus();
+  await lab.rest();
+  await eventually(async () => assert.equal(await compiled(), "function"));
+  await lab.drawn();
+  assert.equal(await waiting(lab), 5);
+  await lab.page.locator("#play").focus();
+  await eventually(async () => {
+    await lab.rest();
+    assert.equal(await waiting(lab), 0);
+  });
+  assert.equal((await lab.focused()).id, "play");
+  assert.equal(await lab.told(), "");
+});
+
+visit("a button of the laboratory does what it says once the laboratory is there", { idle: false }, async (lab) => {
+  await lab.page.locator("#browse").click();
+  await lab.page.locator("dialog[open]").getByRole("searchbox").waitFor();
+  assert.equal(await waiting(lab), 0);
+});
+
+visit("a link to a state of the page's own document opens in the player", { idle: false, fragment: "#1&p=b:300&t=2" }, async (lab) => {
+  assert.equal(await waiting(lab), 5);
+  assert.equal(await lab.number("Damping"), 300);
+  assert.equal(await lab.time(), 2);
+  await lab.tab("Fit");
+  await lab.taken();
+  assert.equal(await lab.number("Damping"), 300);
+  assert.equal(await lab.time(), 2);
+});
+
+visit("with a link to another document the laboratory comes at once", { idle: false, fragment: "#1&d=pendulum.md" }, async (lab) => {
+  await lab.page.getByRole("heading", { level: 1, name: /pendulum/i }).waitFor();
+  assert.equal(await waiting(lab), 0);
+});
+
+visit("after a reload the simulation is as it was left, with the tab that was open", { idle: false }, async (lab) => {
+  await lab.enter("Damping", "250");
+  await lab.tab("Theory");
+  await lab.taken();
+  await lab.page.reload();
+  await lab.taken();
+  assert.equal(await lab.page.locator("#tab-theory").getAttribute("aria-selected"), "true");
+  assert.equal(await lab.number("Damping"), 250);
+});

@@ -2,6 +2,7 @@
 
 use crate::sampling::{self, Sampling};
 use units::order::median;
+use units::order::sort;
 
 /// Formula of finite differences on even steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,7 +111,7 @@ fn neighbours(sampling: &Sampling, position: &[f64], stencil: Stencil, mut each:
     let mut places: Vec<(i64, usize)> =
         sampling.frames.iter().enumerate().filter_map(|(row, frame)| Some(((*frame)?, row))).collect();
     if !places.is_sorted_by(|one, other| one.0 <= other.0) {
-        places.sort_unstable();
+        sort(&mut places);
     }
     // The first row of doubled frames is used.
     places.dedup_by_key(|place| place.0);

@@ -8,6 +8,7 @@ use crate::text::outline::Outline;
 use crate::text::source::{Line, lines, trim};
 use model::{Edit, Form, Span};
 use std::ops::Range;
+use units::order::sort_by_key;
 
 /// Result of [`format()`].
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -41,7 +42,7 @@ pub fn format(outline: &Outline) -> Formatted {
     }
     end_of_text(outline, &mut formatted);
     formatted.edits.retain(|edit| source[edit.span.range()] != edit.text);
-    formatted.edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
+    sort_by_key(&mut formatted.edits, |edit| (edit.span.start, edit.span.end));
     formatted
 }
 

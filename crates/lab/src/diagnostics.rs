@@ -5,6 +5,7 @@ use crate::{titles, visited};
 use document::page::Source;
 use model::{Diagnostic, Fix, Label, Severity};
 use std::rc::Rc;
+use units::order::sort;
 use units::{Language, Words};
 use view::views::*;
 
@@ -159,7 +160,7 @@ impl Place {
             (start, boundary(text, label.span.end).clamp(start, last))
         };
         let mut spans: Vec<(usize, usize)> = labels.iter().map(|label| span(label)).collect();
-        spans.sort_unstable();
+        sort(&mut spans);
         let (mut pieces, mut at) = (Vec::new(), first);
         for (start, end) in spans {
             let start = start.max(at);

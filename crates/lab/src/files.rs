@@ -7,6 +7,7 @@ use desk::saved::hand_in::{HandIn, HandInError};
 use document::BlockKind;
 use document::page::{self, Source};
 use js_sys::Uint8Array;
+use units::order::sort_by_key;
 use view::browser;
 use web_sys::{File, FileList};
 
@@ -80,7 +81,7 @@ pub fn open(app: App, files: &FileList) {
             }
         }
         // `utube.md` before `utube.es.md`: the document precedes its translations.
-        sources.sort_by_key(|source| source.name.matches('.').count());
+        sort_by_key(&mut sources, |source| source.name.matches('.').count());
         if sources.is_empty() {
             return app.complain(app.words().unreadable.to_owned());
         }

@@ -3,6 +3,7 @@
 use document::Card;
 use std::collections::BTreeMap;
 use std::rc::Rc;
+use units::order::sort_by_key;
 use view::views::*;
 
 /// For each card, true if it matches.
@@ -39,7 +40,7 @@ impl Search {
             searched.push(Searched { text: text.join(" "), topics });
         }
         let mut topics: Vec<(usize, String)> = counts.into_values().collect();
-        topics.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+        sort_by_key(&mut topics, |(count, _)| std::cmp::Reverse(*count));
         Self {
             typed: create_signal(String::new()),
             topic: create_signal(None),

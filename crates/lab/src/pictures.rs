@@ -11,6 +11,7 @@ use program::Child;
 use std::cell::RefCell;
 use std::rc::{Rc, Weak};
 use sycamore_reactive::on_cleanup;
+use units::order::sort_by_key;
 use view::browser;
 use view::picture::Picture;
 use view::sight::Sight;
@@ -296,7 +297,7 @@ impl Gallery {
         let pictures = self.cards.iter_mut().flatten().filter(|card| matches!(card.content, Content::Picture(_)));
         let (in_sight, mut hidden): (Vec<&mut Card>, Vec<&mut Card>) = pictures.partition(|card| card.in_sight);
         let room = MOST.saturating_sub(in_sight.len());
-        hidden.sort_by_key(|card| std::cmp::Reverse(card.gone));
+        sort_by_key(&mut hidden, |card| std::cmp::Reverse(card.gone));
         for card in hidden.into_iter().skip(room.saturating_sub(1).min(OUT_OF_SIGHT)) {
             card.content = Content::Nothing;
         }

@@ -16,6 +16,7 @@ use program::{Model, NodeId, Size};
 use std::borrow::Cow;
 use std::collections::HashSet;
 use std::ops::Range;
+use units::order::sort_by_key;
 use units::words;
 
 /// A model without errors, together with its source statements.
@@ -72,7 +73,7 @@ pub fn check(statements: Vec<Statement>, mut diagnostics: Vec<Diagnostic>) -> (O
         }
         model
     };
-    diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
+    sort_by_key(&mut diagnostics, |diagnostic| diagnostic.span().start);
     (model, diagnostics)
 }
 

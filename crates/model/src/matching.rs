@@ -1,5 +1,7 @@
 //! Pairing of equations with unknowns, and the order in which the pairs are solved.
 
+use units::order::sort;
+
 /// Pairs as many equations as possible with unknowns that they contain. `contains[equation]` lists unknowns.
 ///
 /// Returns the equation of each unknown. Kuhn's augmenting paths, without recursion.
@@ -88,7 +90,7 @@ pub(crate) fn blocks(needs: &[Vec<usize>]) -> Vec<Vec<usize>> {
                         break;
                     }
                 }
-                block.sort_unstable();
+                sort(&mut block);
                 blocks.push(block);
             }
         }

@@ -3,6 +3,7 @@
 //! Softw. 5 (1979) 284).
 
 use std::collections::VecDeque;
+use units::order::{sort, sort_by_key};
 
 /// Minimum size of a banded system: dense elimination is faster for smaller ones.
 const LEAST_BANDED: usize = 32;
@@ -44,11 +45,11 @@ fn narrow_order(size: usize, pattern: &[(usize, usize)]) -> Vec<usize> {
         neighbours[column].push(row);
     }
     for list in &mut neighbours {
-        list.sort_unstable();
+        sort(list);
         list.dedup();
     }
     let degrees: Vec<usize> = neighbours.iter().map(Vec::len).collect();
-    let sort = |nodes: &mut [usize]| nodes.sort_by_key(|&node| degrees[node]);
+    let sort = |nodes: &mut [usize]| sort_by_key(nodes, |&node| degrees[node]);
     neighbours.iter_mut().for_each(|list| sort(list));
     let mut order = Vec::with_capacity(size);
     let mut reached = vec![false; size];

@@ -7,6 +7,7 @@
 
 use crate::{Item, Storage};
 use std::collections::BTreeMap;
+use units::order::sort_by;
 
 /// Items of one kind in the storage as this page has read or written them.
 #[derive(Clone, Debug, Default)]
@@ -52,7 +53,7 @@ impl Shelf {
                 None => left.unreadable.push(key),
             }
         }
-        all.sort_by(|(since, key, ..), (other, its_key, ..)| (since, key).cmp(&(other, its_key)));
+        sort_by(&mut all, |(since, key, ..), (other, its_key, ..)| (since, key).cmp(&(other, its_key)));
         for (since, key, text, item) in all {
             let Some(taken) = take(&key, &item) else {
                 left.refused.push(key);

@@ -1,4 +1,10 @@
-//! Selection of the value of a given rank in linear time.
+//! Selection of the value of a given rank in linear time, and sorting with little code.
+//!
+//! The standard library's sort is compiled again for every type and comparison, about 6 kB each time. [`sort_by`] and
+//! [`sort_by_key`] share one copy of it and suit everything but long lists: they call the comparison through a pointer and
+//! need memory for indices.
+
+use std::cmp::Ordering;
 
 /// Number of values up to which they are sorted.
 const FEW: usize = 32;
@@ -29,7 +35,7 @@ pub fn nth(values: &[f64], rank: usize) -> f64 {
     }
     // The remaining keys are few, or all equal.
     if keys.len() <= FEW {
-        keys.sort_unstable();
+        sort(&mut keys);
     }
     keys.get(rank).map_or(f64::NAN, |key| value(*key))
 }
@@ -46,6 +52,45 @@ pub fn middle(values: Vec<f64>) -> f64 {
     if is_even && half > 0 { 0.5 * (nth(&values, half - 1) + upper) } else { upper }
 }
 
+/// Sorts numbers in the order of [`f64::total_cmp`].
+pub fn sort_numbers(numbers: &mut [f64]) {
+    numbers.sort_unstable_by(f64::total_cmp);
+}
+
+/// Sorts by the natural order; equal items keep their order.
+pub fn sort<T: Ord>(items: &mut [T]) {
+    sort_by(items, T::cmp);
+}
+
+/// Sorts by a key; items with equal keys keep their order.
+pub fn sort_by_key<T, K: Ord>(items: &mut [T], mut key: impl FnMut(&T) -> K) {
+    sort_by(items, |one, other| key(one).cmp(&key(other)));
+}
+
+/// Sorts by a comparison; equal items keep their order.
+pub fn sort_by<T>(items: &mut [T], mut compare: impl FnMut(&T, &T) -> Ordering) {
+    let mut places = places(items.len(), &mut |one, other| compare(&items[one], &items[other]));
+    // Swaps along the cycles of the permutation until every item is at its place.
+    for at in 0..items.len() {
+        while places[at] != at {
+            let place = places[at];
+            items.swap(at, place);
+            places.swap(at, place);
+        }
+    }
+}
+
+/// Place of each item in the order of a comparison of two indices.
+fn places(count: usize, compare: &mut dyn FnMut(usize, usize) -> Ordering) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|&one, &other| compare(one, other));
+    let mut places = vec![0; count];
+    for (place, &item) in order.iter().enumerate() {
+        places[item] = place;
+    }
+    places
+}
+
 const SIGN: u64 = 1 << 63;
 
 /// Integer key with the same order as the values.
@@ -60,7 +105,7 @@ fn value(key: u64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{median, middle, nth};
+    use super::{median, middle, nth, sort, sort_by, sort_by_key, sort_numbers};
     use proptest::prelude::*;
 
     fn agrees(values: &[f64]) {
@@ -78,6 +123,31 @@ mod tests {
             assert_eq!((median(values.clone()), middle(values)), (upper, mean));
         }
         assert!(median(Vec::new()).is_nan() && middle(Vec::new()).is_nan());
+    }
+
+    proptest! {
+        #[test]
+        fn items_are_sorted_as_by_the_standard_library(items in prop::collection::vec((0_u8..6, any::<u8>()), 0..80)) {
+            let mut expected = items.clone();
+            expected.sort_by_key(|item| item.0);
+            let (mut by_key, mut by) = (items.clone(), items.clone());
+            sort_by_key(&mut by_key, |item| item.0);
+            prop_assert_eq!(&by_key, &expected);
+            sort_by(&mut by, |one, other| other.0.cmp(&one.0));
+            let mut reversed = items.clone();
+            reversed.sort_by(|one, other| other.0.cmp(&one.0));
+            prop_assert_eq!(&by, &reversed);
+            let (mut whole, mut whole_expected) = (items.clone(), items);
+            sort(&mut whole);
+            whole_expected.sort();
+            prop_assert_eq!(whole, whole_expected);
+        }
+
+        #[test]
+        fn numbers_are_sorted_by_their_total_order(mut numbers in prop::collection::vec(any::<f64>(), 0..40)) {
+            sort_numbers(&mut numbers);
+            prop_assert!(numbers.windows(2).all(|pair| pair[0].total_cmp(&pair[1]).is_le()));
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::cycle::{Cycle, Measured};
 use units::Language::{self, English, Spanish};
+use units::order::sort_numbers;
 
 /// Quantity measured in each cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +100,7 @@ pub fn columns(cycles: &[Cycle], own: &str, time: &str) -> Vec<(String, Vec<f64>
 /// exact.
 pub fn well_known(values: &[Measured]) -> Option<(f64, f64)> {
     let mut errors: Vec<f64> = values.iter().map(|one| one.error).collect();
-    errors.sort_by(f64::total_cmp);
+    sort_numbers(&mut errors);
     let usual = errors.get(errors.len() / 2).copied().unwrap_or(0.0);
     let known = values.iter().filter(|one| one.error <= 4.0 * usual);
     let (low, high) = known.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {

@@ -3,6 +3,7 @@
 use super::archive::{self, Archive, End, File, HEADER, LONGEST_COMMENT};
 use std::cmp::Reverse;
 use std::ops::Range;
+use units::order::sort_by_key;
 
 /// Upper bound of the length of the directory, in bytes.
 const LONGEST_DIRECTORY: u64 = 4 << 20;
@@ -84,7 +85,7 @@ impl Gathering {
             return None;
         }
         let mut others: Vec<&File> = files.iter().filter(|file| !is_needed(file)).collect();
-        others.sort_by_key(|file| Reverse(file.packed));
+        sort_by_key(&mut others, |file| Reverse(file.packed));
         let range = |file: &File, length: u64| file.header..file.header.saturating_add(length).min(end.directory.start);
         let needed = needed.into_iter().map(|file| range(file, file.packed.saturating_add(HEADER + BEFORE)));
         let found = others.into_iter().take(MOST_FOUND).map(|file| range(file, HEADER));

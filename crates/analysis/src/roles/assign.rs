@@ -7,6 +7,7 @@ use super::{decide, layout, numbers};
 use crate::origin::{Reason, Role};
 use crate::table::{Column, Table};
 use std::collections::BTreeSet;
+use units::order::sort;
 
 /// Decides the roles of all columns, and numbers the bodies if several columns are clocks without named bodies. Returns
 /// remarks on unclear roles. If several readings are possible, they are stored in [`Table::readings`], and the roles are
@@ -26,7 +27,7 @@ pub(crate) fn assign(table: &mut Table) -> Vec<Remark> {
 /// Assigns every column to the one of `clocks` against which it is measured.
 pub(crate) fn measure_against(table: &mut Table, clocks: &[usize], reason: Reason) {
     let mut clocks = clocks.to_vec();
-    clocks.sort_unstable();
+    sort(&mut clocks);
     clocks.dedup();
     clocks.retain(|clock| *clock < table.columns.len());
     if clocks.is_empty() {

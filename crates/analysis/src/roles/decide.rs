@@ -6,6 +6,7 @@ use super::names::{is_error, is_frame, is_row_number, is_time, tag};
 use super::numbers::{are_equal, are_even, are_monotone, are_parallel, count, increase};
 use crate::origin::Reason;
 use crate::table::Column;
+use units::order::sort;
 
 /// Upper bound of the readings shown to a user.
 const SHOWN: usize = 4;
@@ -97,7 +98,7 @@ impl Table<'_> {
             .collect();
         let with = |others: &[usize]| {
             let mut all: Vec<usize> = others.iter().copied().chain([primary]).collect();
-            all.sort_unstable();
+            sort(&mut all);
             all
         };
         let named = self.layout(&with(&clocks)).filter(|layout| layout.by_names);

@@ -4,6 +4,7 @@ use super::coordinates::Placement;
 use super::project::{Film, Mark, Mass, Missing, Project};
 use super::refusal::TrackerError;
 use std::collections::{BTreeMap, BTreeSet};
+use units::order::sort_by_key;
 
 /// Upper bound of the bodies.
 const MOST_MASSES: usize = 200;
@@ -121,7 +122,7 @@ impl Builder {
         if let Some(interval) = self.of_pictures.filter(|_| self.project.missing.duration) {
             self.project.clip.interval = interval;
         }
-        self.project.coordinates.placements.sort_by_key(|placement| placement.frame);
+        sort_by_key(&mut self.project.coordinates.placements, |placement| placement.frame);
         Ok(self.project)
     }
 

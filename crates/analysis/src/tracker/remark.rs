@@ -3,6 +3,7 @@
 use super::coordinates::Placement;
 use super::project::{Opened, Project};
 use units::Language;
+use units::order::sort_by_key;
 
 /// Remark on the data of a project for the user.
 #[derive(Clone, Debug, PartialEq)]
@@ -153,7 +154,7 @@ impl Opened {
                 None => others.push((kind, vec![name])),
             }
         }
-        others.sort_by_key(|(kind, _)| *kind);
+        sort_by_key(&mut others, |(kind, _)| *kind);
         remarks.extend(others.into_iter().map(|(kind, names)| Remark::LeftOut(kind, names)));
         remarks.extend((!project.filters.is_empty()).then(|| Remark::Filters(project.filters.clone())));
         remarks

@@ -8,6 +8,7 @@ use super::texts::Texts;
 use crate::packed::Archive;
 use crate::packed::{Tag, Token, Xml};
 use std::collections::BTreeMap;
+use units::order::sort_by_key;
 
 /// Upper bound of the size of the parts that describe the workbook, in bytes.
 const SMALL: Option<u64> = Some(16 << 20);
@@ -77,7 +78,7 @@ impl Book {
             }
         }
         // Visible sheets before hidden ones.
-        book.sheets.sort_by_key(|sheet| sheet.hidden);
+        sort_by_key(&mut book.sheets, |sheet| sheet.hidden);
         if book.sheets.is_empty() { Err(WorkbookError::NoCells) } else { Ok(book) }
     }
 }

@@ -3,6 +3,7 @@
 use super::{Collection, Work};
 use desk::{CurveAxis, FittedCurve, MeasuredCurve};
 use std::collections::BTreeMap;
+use units::order::{sort_by, sort_by_key};
 
 /// A measured curve of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +42,7 @@ impl Collection {
             }
         }
         let mut groups: Vec<CurveGroup> = groups.into_values().collect();
-        groups.sort_by_key(|group| std::cmp::Reverse(group.members.len()));
+        sort_by_key(&mut groups, |group| std::cmp::Reverse(group.members.len()));
         groups
     }
 
@@ -68,7 +69,7 @@ impl Collection {
         let fitted = group.members.iter().filter_map(|member| Some((*member, self.fit_of(*member)?)));
         let mut fitted: Vec<(f64, Member, &FittedCurve)> =
             fitted.map(|(member, fit)| (size(fit), member, fit)).filter(|(size, ..)| size.is_finite()).collect();
-        fitted.sort_by(|one, other| one.0.total_cmp(&other.0));
+        sort_by(&mut fitted, |one, other| one.0.total_cmp(&other.0));
         fitted.get(fitted.len().saturating_sub(1) / 2).map(|(_, member, fit)| (*member, *fit))
     }
 }

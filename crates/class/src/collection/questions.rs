@@ -4,6 +4,7 @@ use super::{Collection, GivenAnswer};
 use crate::share::Share;
 use desk::play::Grade;
 use std::collections::BTreeMap;
+use units::order::sort_by_key;
 
 /// Number of examples of an error that are kept.
 const MOST_EXAMPLES: usize = 20;
@@ -105,11 +106,11 @@ fn errors(answers: &[&GivenAnswer]) -> Vec<ErrorKind> {
     let kind = |Found { grade, groups, examples }: Found<'_>| {
         let example = |((typed, right), count): ((&str, &str), usize)| (typed.to_owned(), right.to_owned(), count);
         let mut examples: Vec<(String, String, usize)> = examples.into_iter().map(example).collect();
-        examples.sort_by_key(|(_, _, count)| std::cmp::Reverse(*count));
+        sort_by_key(&mut examples, |(_, _, count)| std::cmp::Reverse(*count));
         examples.truncate(MOST_EXAMPLES);
         ErrorKind { grade, groups, examples }
     };
     let mut kinds: Vec<ErrorKind> = kinds.into_values().map(kind).collect();
-    kinds.sort_by_key(|kind| std::cmp::Reverse(kind.groups));
+    sort_by_key(&mut kinds, |kind| std::cmp::Reverse(kind.groups));
     kinds
 }

@@ -13,6 +13,7 @@ pub use words::{Word, frequent_words};
 use crate::share::Share;
 use saved::survey::{ItemKind, Sheet, SurveyAnswer, SurveyItem};
 use std::collections::BTreeMap;
+use units::order::{sort, sort_by_key};
 
 /// Number of answers from which an item is shown.
 pub const LEAST: usize = 5;
@@ -102,14 +103,14 @@ fn results_of(document: &str, sheets: &[&Sheet]) -> Results {
         if count < LEAST {
             continue;
         }
-        of_item.typed.sort_unstable();
+        sort(&mut of_item.typed);
         let shares = of_item.chosen.iter().map(|&chosen| Share { count: chosen, of: count }).collect();
         let comments: Vec<String> = of_item.typed.iter().map(|&text| text.to_owned()).collect();
         let words = frequent_words(&comments);
         tallies.push((of_item.place, Tally { item: item.clone(), count, shares, comments, words }));
     }
     // Stable: items at the same place stay in the order of their names.
-    tallies.sort_by_key(|(place, _)| *place);
+    sort_by_key(&mut tallies, |(place, _)| *place);
     let tallies = tallies.into_iter().map(|(_, tally)| tally).collect();
     Results { document: document.to_owned(), sheets: sheets.len(), tallies, held_back }
 }

@@ -4,6 +4,7 @@ use super::stop_words::StopWords;
 use frostem::{Algorithm, Stemmer};
 use std::collections::{BTreeMap, BTreeSet};
 use units::Language;
+use units::order::sort_by;
 
 /// Number of persons from which a word is shown.
 const LEAST_PERSONS: usize = 2;
@@ -65,7 +66,7 @@ pub fn frequent_words(comments: &[String]) -> Vec<Word> {
         commonest.filter(|_| persons >= LEAST_PERSONS).map(|(text, _)| Word { text, persons })
     };
     let mut words: Vec<Word> = forms.into_values().filter_map(word).collect();
-    words.sort_by(|one, other| other.persons.cmp(&one.persons).then_with(|| one.text.cmp(&other.text)));
+    sort_by(&mut words, |one, other| other.persons.cmp(&one.persons).then_with(|| one.text.cmp(&other.text)));
     words
 }
 

@@ -1,6 +1,7 @@
 //! Frames that the user should check.
 
 use film::tracking::Track;
+use units::order::{sort_by_key, sort_numbers};
 use units::{Words, words};
 
 /// Correlation below which a doubtful frame does not show what was clicked.
@@ -64,7 +65,7 @@ pub(crate) fn doubts(tracks: &[Track]) -> Vec<DoubtfulFrame> {
     for (track, own) in tracks.iter().enumerate() {
         let size = |sigma: [f64; 2]| libm::hypot(sigma[0], sigma[1]);
         let mut sizes: Vec<f64> = own.points.iter().map(|point| size(point.sigma)).collect();
-        sizes.sort_by(f64::total_cmp);
+        sort_numbers(&mut sizes);
         let usual = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
         let why = |point: &film::tracking::Point| {
             if point.doubtful && point.score < SCORE {
@@ -79,6 +80,6 @@ pub(crate) fn doubts(tracks: &[Track]) -> Vec<DoubtfulFrame> {
         let lost = own.lost.map(|frame| (frame, Doubt::Lost));
         found.extend(doubtful.chain(lost).map(|(frame, doubt)| DoubtfulFrame { frame, track, doubt }));
     }
-    found.sort_by_key(|one| (one.frame, one.track));
+    sort_by_key(&mut found, |one| (one.frame, one.track));
     found
 }

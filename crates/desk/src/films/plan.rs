@@ -5,6 +5,7 @@ use crate::films::subject::{FilmedBody, FilmedSurface, Subject};
 use crate::films::work::{Found, Work};
 use film::tracking::column::{self, Click, SpaceTimePicture};
 use film::tracking::{Following, Known, Outline, Plan, Point, Surface, Track, body};
+use units::order::sort_by;
 use units::{Words, words};
 
 /// Half the width of the strip around a tube, relative to the height of the upright picture.
@@ -17,7 +18,7 @@ pub(crate) fn plan(clip: &Clip, work: &Work) -> Plan {
         let [x, _] = own.click.position;
         // The first row of the space-time picture is the upper end of the tube.
         let mut tube = own.tube.unwrap_or([[x, 0.5], [x, high - 0.5]]);
-        tube.sort_by(|one, other| one[1].total_cmp(&other[1]));
+        sort_by(&mut tube, |one, other| one[1].total_cmp(&other[1]));
         let settings = column::Settings {
             tube: Some(tube.map(|point| clip.stored(point))),
             half_width: Some(HALF_WIDTH * high),

@@ -10,6 +10,7 @@ use crate::films::work::Found;
 use crate::{Desk, Refusal};
 use analysis::finding::Finding;
 use analysis::tracker::Remark;
+use units::order::sort_by_key;
 use units::{Words, words};
 
 impl Desk {
@@ -74,7 +75,7 @@ impl Desk {
             found.tracks.extend(one.tracks);
             found.frames.extend(one.frames);
         }
-        found.frames.sort_by_key(|frame| frame.0);
+        sort_by_key(&mut found.frames, |frame| frame.0);
         found.frames.dedup_by_key(|frame| frame.0);
         let ends = clip.ends(part);
         let step = own.project.clip.stretch().is_none().then_some(1000.0 * own.project.clip.interval);

@@ -3,6 +3,7 @@
 use crate::films::clip::Clip;
 use film::tracking::column::Click;
 use film::tracking::{Refusal, body};
+use units::order::sort_by_key;
 
 /// Maximum number of surfaces.
 pub const MOST_SURFACES: usize = 2;
@@ -146,7 +147,7 @@ impl Subject {
 /// Keeps the last click of each frame, in order.
 fn one_in_a_frame(clicks: &mut Vec<Click>) {
     clicks.reverse();
-    clicks.sort_by_key(|click| click.frame);
+    sort_by_key(clicks, |click| click.frame);
     clicks.dedup_by_key(|click| click.frame);
 }
 

@@ -6,6 +6,7 @@ use crate::{Announcement, Desk, number, words};
 use analysis::fit::{Estimate, Outcome, Task, Trace, Verdict};
 use units::Unit;
 use units::number::{Group, Style};
+use units::order::sort;
 
 /// Maximum number of fits that are kept.
 pub const MOST_FITS: usize = 40;
@@ -362,7 +363,7 @@ impl Fitted {
     fn is_same(&self, other: &Self) -> bool {
         let varied = |fit: &Self| {
             let mut names: Vec<String> = fit.outcome.parameters.iter().map(|one| one.name.clone()).collect();
-            names.sort();
+            sort(&mut names);
             names
         };
         self.same_values(other)

@@ -5,6 +5,7 @@ use crate::fits::fit::Fitted;
 use analysis::fit::Target;
 use engine::Readings;
 use program::NodeId;
+use units::order::sort_by;
 
 /// Number of points of a curve.
 const POINTS: u32 = 80;
@@ -64,7 +65,7 @@ fn curves(fit: &Fitted) -> Vec<TheoryCurve> {
                 points.push((x, readings.at(&parameters, &state, 0.0, &state).to_vec()));
             }
         }
-        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+        sort_by(&mut points, |one, other| one.0.total_cmp(&other.0));
         for (place, quantity) in derived.iter().enumerate() {
             let depends = points.windows(2).any(|pair| pair[0].1.get(place) != pair[1].1.get(place));
             let known = points.iter().filter_map(|(x, values)| Some((*x, *values.get(place)?)));

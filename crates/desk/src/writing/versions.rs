@@ -1,6 +1,7 @@
 //! Versions of a text: thinning of the history, and comparison.
 
 use std::collections::BTreeMap;
+use units::order::sort;
 
 /// Added to the age of a version, in milliseconds, so that versions of the last minutes have nearly the same weight.
 const RECENT: u64 = 300_000;
@@ -21,7 +22,7 @@ pub fn superfluous_versions(times: &[u64], now: u64, most: usize) -> Vec<usize> 
         let Some((place, _)) = narrowest else { break };
         given_up.push(kept.remove(place + 1));
     }
-    given_up.sort_unstable();
+    sort(&mut given_up);
     given_up
 }
 

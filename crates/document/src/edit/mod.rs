@@ -40,6 +40,7 @@ pub use settings::set_front_matter;
 pub use shown::{add_group, exchange_statements, set_hidden, set_label};
 pub use statements::{add_statement, remove_statement};
 pub use translation::set_translation;
+use units::order::sort_by_key;
 
 /// Applies edits, in any order; their spans are byte ranges of `source`. Insertions at the same place keep the order of
 /// `edits`.
@@ -49,7 +50,7 @@ pub use translation::set_translation;
 /// [`EditError::Place`] if a span is outside the text or cuts a character, [`EditError::Overlap`] if two spans share bytes.
 pub fn apply(source: &str, edits: &[Edit]) -> Result<String, EditError> {
     let mut ordered: Vec<&Edit> = edits.iter().collect();
-    ordered.sort_by_key(|edit| (edit.span.start, edit.span.end));
+    sort_by_key(&mut ordered, |edit| (edit.span.start, edit.span.end));
     let mut result = String::with_capacity(source.len());
     let mut at = 0;
     for edit in ordered {

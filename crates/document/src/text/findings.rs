@@ -1,6 +1,7 @@
 //! Limit for the number of diagnostics per file.
 
 use model::Diagnostic;
+use units::order::sort_by_key;
 use units::words;
 
 /// Maximum number of diagnostics per file.
@@ -10,10 +11,10 @@ const FINDINGS: usize = 100;
 pub fn limited(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let more = found.len().saturating_sub(FINDINGS);
     if more > 0 {
-        found.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
+        sort_by_key(&mut found, |diagnostic| std::cmp::Reverse(diagnostic.severity));
         found.truncate(FINDINGS);
     }
-    found.sort_by_key(|diagnostic| diagnostic.span().start);
+    sort_by_key(&mut found, |diagnostic| diagnostic.span().start);
     if let Some(last) = found.last().filter(|_| more > 0) {
         let message = words!("{more} more findings are not listed", "otros {more} hallazgos no se muestran");
         found.push(Diagnostic::warning("more-findings", message, last.span()));

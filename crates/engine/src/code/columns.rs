@@ -2,6 +2,7 @@
 
 use super::column::{Column, Operand};
 use super::instruction::{Operation, Register};
+use units::order::sort_by_key;
 
 /// Minimum length of a column: shorter ones cost more than single instructions.
 const LEAST: usize = 8;
@@ -39,7 +40,7 @@ pub(crate) fn columns(mut entries: Vec<Entry>, first: Register) -> Columns {
             entry.operands.swap(0, 1);
         }
     }
-    entries.sort_unstable_by_key(|entry| (entry.operation.number(), entry.operands, entry.node));
+    sort_by_key(&mut entries, |entry| (entry.operation.number(), entry.operands, entry.node));
     let mut found = Columns::default();
     for group in entries.chunk_by(|a, b| a.operation == b.operation) {
         found.add(group, first);

@@ -9,6 +9,7 @@
 use crate::Routine;
 use crate::methods::cubic::Cubic;
 use program::{Held, Model, NodeId};
+use units::order::sort_numbers;
 
 /// Values compared in conditions, and search for the moments at which to evaluate the conditions.
 #[derive(Clone, Debug)]
@@ -138,7 +139,7 @@ impl Looks {
         self.search(dense, &low, &high, 0);
         self.ends[0].point = low;
         self.ends[1].point = high;
-        self.zeros.sort_unstable_by(f64::total_cmp);
+        sort_numbers(&mut self.zeros);
         let between = self.zeros.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
         self.moments.extend(between.filter(|&moment| moment > from.0 && moment < to.0));
         self.moments.len()

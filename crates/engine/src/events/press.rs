@@ -1,6 +1,7 @@
 //! Presses of buttons; they are part of the setup of a run.
 
 use program::Model;
+use units::order::sort_by;
 
 /// A press of a button.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +19,6 @@ pub(crate) fn fitting(mut presses: Vec<Press>, model: &Model) -> Vec<Press> {
     if model.independent.counts {
         presses.iter_mut().for_each(|press| press.time = press.time.floor());
     }
-    presses.sort_by(|one, other| one.time.total_cmp(&other.time));
+    sort_by(&mut presses, |one, other| one.time.total_cmp(&other.time));
     presses
 }

@@ -2,6 +2,7 @@
 
 use crate::Routine;
 use program::{Model, NodeId};
+use units::order::sort_by_key;
 
 /// The function f and, for stiff methods, its Jacobian; counts evaluations.
 #[derive(Clone, Debug)]
@@ -129,7 +130,7 @@ impl Order {
             return None;
         }
         let mut states: Vec<u32> = (0..count as u32).collect();
-        states.sort_by_key(|&state| model.states[state as usize].order);
+        sort_by_key(&mut states, |&state| model.states[state as usize].order);
         Some(Self { states, rates: vec![0.0; count] })
     }
 }

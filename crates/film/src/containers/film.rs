@@ -2,6 +2,7 @@
 
 use super::codec::Codec;
 use super::notice::Notice;
+use units::order::sort_by_key;
 
 /// Container format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,7 +167,7 @@ impl Samples {
 /// Indices of `samples` in ascending order of presentation time.
 pub(super) fn order(samples: &[Sample]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..samples.len()).collect();
-    order.sort_by_key(|&at| samples[at].ticks);
+    sort_by_key(&mut order, |&at| samples[at].ticks);
     order
 }
 

@@ -1,5 +1,7 @@
 //! Patterns of repeated pictures in films that were converted to a higher frame rate.
 
+use units::order::sort_numbers;
+
 /// Number of frames that are examined together. The pattern may change during a long film.
 const BLOCK: usize = 180;
 /// Minimum number of frames and of repeats for a pattern.
@@ -100,6 +102,6 @@ fn explained(differences: &[f64], places: &[usize]) -> Option<f64> {
 
 /// Quantile of the values at `share` (0 to 1); `None` for an empty list.
 fn quantile(mut values: Vec<f64>, share: f64) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
+    sort_numbers(&mut values);
     values.get((values.len() as f64 * share) as usize).copied()
 }

@@ -1,6 +1,7 @@
 //! Repeated pictures: a film of 24 frames per second that was converted to 30 repeats every fourth.
 
 use super::cadence::{blocks, pattern};
+use units::order::sort_numbers;
 
 /// Number of differences on each side that define the usual difference.
 const AROUND: usize = 5;
@@ -40,7 +41,7 @@ fn copies(differences: &[f64]) -> Vec<usize> {
         let before = &differences[at.saturating_sub(AROUND)..at];
         let behind = &differences[at + 1..differences.len().min(at + 1 + AROUND)];
         let mut around = [before, behind].concat();
-        around.sort_by(f64::total_cmp);
+        sort_numbers(&mut around);
         let usual = around.iter().rev().nth(around.len() / 4).copied().unwrap_or(0.0);
         if usual < LEAST_MOTION { 0.0 } else { PART * usual }
     };

@@ -5,6 +5,7 @@
 
 use crate::plane::Plane;
 use crate::tracking::median::median;
+use units::order::{sort_by, sort_numbers};
 
 /// Maximum number of blocks beside the tubes and within their strips.
 const BESIDE: usize = 28;
@@ -77,7 +78,7 @@ impl Backdrop {
         }
         let (mut by, mut left) = self.refine(plane, last.by, 8);
         let mut usual = self.left.clone();
-        usual.sort_by(f64::total_cmp);
+        sort_numbers(&mut usual);
         if usual.get(usual.len() / 2).is_some_and(|usual| left > UNUSUAL * usual) {
             let sought = self.search(plane, last.by);
             let (found, rest) = self.refine(plane, sought, 8);
@@ -133,7 +134,7 @@ impl Backdrop {
             }
         }
         for (blocks, most) in [(&mut beside, BESIDE), (&mut within, WITHIN)] {
-            blocks.sort_by(|one, other| other.structure.total_cmp(&one.structure));
+            sort_by(blocks, |one, other| other.structure.total_cmp(&one.structure));
             blocks.truncate(most);
         }
         self.beside = beside.len();

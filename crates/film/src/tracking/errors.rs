@@ -3,6 +3,8 @@
 //! Formal errors assume independent noise of neighbouring pixels, which compression violates. A smooth motion vanishes
 //! in sixth differences and noise does not, so that they give the actual errors.
 
+use units::order::sort_numbers;
+
 /// Number of values in a sixth difference.
 const JOINED: usize = 7;
 /// Deviation of a sinusoid with a period of eight values or more from the cubic through its neighbours, relative to the
@@ -34,7 +36,7 @@ fn differences(times: &[f64], values: &[f64]) -> Vec<Option<f64>> {
 /// errors by their median. `None` for fewer than seven values.
 fn own(times: &[f64], values: &[f64]) -> Option<f64> {
     let mut squares: Vec<f64> = differences(times, values).into_iter().flatten().map(|value| value * value).collect();
-    squares.sort_by(f64::total_cmp);
+    sort_numbers(&mut squares);
     // 0.4549: median of chi squared with one degree of freedom.
     let limit = 9.0 * squares.get(squares.len() / 2)? / 0.4549;
     let usual = &squares[..squares.partition_point(|square| *square <= limit)];
@@ -46,7 +48,7 @@ fn own(times: &[f64], values: &[f64]) -> Option<f64> {
 /// if it exceeds 1. `times` in s, `values` and `formal` in px.
 pub(crate) fn scaled(times: &[f64], values: &[f64], formal: &[f64]) -> Vec<f64> {
     let mut sorted: Vec<f64> = formal.iter().copied().filter(|error| error.is_finite()).collect();
-    sorted.sort_by(f64::total_cmp);
+    sort_numbers(&mut sorted);
     // The median, since a frame without a surface would dominate the mean.
     let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
     let factor = match own(times, values) {

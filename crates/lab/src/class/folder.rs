@@ -1,6 +1,7 @@
 //! Dropped folders: the files in them, also in folders inside.
 
 use js_sys::{Array, Function, Promise};
+use units::order::sort_by_key;
 use view::browser;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{DataTransfer, File, FileSystemDirectoryEntry, FileSystemEntry, FileSystemFileEntry};
@@ -29,7 +30,7 @@ pub async fn files_in(folders: Vec<FileSystemEntry>) -> Vec<File> {
             }
         }
     }
-    files.sort_by_key(File::name);
+    sort_by_key(&mut files, File::name);
     files
 }
 

@@ -7,6 +7,7 @@ use super::{calibrating, frames, tracking};
 use crate::app::App;
 use desk::{FilmedBody, FilmedSurface, LengthsForm, POINT_SIGMA, Subject};
 use film::tracking::column::Click;
+use units::order::sort_by;
 use view::views::*;
 
 /// Applies the selected tool at a point, px.
@@ -70,11 +71,11 @@ pub fn place(app: App, at: Pixel) {
 /// Corners in the order bottom left, bottom right, top right, top left, independent of the order of clicks.
 fn around(mut corners: Vec<Pixel>) -> Vec<Pixel> {
     // Lower corners first; each pair in counter-clockwise order.
-    corners.sort_by(|one, other| other[1].total_cmp(&one[1]));
+    sort_by(&mut corners, |one, other| other[1].total_cmp(&one[1]));
     let half = corners.len() / 2;
     let (low, high) = corners.split_at_mut(half);
-    low.sort_by(|one, other| one[0].total_cmp(&other[0]));
-    high.sort_by(|one, other| other[0].total_cmp(&one[0]));
+    sort_by(low, |one, other| one[0].total_cmp(&other[0]));
+    sort_by(high, |one, other| other[0].total_cmp(&one[0]));
     corners
 }
 

@@ -6,6 +6,7 @@ use crate::visited::stem;
 use crate::{carried, library, visited};
 use play::{Embedding, PagePart, Subject};
 use units::Language;
+use units::order::sort_by_key;
 use view::browser;
 use view::views::*;
 
@@ -55,7 +56,7 @@ pub fn view(app: App) -> View {
             frame.embedding.hidden.retain(|other| *other != part);
             if !shown {
                 frame.embedding.hidden.push(part);
-                frame.embedding.hidden.sort_by_key(|part| PagePart::ALL.iter().position(|other| other == part));
+                sort_by_key(&mut frame.embedding.hidden, |part| PagePart::ALL.iter().position(|other| other == part));
             }
         };
         box_for(frame, format!("frame-{}", part.name()), true, name(words, part), show)

@@ -8,6 +8,7 @@ use crate::saved;
 use crate::stored::Kept;
 use crate::visited::{self, Visited};
 use play::Subject;
+use units::order::sort_by_key;
 use view::browser;
 
 const PREFIX: &str = "written:";
@@ -119,7 +120,7 @@ pub fn documents(language: &str) -> Vec<Document> {
         Some(Document { changed: changed(&name), name, title, kept })
     };
     let mut documents: Vec<Document> = browser::all_remembered(PREFIX).into_iter().filter_map(read).collect();
-    documents.sort_by_key(|document| std::cmp::Reverse(document.changed));
+    sort_by_key(&mut documents, |document| std::cmp::Reverse(document.changed));
     documents
 }
 

@@ -5,6 +5,7 @@ use crate::visited;
 use desk::superfluous_versions;
 use document::page::{self, Source};
 use js_sys::Date;
+use units::order::sort_by_key;
 use view::browser;
 
 const PREFIX: &str = "version:";
@@ -71,7 +72,7 @@ pub fn make(app: App) -> Option<String> {
 fn make_room() {
     let mut all = browser::all_remembered(PREFIX);
     let mut length: usize = all.iter().map(|(_, text)| text.len()).sum();
-    all.sort_by_key(|(key, _)| time_of(key));
+    sort_by_key(&mut all, |(key, _)| time_of(key));
     for (key, text) in all {
         if length <= LONGEST {
             return;
@@ -118,6 +119,6 @@ fn read(list: &str) -> Option<Vec<String>> {
 fn of_document(document: &str) -> Vec<Version> {
     let version = |(key, text): (String, String)| Some(Version { time: time_of(&key), texts: read(&text)?, key });
     let mut versions: Vec<Version> = browser::all_remembered(document).into_iter().filter_map(version).collect();
-    versions.sort_by_key(|version| version.time);
+    sort_by_key(&mut versions, |version| version.time);
     versions
 }

@@ -8,6 +8,7 @@ use super::gaps::Gap;
 use super::line::Line;
 use super::roles::Role;
 use std::ops::RangeInclusive;
+use units::order::sort;
 
 /// Kind of a line; lines of one kind share columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -197,7 +198,7 @@ fn widest(column: Column) -> usize {
 
 /// Range of line ends, in columns, that contains the most lines and is no wider than `widest`.
 fn reach(mut ends: Vec<usize>, widest: usize) -> RangeInclusive<usize> {
-    ends.sort_unstable();
+    sort(&mut ends);
     let mut most = (0, 0..=0);
     for (first, &start) in ends.iter().enumerate() {
         let count = ends[first..].iter().take_while(|end| **end <= start + widest).count();

@@ -15,6 +15,7 @@ use program::{
     Assigned, Binary, Button, Choices, Compiled, Event, Graph, Grid, Independent, Kind, Model, Node, NodeId, Parameter,
     Quantity, Role, State, Table,
 };
+use units::order::sort_by_key;
 use units::{Dimension, Exponent, Unit, words};
 
 /// Builds the model and the places of its parts. `order` is the evaluation order of the definitions.
@@ -224,7 +225,7 @@ fn states(
 ) -> Result<(Vec<State>, Vec<Span>), Vec<Diagnostic>> {
     let (mut states, mut places) = (Vec::new(), Vec::new());
     let mut in_order: Vec<usize> = (0..unknowns.len()).collect();
-    in_order.sort_by_key(|&index| unknowns[index].first_state);
+    sort_by_key(&mut in_order, |&index| unknowns[index].first_state);
     for index in in_order {
         let (unknown, chain) = (&unknowns[index], lowering.chains[index]);
         for (order, entry) in (0_u32..).zip(unknown.initial.iter().flatten()) {

@@ -10,6 +10,7 @@ use crate::matching::match_equations;
 use crate::notation::primed;
 use crate::{Diagnostic, ExpressionKind, Span, limits};
 use program::functions::Function;
+use units::order::sort;
 use units::words;
 
 /// Pairs equations and unknowns, and reports those left over. Returns one value per unknown: true if an equation determines
@@ -28,7 +29,7 @@ pub(super) fn check_counts(
                 _ => None,
             };
             let mut found: Vec<usize> = orders.iter().filter_map(highest).collect();
-            found.sort_unstable();
+            sort(&mut found);
             found
         })
         .collect();

@@ -10,6 +10,7 @@ use crate::{
 };
 use program::functions::Function;
 use std::collections::HashMap;
+use units::order::sort;
 use units::{Unit, words};
 
 /// Statements of a model by kind, each kind in text order.
@@ -353,7 +354,7 @@ fn texts(value: &Expression) -> Option<Vec<String>> {
             _ => return None,
         }
     }
-    texts.sort();
+    sort(&mut texts);
     texts.dedup();
     Some(texts)
 }

@@ -11,6 +11,7 @@ use crate::notation::primed;
 use crate::{Diagnostic, Expression, limits};
 use program::functions::Function;
 use std::collections::HashMap;
+use units::order::sort_by_key;
 use units::{Words, words};
 
 /// Finds and declares the unknowns. Reports a mismatch between the numbers of unknowns and equations, and missing or
@@ -219,7 +220,7 @@ fn order_states(declarations: &Declarations, unknowns: &mut [Unknown]) {
         (given.unwrap_or(usize::MAX), unknown.span.start)
     };
     let mut by_place: Vec<usize> = (0..unknowns.len()).collect();
-    by_place.sort_by_key(|&index| place(&unknowns[index]));
+    sort_by_key(&mut by_place, |&index| place(&unknowns[index]));
     let mut next = 0;
     for index in by_place {
         unknowns[index].first_state = next;

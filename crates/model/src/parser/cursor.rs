@@ -3,6 +3,7 @@
 use crate::lexer::{Keyword, Symbol, Token, TokenKind};
 use crate::{Diagnostic, Span, StatedUnit};
 use std::ops::Range;
+use units::order::sort_by_key;
 use units::{Unit, Words, words};
 
 /// Marker of a failure that was already reported; the rest of the statement is skipped.
@@ -30,7 +31,7 @@ impl<'a> Cursor<'a> {
 
     /// Returns all diagnostics in text order.
     pub(super) fn finish(mut self) -> Vec<Diagnostic> {
-        self.diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
+        sort_by_key(&mut self.diagnostics, |diagnostic| diagnostic.span().start);
         self.diagnostics
     }
 

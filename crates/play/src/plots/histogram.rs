@@ -10,6 +10,7 @@ use figure::Interval;
 use program::{Model, NodeId, Plot};
 use units::Unit;
 use units::number::{leading_exponent, scaled_by};
+use units::order::sort_numbers;
 
 /// Maximum number of bins.
 const MOST_BINS: f64 = 200.0;
@@ -163,7 +164,7 @@ impl Bins {
 
 /// Interquartile range; each quartile is interpolated linearly between adjacent values.
 fn quartiles(mut values: Vec<f64>) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
+    sort_numbers(&mut values);
     let last = values.len().saturating_sub(1) as f64;
     let at = |part: f64| {
         let place = part * last;

@@ -2,6 +2,7 @@
 
 use super::{Entry, LinearSystem, NodeId};
 use crate::bandwidth::{band_width, banded_order, bandwidth, places};
+use units::order::sort_by_key;
 
 impl LinearSystem {
     /// Maximum number of unknowns of a system with a dense matrix.
@@ -13,7 +14,7 @@ impl LinearSystem {
     pub fn new(entries: impl IntoIterator<Item = ((usize, usize), NodeId)>, right: Vec<NodeId>) -> Self {
         let entry = |((row, column), node)| Entry { row: row as u32, column: column as u32, node };
         let mut entries: Vec<Entry> = entries.into_iter().map(entry).collect();
-        entries.sort_unstable_by_key(|entry| (entry.row, entry.column));
+        sort_by_key(&mut entries, |entry| (entry.row, entry.column));
         Self { entries, right }
     }
 

@@ -3,6 +3,7 @@
 
 use crate::{Graph, Node, NodeId};
 use rustc_hash::{FxHashMap, FxHashSet};
+use units::order::sort;
 
 /// A set smaller than 1/32 of the nodes is searched without a pass over all nodes.
 const SMALL_PART: usize = 32;
@@ -78,7 +79,7 @@ impl Graph {
             }
         }
         let mut sorted: Vec<NodeId> = found.into_iter().collect();
-        sorted.sort_unstable();
+        sort(&mut sorted);
         Some(sorted)
     }
 

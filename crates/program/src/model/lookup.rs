@@ -2,6 +2,7 @@
 
 use crate::{Choices, Compiled, Kind, Model, Node, NodeId};
 use units::Unit;
+use units::order::sort;
 
 /// Inputs on which a node depends. Indices are sorted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -80,7 +81,7 @@ impl Model {
             }
         }
         for numbers in [&mut dependence.parameters, &mut dependence.initial, &mut dependence.states] {
-            numbers.sort_unstable();
+            sort(numbers);
         }
         dependence
     }

@@ -4,6 +4,7 @@ use super::MOST_NODES;
 use crate::graph::differentiate_through;
 use crate::{Graph, Model, Node, NodeId, Variable, differentiate_all};
 use std::collections::HashMap;
+use units::order::{sort, sort_by_key};
 
 /// Derivatives of all rates, in a graph that extends that of the model.
 #[derive(Clone, Debug)]
@@ -47,7 +48,7 @@ impl Model {
                 let own = numbers.get(node).into_iter().flatten();
                 by_states.extend(own.map(|&rate| Slope { rate, state, node: derivative }));
             }
-            by_states[begin..].sort_unstable_by_key(|slope| slope.rate);
+            sort_by_key(&mut by_states[begin..], |slope| slope.rate);
             if graph.len() > MOST_NODES {
                 return None;
             }
@@ -91,7 +92,7 @@ impl Readers {
                 waiting.extend(readers);
             }
         }
-        found.sort_unstable();
+        sort(&mut found);
         found
     }
 }

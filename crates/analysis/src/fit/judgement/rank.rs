@@ -3,6 +3,7 @@
 use crate::fit::observed::ObservationFit;
 use crate::fit::outcome::Outcome;
 use units::Language;
+use units::order::{sort_by, sort_by_key};
 
 /// Rank of a theory among others.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,7 +97,7 @@ fn ordered(aicc: &[Option<f64>]) -> Vec<Ranked> {
         Ranked { index, place: 0, difference, weight: 0.0 }
     };
     let mut ranked: Vec<Ranked> = aicc.iter().enumerate().map(place).collect();
-    ranked.sort_by(|a, b| a.difference.total_cmp(&b.difference));
+    sort_by(&mut ranked, |a, b| a.difference.total_cmp(&b.difference));
     ranked
 }
 
@@ -116,7 +117,7 @@ fn shared(
     let mut ranked = Vec::new();
     for mut group in groups {
         let (place, difference) = (ranked.len() + 1, group.first().map_or(0.0, |first| first.difference));
-        group.sort_by_key(|one| (simple(one), one.index));
+        sort_by_key(&mut group, |one| (simple(one), one.index));
         ranked.extend(group.into_iter().map(|one| Ranked { place, difference, ..one }));
     }
     ranked

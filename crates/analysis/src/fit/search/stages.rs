@@ -9,6 +9,7 @@ use crate::fit::linear::{Decomposition, norm};
 use crate::fit::task::Target;
 use crate::fit::task::plan::Plan;
 use std::sync::Arc;
+use units::order::sort_by;
 
 /// Start of a search.
 #[derive(Clone, Debug)]
@@ -178,7 +179,7 @@ impl Stages {
         let candidates: Vec<Vec<f64>> = (0..count).map(start).collect();
         let mut window = Window { problem, plans: &plans };
         let mut looked: Vec<Search> = candidates.iter().map(|start| window.look(start)).collect();
-        looked.sort_by(|one, other| one.sum.total_cmp(&other.sum));
+        sort_by(&mut looked, |one, other| one.sum.total_cmp(&other.sum));
         looked.into_iter().filter(|one| one.sum.is_finite()).take(Self::CHOSEN).map(|one| one.x).collect()
     }
 }

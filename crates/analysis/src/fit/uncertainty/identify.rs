@@ -5,6 +5,7 @@ use crate::fit::autoregression::{orthonormal, subtract_projection};
 use crate::fit::linear::norm;
 use crate::fit::search::Search;
 use units::Language;
+use units::order::sort;
 
 /// Reason why numbers are not determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +51,7 @@ pub(crate) fn undetermined(flat: &[Vec<f64>], names: &[String], x: &[f64]) -> Ve
                 place += 1;
             }
         }
-        members.sort_unstable();
+        sort(&mut members);
         members.dedup();
         groups.push((members, directions));
     }

@@ -6,6 +6,7 @@ use crate::workbook::refusal::WorkbookError;
 use crate::workbook::styles::{self, NumberFormat};
 use crate::workbook::texts::Texts;
 use std::collections::BTreeMap;
+use units::order::sort_by_key;
 
 /// Record at the begin of a substream.
 pub(super) const BOF: u16 = 0x0809;
@@ -82,7 +83,7 @@ impl Book {
         }
         let format = |id: u16| formats.get(&id).copied().unwrap_or_else(|| styles::of_builtin(id.into()));
         book.styles = styles.into_iter().map(format).collect();
-        book.sheets.sort_by_key(|sheet| sheet.hidden);
+        sort_by_key(&mut book.sheets, |sheet| sheet.hidden);
         if book.sheets.is_empty() { Err(WorkbookError::NoCells) } else { Ok(book) }
     }
 

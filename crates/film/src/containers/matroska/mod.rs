@@ -11,6 +11,7 @@ use super::notice::Notice;
 use super::piece::{Piece, Reader, Stop};
 use ebml::{Header, find, float, number, unsigned};
 use track::{Track, tracks};
+use units::order::sort_by_key;
 
 /// Element identifiers.
 const EBML: u32 = 0x1a45_dfa3;
@@ -120,7 +121,7 @@ impl Matroska {
                 self.further = tracks.len().saturating_sub(1);
                 let failed = tracks.iter().find_map(|track| track.as_ref().err().cloned());
                 let mut found: Vec<_> = tracks.into_iter().filter_map(Result::ok).collect();
-                found.sort_by_key(|track| !track.codec.coding.is_in_browsers());
+                sort_by_key(&mut found, |track| !track.codec.coding.is_in_browsers());
                 let found = found.into_iter().next();
                 self.track = Some(found.ok_or(failed.unwrap_or(FilmError::NoVideo))?);
             }

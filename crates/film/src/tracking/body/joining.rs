@@ -5,6 +5,7 @@ use crate::tracking::body::template::Template;
 use crate::tracking::errors::scaled;
 use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{Known, Outline, Point, Readout, Track};
+use units::order::sort_by;
 
 /// Minimum agreement of a reliable point, relative to the best possible one.
 const AGREES: f64 = 0.5;
@@ -35,7 +36,7 @@ pub(super) fn joined(
     };
     let seconds = readout.map_or(0.0, |readout| readout.seconds);
     let mut order: Vec<usize> = (0..seen.len()).collect();
-    order.sort_by(|a, b| seen[*a].time.total_cmp(&seen[*b].time));
+    sort_by(&mut order, |a, b| seen[*a].time.total_cmp(&seen[*b].time));
     let mut points: Vec<Point> = Vec::with_capacity(seen.len());
     let mut formal = [Vec::new(), Vec::new()];
     let mut sizes = Vec::with_capacity(seen.len());

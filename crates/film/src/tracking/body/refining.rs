@@ -5,6 +5,7 @@
 
 use crate::tracking::body::part::Part;
 use crate::tracking::body::template::{Found, Sample, Template};
+use units::order::sort_numbers;
 
 /// Number of iterations of template and positions.
 const ROUNDS: usize = 3;
@@ -124,7 +125,7 @@ impl Refining {
                     *sample = Sample { value, gradient: sum.gradient.map(|part| part / frames), ..*sample };
                 }
                 let mut sorted = variances.clone();
-                sorted.sort_by(f64::total_cmp);
+                sort_numbers(&mut sorted);
                 let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0).max(1e-6);
                 for (sample, variance) in template.samples.iter_mut().zip(variances) {
                     sample.weight = (1.0 + ADDITION) / (variance / usual + ADDITION);

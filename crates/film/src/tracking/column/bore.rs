@@ -1,6 +1,7 @@
 //! Detection of the bore: the part of the strip that changes in time.
 
 use crate::tracking::column::strip::{Grid, Strip};
+use units::order::sort_numbers;
 
 /// Minimum variance in time of a bin of the bore, relative to the largest one.
 const LEAST: f64 = 0.3;
@@ -44,7 +45,7 @@ impl Changes {
     fn change(&self, grid: Grid, bin: usize) -> f64 {
         let variance = |(sum, squares): &(f64, f64)| squares / self.frames - (sum / self.frames) * (sum / self.frames);
         let mut rows: Vec<f64> = self.sums.iter().skip(bin).step_by(grid.bins).map(variance).collect();
-        rows.sort_by(f64::total_cmp);
+        sort_numbers(&mut rows);
         let quiet = rows.get(rows.len() / 5).copied().unwrap_or(0.0);
         rows.iter().map(|value| value - quiet).sum()
     }

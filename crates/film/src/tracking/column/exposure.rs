@@ -5,6 +5,7 @@ use crate::tracking::column::pattern::{Fitting, Pattern, Pose};
 use crate::tracking::column::strip::Strip;
 use crate::tracking::motion::{motion, smear};
 use crate::tracking::track::Exposure;
+use units::order::sort_by;
 
 /// Number of intervals between trial exposure times in the first search, from 0 to the frame interval.
 const COARSE: usize = 8;
@@ -52,7 +53,7 @@ impl Candidates {
         let rows: Vec<f64> = poses.iter().map(|pose| pose.row).collect();
         let speed = |at: &usize| motion(times, &rows, *at).0.abs();
         let mut chosen: Vec<usize> = (0..poses.len()).filter(|at| poses[*at].trusted).collect();
-        chosen.sort_by(|a, b| speed(a).total_cmp(&speed(b)));
+        sort_by(&mut chosen, |a, b| speed(a).total_cmp(&speed(b)));
         // Fast frames show the smear, slow ones the pattern.
         let fastest = chosen.iter().rev().nth(chosen.len() / 50).map_or(0.0, speed);
         let stride = chosen.len().div_ceil(FRAMES).max(1);
@@ -108,7 +109,7 @@ impl Candidates {
     /// Vertex of the parabola through the best trial and its neighbours.
     fn vertex(&self) -> f64 {
         let mut sorted = self.tried.clone();
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by(&mut sorted, |a, b| a.0.total_cmp(&b.0));
         let best = self.best();
         let at = sorted.iter().position(|one| one.0 == best).unwrap_or(0).clamp(1, sorted.len() - 2);
         let [(x, p), (y, q), (z, r)] = [sorted[at - 1], sorted[at], sorted[at + 1]];

@@ -4,6 +4,7 @@
 use crate::tracking::column::path::{Search, Template, strengths};
 use crate::tracking::column::regions::{Regions, Shape, Sums};
 use crate::tracking::median::median;
+use units::order::sort;
 
 /// Cost of a step by one row, for the correlation of profiles and for each channel of the regions.
 const TEMPLATE_STEP: f32 = 0.004;
@@ -331,7 +332,7 @@ impl Seeking {
 /// Range of rows that the surface passes, without the outer 5 % on each side.
 fn passed(path: &[usize]) -> std::ops::Range<usize> {
     let mut rows = path.to_vec();
-    rows.sort_unstable();
+    sort(&mut rows);
     let at = |place: usize| rows.get(place.min(rows.len().saturating_sub(1))).copied().unwrap_or(0);
     at(rows.len() / 20)..at(rows.len() - rows.len() / 20) + 1
 }

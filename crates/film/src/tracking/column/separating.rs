@@ -5,6 +5,7 @@ use crate::tracking::column::path::Template;
 use crate::tracking::column::reflection::{Finding, Reflection};
 use crate::tracking::column::seeking::{Outcome, Seeking, Sought};
 use crate::tracking::column::strip::with_differences;
+use units::order::sort_numbers;
 
 /// Ratio of mean to median absolute residual that indicates another motion; 1.18 for pure noise.
 const UNEXPLAINED: f64 = 1.5;
@@ -143,7 +144,7 @@ impl Separating {
 /// True if a reflection keeps its distance from the surface.
 fn goes_along(path: &[usize], reflection: &Reflection) -> bool {
     let mut distances: Vec<f64> = path.iter().zip(reflection.rows()).map(|(own, other)| other - *own as f64).collect();
-    distances.sort_by(f64::total_cmp);
+    sort_numbers(&mut distances);
     let within = |first: &f64| distances.partition_point(|one| *one <= first + 2.0 * FIRM);
     let most = distances.iter().enumerate().map(|(at, first)| within(first) - at).max().unwrap_or(0);
     most as f64 > ALONG * distances.len() as f64

@@ -13,6 +13,7 @@ use crate::tracking::column::strip::{Grid, Strip, with_differences};
 use crate::tracking::motion::{motion, smear};
 use crate::tracking::refusal::Refusal;
 use crate::tracking::track::{Exposure, Known};
+use units::order::sort_numbers;
 
 /// Maximum number of iterations of pattern and positions before the search for the exposure time, and after it.
 const ROUNDS: usize = 3;
@@ -107,7 +108,7 @@ impl Solving {
     pub(crate) fn new(task: Task, strips: &[Strip]) -> Solving {
         let times: Vec<f64> = strips.iter().map(|strip| strip.time).collect();
         let mut intervals: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        intervals.sort_by(f64::total_cmp);
+        sort_numbers(&mut intervals);
         let at = |k: usize| intervals.get(k).copied().unwrap_or(1.0);
         Solving {
             intervals: (at(intervals.len() / 2), at(0)),

@@ -8,6 +8,7 @@ use js_sys::{Object, Reflect, Uint8Array};
 use std::cell::RefCell;
 use std::ops::Range;
 use std::rc::Rc;
+use units::order::sort_by_key;
 use view::browser;
 use wasm_bindgen::JsValue;
 use web_sys::File;
@@ -71,7 +72,7 @@ impl Source {
     fn new(content: Content, film: Film) -> Self {
         let samples = film.shown();
         let mut order: Vec<usize> = (0..film.samples.len()).collect();
-        order.sort_by_key(|&at| film.samples[at].ticks);
+        sort_by_key(&mut order, |&at| film.samples[at].ticks);
         let mut ranks = vec![0; order.len()];
         order.iter().enumerate().for_each(|(rank, &at)| ranks[at] = rank);
         let mut frames = vec![None; order.len()];

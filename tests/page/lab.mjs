@@ -182,7 +182,7 @@ export class Lab {
   /** Until the page is there as a whole: the laboratory opens with a simulation alone, and its other tabs wait. */
   async whole() {
     if (!(await this.page.locator("#lab").count())) return;
-    await this.page.getByRole("heading", { level: 1 }).waitFor();
+    await this.page.locator("h1, [role=alert]").first().waitFor();
     if (this.idle) await this.taken();
   }
 

@@ -66,19 +66,26 @@ const KINDS: [Kind; 2] = [
             "view/page/style.css",
             "view/page/stage.css",
             "view/page/panel.css",
-            "lab/page/measure.css",
-            "lab/page/film.css",
-            "lab/page/library.css",
-            "lab/page/write.css",
-            "lab/page/drawing.css",
-            "lab/page/publish.css",
-            "lab/page/class.css",
             "view/page/narrow.css",
             "view/page/print.css",
         ],
         is_laboratory: true,
         path: steps::page,
     },
+];
+
+/// Style sheets of the laboratory below `crates`, which follow the player. Those for narrow windows and for printing stand after
+/// them once more, because they overrule them.
+const LATER_STYLES: [&str; 9] = [
+    "lab/page/measure.css",
+    "lab/page/film.css",
+    "lab/page/library.css",
+    "lab/page/write.css",
+    "lab/page/drawing.css",
+    "lab/page/publish.css",
+    "lab/page/class.css",
+    "view/page/narrow.css",
+    "view/page/print.css",
 ];
 
 /// Parts of a page that its module needs.
@@ -136,12 +143,9 @@ fn encoded(bytes: &[u8]) -> String {
 fn assemble(kind: &Kind, player: &Bound) -> Result<String> {
     let crates = steps::root().join("crates");
     let source = crates.join("view").join("page");
-    let styles = kind.styles.iter().map(|name| read(&crates.join(name))).collect::<Result<String>>()?;
-    let style = steps::target().join("page").join("parts").join(format!("{}.css", kind.package));
-    std::fs::write(&style, styles).with_context(|| format!("cannot write {}", style.display()))?;
     let font = source.join("math.woff2");
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
-    let style = editor::minified(&style)?.replace("/*math-font*/", &encoded(&font));
+    let style = style(kind.package, kind.styles)?.replace("/*math-font*/", &encoded(&font));
     let opening = crates.join("lab").join("page").join("opening.js");
     let opening = if kind.is_laboratory { editor::minified(&opening)? } else { String::new() };
     let boot = opening + &editor::minified(&source.join("boot.js"))?;
@@ -169,11 +173,21 @@ fn assemble(kind: &Kind, player: &Bound) -> Result<String> {
     Ok(html)
 }
 
+/// Minified style sheets below `crates`; `name` is that of a temporary file.
+fn style(name: &str, sheets: &[&str]) -> Result<String> {
+    let crates = steps::root().join("crates");
+    let sheets = sheets.iter().map(|name| read(&crates.join(name))).collect::<Result<String>>()?;
+    let file = steps::target().join("page").join("parts").join(name).with_extension("css");
+    std::fs::write(&file, sheets).with_context(|| format!("cannot write {}", file.display()))?;
+    editor::minified(&file)
+}
+
 /// Inserts what follows the player in the laboratory, and the simulation with which it opens.
 fn with_laboratory(page: &str, laboratory: &Bound, player: &str) -> Result<String> {
     let template = page::without_module(player).context("the player has no module")?;
     let library = library()?;
     let mut later = format!("{}{}</script>", page::LABORATORY, encoded(&laboratory.packed));
+    later += &format!("<style>\n{}</style>", style("later", &LATER_STYLES)?);
     let library_of_page = format!("{}{}</script>", page::LIBRARY, page::write_list(&library));
     for (tag, text) in [(page::GLUE, &laboratory.glue), (page::EDITOR, &editor::bundle()?), (page::PLAYER, &template)] {
         // Raw deflate, as for texts in links.
@@ -198,6 +212,11 @@ fn first(library: &[Source]) -> Result<(String, Program)> {
     Ok((home.name.clone(), document.program))
 }
 
+/// Start of a page that a browser must receive before the first picture.
+pub fn before_picture(page: &str) -> &str {
+    page.split_once(page::LABORATORY).map_or(page, |(first, _)| first)
+}
+
 /// Prints the elements of a page with what a visitor receives before the first picture and in all.
 fn print_sizes(kind: &Kind, page: &str) -> Result<()> {
     let row = |name: &str, part: &str| -> Result<()> {
@@ -211,7 +230,7 @@ fn print_sizes(kind: &Kind, page: &str) -> Result<()> {
         let name = tag.split_once("id=\"").and_then(|(_, rest)| rest.split_once('"'));
         row(name.map_or("style or script", |(name, _)| name), element)?;
     }
-    row("before the first picture", page.split_once(page::LABORATORY).map_or(page, |(first, _)| first))?;
+    row("before the first picture", before_picture(page))?;
     row("page", page)
 }
 

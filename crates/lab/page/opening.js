@@ -83,8 +83,8 @@ on(["hashchange", "popstate"], takeOver);
 // True if nobody is about to do anything that another page would interrupt.
 const isAtRest = () =>
   !isPressed &&
-  !document.activeElement?.closest("#panel, dialog") &&
-  !document.querySelector("dialog[open], #messages, .stage [aria-expanded=true], :popover-open");
+  !document.activeElement?.closest("#panel, #messages, dialog") &&
+  !document.querySelector("dialog[open], .message.passing, .stage [aria-expanded=true], :popover-open");
 // Loads the laboratory when the page is idle, and starts it as soon as nobody is disturbed.
 const follow = () => {
   const idle = globalThis.requestIdleCallback ?? ((then) => setTimeout(then, 200));

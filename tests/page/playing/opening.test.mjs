@@ -11,7 +11,7 @@ const seen = (lab) =>
     stage: document.querySelector(".stage").innerText,
     panel: document.querySelector("#panel-play").innerText,
     head: document.querySelector("header").innerText,
-    plots: [...document.querySelectorAll("canvas")].map((canvas) => canvas.toDataURL()),
+    plots: [...document.querySelectorAll("canvas[id^=canvas-]")].map((canvas) => canvas.toDataURL()),
     scroll: scrollY,
     theme: document.documentElement.dataset.theme,
     language: document.documentElement.lang,

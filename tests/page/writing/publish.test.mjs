@@ -35,7 +35,7 @@ async function savedPage(lab) {
 
 /** What `save-page` and `meniscus export` must agree on: everything, and the simulation after it is inflated. */
 function partsOf(page) {
-  const bundle = /id="bundle">([^<]*)</.exec(page)[1];
+  const bundle = /id="bundle"[^>]*>([^<]*)</.exec(page)[1];
   return { page: page.replace(bundle, ""), bundle: gunzipSync(Buffer.from(bundle, "base64")).toString("base64") };
 }
 

@@ -48,8 +48,10 @@ impl Parts {
             let end = tag.len() + content.len() + closing.len();
             match tag {
                 "<style>" => {
+                    if styles.is_empty() {
+                        html.push_str(HEAD);
+                    }
                     styles.push_str(content.trim_start());
-                    html.push_str(HEAD);
                 }
                 "<script>" if scripts.is_empty() => {
                     html.push_str(FIRST_SCRIPT);
@@ -156,7 +158,7 @@ mod tests {
         let whole = format!(
             "<head><meta content=\"{POLICY}\"><style>\nb {{}}</style><script>\n1;\n</script></head>\
              <body><!--documents--><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script>\
-             {LABORATORY}AAED</script>{GLUE}M7EGAA==</script>{LIBRARY}[]</script>{EDITOR}M7EGAA==</script>\
+             <style>\ni {{}}</style>{LABORATORY}AAED</script>{GLUE}M7EGAA==</script>{LIBRARY}[]</script>{EDITOR}M7EGAA==</script>\
              {PLAYER}AAAA</script></body>"
         );
         let mut files = Files::default();
@@ -165,7 +167,8 @@ mod tests {
             let is_named = |path: &str| path.starts_with(&format!("assets/{start}-")) && path.ends_with(ending);
             files.iter().find(|(path, _)| is_named(path)).expect("a file")
         };
-        assert_eq!(named("page", ".css").1, b"b {}");
+        assert_eq!(named("page", ".css").1, b"b {}i {}");
+        assert_eq!(parts.html.matches("rel=\"stylesheet\"").count(), 1);
         assert_eq!(named("player", ".bin").1, [0, 1, 2]);
         let (script, content) = named("page", ".js");
         assert_eq!(content, b"2;\n\n3;\n");

@@ -15,6 +15,7 @@ mod ending;
 mod history;
 mod legends;
 mod members;
+mod passing;
 mod plots;
 mod profiles;
 mod replacement;

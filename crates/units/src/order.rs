@@ -135,7 +135,7 @@ mod tests {
             prop_assert_eq!(&by_key, &expected);
             sort_by(&mut by, |one, other| other.0.cmp(&one.0));
             let mut reversed = items.clone();
-            reversed.sort_by(|one, other| other.0.cmp(&one.0));
+            reversed.sort_by_key(|item| std::cmp::Reverse(item.0));
             prop_assert_eq!(&by, &reversed);
             let (mut whole, mut whole_expected) = (items.clone(), items);
             sort(&mut whole);

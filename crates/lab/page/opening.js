@@ -29,7 +29,10 @@ const isHome = () => {
   if (visited) return visited.startsWith("meniscus home ");
   const [, subject = "", name = ""] = /^#[^&]*&([dsf])=([^&]*)/.exec(location.hash) ?? [];
   if (subject) return false;
-  opening.state = /[&=]/.test(location.hash) ? location.hash.slice(1) : "";
+  const state = /[&=]|^#1$/.test(location.hash) ? location.hash.slice(1) : "";
+  // Without the name of a document it refers to that of an exported page, and in the laboratory to the published simulation.
+  if (state && !document.getElementById("documents")) return false;
+  opening.state = state;
   return true;
 };
 const parsed = new Promise((done) => {

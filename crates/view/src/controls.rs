@@ -146,19 +146,18 @@ fn presets(app: App) -> View {
         let indices: Vec<usize> = group.presets.iter().map(|preset| preset.index).collect();
         let now = move || indices.iter().find(|index| selected(**index)).map(usize::to_string).unwrap_or_default();
         let none = option().value("").disabled(true).child(words.choose);
-        let choices = group.presets.into_iter().map(|preset| {
-            option().value(preset.index.to_string()).title(preset.description).child(preset.name)
-        });
-        let choose = select()
-            .id(id.clone())
-            .child(none)
-            .each(choices, |choice| choice)
-            .prop("value", now)
-            .when(events::change, move |event| {
+        let choices = group
+            .presets
+            .into_iter()
+            .map(|preset| option().value(preset.index.to_string()).title(preset.description).child(preset.name));
+        let choose = select().id(id.clone()).child(none).each(choices, |choice| choice).prop("value", now).when(
+            events::change,
+            move |event| {
                 if let Ok(index) = value_of(&event).parse() {
                     apply(index);
                 }
-            });
+            },
+        );
         div().class("parameter preset-choice").child(label().r#for(id).child(span().child(name))).child(choose).into()
     };
     div()

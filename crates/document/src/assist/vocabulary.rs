@@ -19,7 +19,10 @@ pub const KEYS: &[Entry] = &[
     ("speed", ("model time for a second of watching", "tiempo del modelo por segundo de observación")),
     ("tolerance", ("relative error allowed in a step", "error relativo admitido en un paso")),
     ("vary", ("parameters that a fit varies first", "parámetros que un ajuste varía primero")),
-    ("main", ("up to five parameters that the page shows first", "hasta cinco parámetros que la página muestra primero")),
+    (
+        "main",
+        ("up to five parameters that the page shows first", "hasta cinco parámetros que la página muestra primero"),
+    ),
     (
         "assignment",
         (

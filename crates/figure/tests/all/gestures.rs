@@ -18,7 +18,10 @@ fn run() -> Run {
 fn time_plot(run: &Run) -> Plot<'_> {
     Plot {
         x: Axis { label: "t", unit: "s", ..Axis::default() },
-        y: vec![Axis { label: "y", unit: "m", ..Axis::default() }, Axis { label: "y′", unit: "m/s", ..Axis::default() }],
+        y: vec![
+            Axis { label: "y", unit: "m", ..Axis::default() },
+            Axis { label: "y′", unit: "m/s", ..Axis::default() },
+        ],
         series: vec![
             Series { label: "y", x: &run.time, y: &run.displacement, ..Series::default() },
             Series { label: "y′", axis: 1, colour: 1, x: &run.time, y: &run.velocity, ..Series::default() },

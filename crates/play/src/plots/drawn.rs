@@ -66,9 +66,11 @@ impl Figures<'_> {
         let first = Interval::new(0.0, unit.from_si(self.basis.first_part(self.line.course())));
         // Beside a record, a run is compared with it: the axes are those of the record.
         let along = |axis: usize| {
-            let on_axis = state.points.iter().zip(&state.measured).filter(|(points, _)| {
-                columns.curves.get(points.curve).is_some_and(|curve| curve.axis == axis)
-            });
+            let on_axis = state
+                .points
+                .iter()
+                .zip(&state.measured)
+                .filter(|(points, _)| columns.curves.get(points.curve).is_some_and(|curve| curve.axis == axis));
             on_axis.filter_map(|(_, measured)| measured[1]).reduce(Interval::joined)
         };
         let only = state.measured.iter().filter_map(|measured| measured[0]).reduce(Interval::joined);

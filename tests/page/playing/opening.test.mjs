@@ -1,7 +1,14 @@
 // The laboratory opens with the player and its simulation, and takes it over.
 
 import assert from "node:assert/strict";
-import { eventually, visit } from "../lab.mjs";
+import { eventually, meniscus, temporary, visit } from "../lab.mjs";
+
+/** The laboratory with a document whose numbers the tests know. */
+function file() {
+  const page = temporary("opening.html");
+  meniscus("export", "simulations/utube.md", "--lab", "--output", page);
+  return page;
+}
 
 const waiting = (lab) => lab.page.locator("[role=tab][aria-busy=true]").count();
 
@@ -19,14 +26,14 @@ const seen = (lab) =>
     language: document.documentElement.lang,
   }));
 
-visit("the page opens with its simulation, and the tabs of the laboratory wait", { idle: false }, async (lab) => {
+visit("the page opens with its simulation, and the tabs of the laboratory wait", { file, idle: false }, async (lab) => {
   assert.equal(await waiting(lab), 5);
   await lab.press("Play");
   await lab.watchUntil(0.3);
   assert.equal(await waiting(lab), 5);
 });
 
-visit("a tab that is asked for brings the laboratory, which shows what was there", { idle: false, theme: "dark" }, async (lab) => {
+visit("a tab that is asked for brings the laboratory, which shows what was there", { file, idle: false, theme: "dark" }, async (lab) => {
   await lab.page.locator("#language-es").click();
   await lab.enter("Amortiguamiento", "321");
   await lab.press("Reproducir");
@@ -56,7 +63,7 @@ visit("a tab that is asked for brings the laboratory, which shows what was there
   });
 });
 
-visit("a run that plays goes on", { idle: false }, async (lab) => {
+visit("a run that plays goes on", { file, idle: false }, async (lab) => {
   await lab.press("Play");
   await lab.watchUntil(0.3);
   const before = await lab.time();
@@ -67,7 +74,7 @@ visit("a run that plays goes on", { idle: false }, async (lab) => {
   await lab.press("Pause");
 });
 
-visit("the laboratory waits until nothing in the panel has the focus, and no message is read", { idle: false }, async (lab) => {
+visit("the laboratory waits until nothing in the panel has the focus, and no message is read", { file, idle: false }, async (lab) => {
   const compiled = () => lab.page.evaluate(() => typeof laboratory);
   await lab.slider("Damping").focus();
   await lab.rest();
@@ -83,13 +90,13 @@ visit("the laboratory waits until nothing in the panel has the focus, and no mes
   assert.equal(await lab.told(), "");
 });
 
-visit("a button of the laboratory does what it says once the laboratory is there", { idle: false }, async (lab) => {
+visit("a button of the laboratory does what it says once the laboratory is there", { file, idle: false }, async (lab) => {
   await lab.page.locator("#browse").click();
   await lab.page.locator("dialog[open]").getByRole("searchbox").waitFor();
   assert.equal(await waiting(lab), 0);
 });
 
-visit("a link to a state of the page's own document opens in the player", { idle: false, fragment: "#1&p=b:300&t=2" }, async (lab) => {
+visit("a link to a state of the page's own document opens in the player", { file, idle: false, fragment: "#1&p=b:300&t=2" }, async (lab) => {
   assert.equal(await waiting(lab), 5);
   assert.equal(await lab.number("Damping"), 300);
   assert.equal(await lab.time(), 2);
@@ -99,12 +106,12 @@ visit("a link to a state of the page's own document opens in the player", { idle
   assert.equal(await lab.time(), 2);
 });
 
-visit("with a link to another document the laboratory comes at once", { idle: false, fragment: "#1&d=pendulum.md" }, async (lab) => {
+visit("with a link to another document the laboratory comes at once", { file, idle: false, fragment: "#1&d=pendulum.md" }, async (lab) => {
   await lab.page.getByRole("heading", { level: 1, name: /pendulum/i }).waitFor();
   assert.equal(await waiting(lab), 0);
 });
 
-visit("after a reload the simulation is as it was left, with the tab that was open", { idle: false }, async (lab) => {
+visit("after a reload the simulation is as it was left, with the tab that was open", { file, idle: false }, async (lab) => {
   await lab.enter("Damping", "250");
   await lab.tab("Theory");
   await lab.taken();

@@ -8,7 +8,7 @@ use crate::{
 use units::Language;
 use view::opening::{Handed, Opening};
 use view::views::*;
-use view::{browser, shell, stage, tabs};
+use view::{browser, shell, stage};
 use web_sys::HtmlElement;
 
 /// Starts the laboratory in the element `lab`.
@@ -53,7 +53,7 @@ fn take_over(mut handed: Handed, place: &HtmlElement) {
 
 fn prepare(app: App) {
     shell::prepare(app.page);
-    tabs::keep(app.page);
+    view::opening::keep_tab(app.page);
     opening::save_when_left(app);
     navigation::listen(app);
     drop::listen(app);

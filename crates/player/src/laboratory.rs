@@ -15,8 +15,9 @@ use web_sys::HtmlElement;
 /// Key prefix of the state in which the laboratory left a document.
 const STATE: &str = "state:";
 
-/// Shows the simulation of the page in the element `place`.
-pub fn open(opening: Opening, place: HtmlElement) {
+/// Shows the simulation of the page in the element `lab`.
+pub fn open(opening: Opening) {
+    let Some(place) = browser::by_id::<HtmlElement>("lab") else { return };
     let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
     place.set_inner_html("");
     let opening = Rc::new(opening);
@@ -32,7 +33,7 @@ pub fn open(opening: Opening, place: HtmlElement) {
             simulation.play.replace(play);
             app.read(|play| play.set_language(Language::of(&tag).tag()));
             restore(app, &opening);
-            tabs::keep(app);
+            opening::keep_tab(app);
             shown = runs.then_some((app, simulation));
             let opening = opening.clone();
             shell::view(app, move || if runs { content(app, &opening) } else { damaged(app) })

@@ -12,5 +12,8 @@ mod source;
 mod words;
 
 fn main() {
-    page::start();
+    match view::opening::Opening::of_page() {
+        Some(opening) => laboratory::open(opening),
+        None => page::start(),
+    }
 }

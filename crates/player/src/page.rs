@@ -1,11 +1,10 @@
 //! Layout of the page: header, stage, and a panel with the tabs for playing, questions and theory.
 
 use crate::simulation::{self, Simulation};
-use crate::{answers, hand_in, height, laboratory, site, source};
+use crate::{answers, hand_in, height, site, source};
 use play::{Embedding, PagePart};
 use units::Language;
 use view::browser::{self, address, fragment, is_heading};
-use view::opening::Opening;
 use view::panel::Tab;
 use view::views::*;
 use view::{App, header, icons, panel, shell, stage};
@@ -13,9 +12,6 @@ use view::{App, header, icons, panel, shell, stage};
 /// Starts the page in the element `lab`.
 pub fn start() {
     let Some(place) = browser::by_id::<web_sys::HtmlElement>("lab") else { return };
-    if let Some(opening) = Opening::of_page() {
-        return laboratory::open(opening, place);
-    }
     let embedding = Embedding::read(&window().location().search().unwrap_or_default());
     if embedding.hides(PagePart::Head)
         && let Some(root) = document().document_element()

@@ -131,7 +131,7 @@ impl Handed {
 
     /// Sets what the views show, before they are built.
     pub fn prepare(&self, app: App) {
-        app.tab.set(tabs::find(&self.tab).unwrap_or(tabs::PLAY));
+        app.tab.set(find_tab(&self.tab).unwrap_or(tabs::PLAY));
         app.table_open.set(self.table_open);
         app.numerics_open.set(self.numerics_open);
         app.front_plot.set(self.front_plot.map(PlotId::at));
@@ -184,4 +184,22 @@ pub fn end(app: App) {
     }
     browser::end_listening();
     app.nodes(|nodes| nodes.end());
+}
+
+/// Storage key of the tab shown last.
+const SHOWN: &str = "tab";
+
+/// Restores the tab of the laboratory that was shown before a reload, and stores the present one from now on.
+pub fn keep_tab(app: App) {
+    if let Some(tab) = browser::remembered_in_tab(SHOWN).and_then(|shown| find_tab(&shown)) {
+        app.tab.set(tab);
+    }
+    effect(move || browser::remember_in_tab(SHOWN, app.tab.get()));
+}
+
+/// The tab with this id.
+fn find_tab(id: &str) -> Option<&'static str> {
+    [tabs::PLAY, tabs::ACTIVITIES, tabs::THEORY, tabs::MEASURE, tabs::FIT, tabs::WRITE]
+        .into_iter()
+        .find(|tab| *tab == id)
 }

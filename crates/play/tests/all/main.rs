@@ -15,7 +15,6 @@ mod ending;
 mod history;
 mod legends;
 mod members;
-mod passing;
 mod plots;
 mod profiles;
 mod replacement;

@@ -1,6 +1,7 @@
 //! Replacing the program while it runs.
 
 mod choices;
+mod passing;
 mod run;
 
 use crate::support::{UTUBE, go_on, open, set, utube};

@@ -54,8 +54,8 @@ fn straight_line(asked: &Against, look: Look) -> String {
     let ([unit, x_unit], [name, x_name]) = (asked.unit_texts(), [&asked.y, &asked.x].map(ToString::to_string));
     let plot = Plot {
         description: &asked.title(language),
-        x: Axis { label: &x_name, unit: &x_unit, include: None, only: None },
-        y: vec![Axis { label: &name, unit: &unit, include: None, only: None }],
+        x: Axis { label: &x_name, unit: &x_unit, ..Axis::default() },
+        y: vec![Axis { label: &name, unit: &unit, ..Axis::default() }],
         series,
         steady: true,
         ..Plot::default()

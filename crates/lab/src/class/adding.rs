@@ -8,6 +8,7 @@ use class::collection::Collection;
 use desk::saved::hand_in::{HAND_IN_ENDING, HandInError};
 use desk::saved::survey::SHEET_ENDING;
 use std::collections::VecDeque;
+use units::order::sort_by_key;
 use view::browser;
 use view::views::*;
 use web_sys::{File, FileSystemEntry, HtmlInputElement};
@@ -64,7 +65,7 @@ async fn choose(app: App, files: Vec<File>, is_of_folder: bool) {
         survey::add(app, sheets).await;
     }
     files.retain(|file| Collection::is_candidate(&file.name()));
-    files.sort_by_key(File::name);
+    sort_by_key(&mut files, File::name);
     if !files.is_empty() {
         // The dashboard opens at once if there are hand-ins, and for reports when one of them carries its data.
         if files.iter().any(is_hand_in) {

@@ -34,7 +34,7 @@ visit("the U-tube is filmed, tracked and compared with the truth", async (lab) =
   assert.match(await lab.page.locator("#film-lacks-origin").innerText(), /choose Origin and click the height that is zero/);
   await lengths(/act now$/);
   await lab.page.locator("#film-set-origin").click();
-  await click(lab, [SURFACE[0], 176]);
+  await click(lab, [SURFACE[0], 186]);
   await lengths(/act done$/);
   assert.equal(await lab.page.locator("#film-lacks-origin").count(), 0);
   // Nothing of the truth is shown before somebody asks.

@@ -28,8 +28,8 @@ visit("a rectangle: corners in any order, moved and removed one by one", async (
   await tracked(lab);
   await lab.page.locator("#film-act-lengths details").evaluate((fold) => (fold.open = true));
   await lab.page.locator("#film-corners").click();
-  // A pixel of the picture is 1/36.17 m: the sides are those of a rectangle in the plane of the tube.
-  const corners = [[190, 49], [190, 266], [551, 266], [551, 49]];
+  // A pixel of the picture is 1/38.63 m: the sides are those of a rectangle in the plane of the tube.
+  const corners = [[170, 49], [170, 280.8], [555.5, 280.8], [555.5, 49]];
   for (const corner of corners) await clickFilmed(lab, corner);
   await lab.page.locator("#film-width").fill("9.98 m");
   await lab.page.locator("#film-height").fill("6 m");
@@ -41,7 +41,7 @@ visit("a rectangle: corners in any order, moved and removed one by one", async (
   assert.ok(Math.abs(found / expected - 1) < 0.015, `${found} m, not ${expected} m`);
   // The first is the one at the bottom left. Moved down, it makes the rectangle larger in the picture, and lengths smaller.
   const [, left, low] = (await lab.page.locator("#film-corner-0").getAttribute("aria-label")).match(/x ([\d.]+), y ([\d.]+)/).map(Number);
-  assert.ok(Math.abs(left - 190) < 2 && Math.abs(low - 266) < 2, `${left}, ${low}`);
+  assert.ok(Math.abs(left - 170) < 2 && Math.abs(low - 281) < 2, `${left}, ${low}`);
   await lab.page.locator("#film-corner-0").focus();
   await lab.keys("Shift+ArrowDown", "Shift+ArrowDown", "Enter");
   await eventually(async () => assert.ok((await fall()) < 0.99 * found));
@@ -59,7 +59,7 @@ visit("both arms: what one loses, the other gains", async (lab) => {
   await filmSimulation(lab, { seconds: "3" });
   await lab.page.locator("#film-kind-arms").click();
   await clickFilmed(lab, SURFACE);
-  await clickFilmed(lab, [348, 194]);
+  await clickFilmed(lab, [354, 205]);
   await tracked(lab);
   const sums = [];
   for (const frame of [0, 20, 40, 56, 80]) {

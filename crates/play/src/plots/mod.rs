@@ -173,8 +173,14 @@ impl Plots {
     /// Replaces the points over the curves of a plot of the document.
     pub fn set_points(&mut self, plot: usize, points: Vec<Points>) -> Changes {
         let Some(state) = self.states.get_mut(plot) else { return Changes::NONE };
-        let range = |values: &[f64]| Interval::around(values.iter().copied());
-        state.measured = points.iter().map(|points| [range(&points.x), range(&points.y)]).collect();
+        let ends = |points: &Points| {
+            // Error bars are drawn whole.
+            let errors = points.errors.iter().map(|error| if error.is_finite() { *error } else { 0.0 });
+            let errors = errors.chain(std::iter::repeat(0.0));
+            let bars = points.y.iter().zip(errors).flat_map(|(y, error)| [y - error, y + error]);
+            [Interval::around(points.x.iter().copied()), Interval::around(bars)]
+        };
+        state.measured = points.iter().map(ends).collect();
         state.points = points;
         Changes::PLOTS
     }

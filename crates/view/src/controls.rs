@@ -18,28 +18,44 @@ const CHIPS: usize = 4;
 /// The card with the main parameters and the presets.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
-    let main = app.read(|play| play.program().main_parameters());
-    let main = app.read(|play| {
-        main.into_iter().filter_map(|index| play.basis().parameter(play.course(), index)).collect::<Vec<_>>()
-    });
     let parameters = div()
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore_button(app)))
         .each(app.read(|play| play.basis().sizes()), |size| sizes::control(app, size))
-        .each(main, |first| parameters::control(app, first));
+        .each(main_groups(app).into_iter().enumerate(), |group| parameter_group(app, "main-group", group));
     let controls = part("controls", "controls card", words.controls).child(buttons::view(app));
     let values = View::from((parameters, drawings::view(app), presets(app)));
     controls.child(seat::view(app)).child(lockable(app, values))
 }
 
+/// The main parameters under the headings of the document. Without headings if the document names them in another order.
+fn main_groups(app: App) -> Vec<ParameterGroup> {
+    let main = app.read(|play| play.program().main_parameters());
+    let groups = groups_of(app, |index| main.contains(&index));
+    let in_order = groups.iter().flat_map(|group| &group.parameters).map(|parameter| parameter.index);
+    if in_order.eq(main.iter().copied()) {
+        return groups;
+    }
+    let named = |play: &mut Play| {
+        main.iter().filter_map(|index| play.basis().parameter(play.course(), *index)).collect::<Vec<_>>()
+    };
+    vec![ParameterGroup { name: String::new(), parameters: app.read(named) }]
+}
+
+/// The groups of the parameters whose index is `wanted`; none is empty.
+fn groups_of(app: App, wanted: impl Fn(usize) -> bool) -> Vec<ParameterGroup> {
+    let mut groups = app.read(|play| play.basis().parameter_groups(play.course()));
+    for group in &mut groups {
+        group.parameters.retain(|parameter| wanted(parameter.index));
+    }
+    groups.retain(|group| !group.parameters.is_empty());
+    groups
+}
+
 /// The card with the parameters that are not among the main ones; empty if there are none.
 pub fn further(app: App) -> View {
     let main = app.read(|play| play.program().main_parameters());
-    let mut groups = app.read(|play| play.basis().parameter_groups(play.course()));
-    for group in &mut groups {
-        group.parameters.retain(|parameter| !main.contains(&parameter.index));
-    }
-    groups.retain(|group| !group.parameters.is_empty());
+    let groups = groups_of(app, |index| !main.contains(&index));
     if groups.is_empty() {
         return View::new();
     }
@@ -47,7 +63,7 @@ pub fn further(app: App) -> View {
     let block = div()
         .class("block")
         .child(div().class("block-head").child(h3().child(words.further_parameters)))
-        .each(groups.into_iter().enumerate(), |group| parameter_group(app, group));
+        .each(groups.into_iter().enumerate(), |group| parameter_group(app, "parameter-group", group));
     part("further", "controls card", words.further_parameters).child(lockable(app, block.into())).into()
 }
 
@@ -67,13 +83,13 @@ fn restore_button(app: App) -> HtmlButton {
         .child(words.restore_defaults)
 }
 
-/// Controls of a parameter group under its heading.
-fn parameter_group(app: App, (number, group): (usize, ParameterGroup)) -> View {
+/// Controls of a parameter group under its heading, whose id is `id` and the number.
+fn parameter_group(app: App, id: &str, (number, group): (usize, ParameterGroup)) -> View {
     let control = |first| parameters::control(app, first);
     if group.name.is_empty() {
         return each(group.parameters, control);
     }
-    headed("parameter-group", format!("parameter-group-{number}"), group.name).each(group.parameters, control).into()
+    headed("parameter-group", format!("{id}-{number}"), group.name).each(group.parameters, control).into()
 }
 
 /// A group with a heading of this id.

@@ -174,6 +174,8 @@ visit("a plot is zoomed with the wheel, moved by dragging and shown whole again"
   assert.notEqual(closer, whole, "it is zoomed");
   await visitor.drag("application", name, 60, 0);
   assert.notEqual(await picture(), closer, "it is moved");
+  await plot.hover();
+  await visitor.press("Zoom, download and full screen");
   await visitor.press("Show all");
   assert.equal(await picture(), whole, "it is whole again");
 });

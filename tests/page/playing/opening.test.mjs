@@ -34,6 +34,7 @@ visit("the page opens with its simulation, and the tabs of the laboratory wait",
 });
 
 visit("a tab that is asked for brings the laboratory, which shows what was there", { file, idle: false, theme: "dark" }, async (lab) => {
+  await lab.openMenu();
   await lab.page.locator("#language-es").click();
   await lab.enter("Amortiguamiento", "321");
   await lab.press("Reproducir");

@@ -95,6 +95,7 @@ visit("a link opens the same state, and the run is saved", { file: exported }, a
 });
 
 visit("the document is saved as it was written", { file: exported }, async (page) => {
+  await page.openMenu();
   const { name, text } = await page.save(page.page.locator("#document"));
   assert.match(name, /^utube(\.es)?\.md$/);
   assert.match(text, /^---\ntitle: /);

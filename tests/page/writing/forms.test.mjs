@@ -160,7 +160,7 @@ visit("a translation is begun, written beside the texts of the document, and its
   await eventually(async () => assert.ok(await lab.page.getByText("Rigidez del resorte").first().isVisible()));
   await lab.page.locator("#tab-write").click();
   await panel(lab, "Texto");
-  await lab.page.getByLabel("Archivo").selectOption("a-mass-on-a-spring.es.md");
+  await lab.page.getByLabel("Archivo", { exact: true }).selectOption("a-mass-on-a-spring.es.md");
   await now(lab, /"Stiffness of the spring" = "Rigidez del resorte"/);
   await now(lab, /\nUna masa cuelga de un resorte\.\n/);
 });

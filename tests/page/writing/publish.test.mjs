@@ -62,7 +62,7 @@ visit("a document is published as a page: it plays, has its controls and languag
   await lab.page.locator("#open-file").setInputFiles(file);
   await lab.tab("Write");
   await lab.page.locator(".cm-content").waitFor();
-  assert.equal(await lab.page.getByLabel("File").locator("option").count(), 2, "with its translation");
+  assert.equal(await lab.page.getByLabel("File", { exact: true }).locator("option").count(), 2, "with its translation");
 });
 
 visit("what is written is published; with an error nothing is, and the dialog says why", async (lab) => {

@@ -180,19 +180,19 @@ visit("a link holds what was written", async (lab) => {
 
 visit("a translation is written beside its document, and each file has its own undoing", { language: "es-ES" }, async (lab) => {
   await write(lab, "Escribir");
-  await lab.page.getByLabel("Archivo").selectOption("utube.es.md");
+  await lab.page.getByLabel("Archivo", { exact: true }).selectOption("utube.es.md");
   await eventually(async () => assert.match(await text(lab), /translates: utube\.md/));
   await replace(lab, "title: Oscilaciones", "title: Mis oscilaciones");
   const title = (expected) => eventually(async () => assert.match(await lab.page.getByRole("heading", { level: 1 }).innerText(), expected));
   await title(/^Mis oscilaciones/);
-  await lab.page.getByLabel("Archivo").selectOption("utube.md");
+  await lab.page.getByLabel("Archivo", { exact: true }).selectOption("utube.md");
   await replace(lab, "title: Oscillations", "title: My oscillations");
   await lab.pressInMenu("EN – English");
   await title(/^My oscillations/);
   await editor(lab).click();
   await lab.keys("Control+z");
   await title(/^Oscillations/);
-  await lab.page.getByLabel("File").selectOption("utube.es.md");
+  await lab.page.getByLabel("File", { exact: true }).selectOption("utube.es.md");
   assert.match(await text(lab), /title: Mis oscilaciones/);
   await editor(lab).click();
   await lab.keys("Control+z");

@@ -48,8 +48,8 @@ pub use films::{
     POINT_SIGMA, ParallaxForm, ProjectFilm, SpaceTimePicture, Subject, TrackingProgress, TruthComparison,
 };
 pub use fits::{
-    ChoiceView, EstimateView, Export, ExportKind, FitDetail, FitProgress, FitRecordView, FitView, Imprint, KnownView,
-    MOST_FITS,
+    ChoiceView, EstimateView, Export, ExportKind, Finding, FitComputation, FitDetail, FitNews, FitProgress,
+    FitRecordView, FitView, FitWork, Imprint, InProcess, KnownView, MOST_FITS, Workers,
 };
 pub use measured::{CurveAxis, FittedCurve, MeasuredCurve, TheoryCurve};
 pub use opened::OpenedDocuments;

@@ -28,7 +28,7 @@ pub struct Options {
 
 /// Content security policy of the page: no requests, and no resources outside the file.
 pub const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; \
-                          img-src data: blob:; font-src data:; base-uri 'none'; form-action 'none'";
+                          img-src data: blob:; font-src data:; worker-src data:; base-uri 'none'; form-action 'none'";
 
 /// Opening tag of the element with the editor of the laboratory: a deflated script in base64.
 pub const EDITOR: &str = "<script type=\"application/octet-stream\" id=\"editor\">";

@@ -17,6 +17,29 @@ globalThis.opening = {
     const bytes = await packed(part);
     return part.textContent || (bytes.toBase64?.() ?? btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join("")));
   },
+  // Starts a worker with the laboratory's module. `heard` gets what it sends; `failed` is called if it cannot be had, or stops.
+  worker(heard, failed) {
+    const started = Promise.all([compiled, written()]).then(
+      ([module, text]) =>
+        new Promise((done, refused) => {
+          const script = `${text};onmessage=({data})=>{onmessage=null;laboratory({module_or_path:data})}`;
+          const worker = new Worker(`data:text/javascript,${encodeURIComponent(script)}`);
+          worker.onerror = refused;
+          worker.onmessage = () => {
+            worker.onmessage = ({ data }) => heard(data);
+            worker.onerror = failed;
+            done(worker);
+          };
+          worker.postMessage(module);
+        }),
+    );
+    started.catch(failed);
+    const then = (use) => started.then(use, () => {});
+    return {
+      post: (bytes) => then((worker) => worker.postMessage(bytes, [bytes.buffer])),
+      end: () => then((worker) => worker.terminate()),
+    };
+  },
   ask(pressed) {
     opening.pressed = pressed;
     takeOver();
@@ -42,21 +65,26 @@ const parsed = new Promise((done) => {
 // Runs a script of the site.
 const run = (src) =>
   new Promise((onload, onerror) => document.head.append(Object.assign(document.createElement("script"), { src, onload, onerror })));
+// Text of the script with which the laboratory's module runs.
+const written = async () => {
+  const glue = document.querySelector("script#laboratory-glue");
+  if (glue.dataset.script) return (await fetch(glue.dataset.script)).text();
+  return new TextDecoder().decode(await inflated(glue, "deflate-raw"));
+};
 let compiled;
 // Loads the parts of the laboratory, once, and compiles its module beside what goes on.
 const load = async () => {
   await parsed;
   const glue = document.querySelector("script#laboratory-glue");
   const part = document.querySelector("script#laboratory");
-  const written = async () => {
+  const begun = async () => {
     if (glue.dataset.script) return run(glue.dataset.script);
-    const text = new TextDecoder().decode(await inflated(glue, "deflate-raw"));
-    document.head.append(Object.assign(document.createElement("script"), { textContent: text }));
+    document.head.append(Object.assign(document.createElement("script"), { textContent: await written() }));
   };
   const library = document.querySelector("script#library");
   const [module] = await Promise.all([
     inflated(part).then((bytes) => WebAssembly.compile(bytes)),
-    written(),
+    begun(),
     library?.dataset.script && run(library.dataset.script),
   ]);
   return module;

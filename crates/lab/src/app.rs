@@ -7,6 +7,7 @@ use crate::film::{Films, Player};
 use crate::stored::{Kept, Saved, VersionTimes};
 use crate::verifying::verdict::Verified;
 use crate::words::{Words, words_in};
+use crate::workers::Pool;
 use crate::write::{Editor, Panel};
 use desk::{Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};
 use document::page::Source;
@@ -55,8 +56,10 @@ pub struct Lab {
     pub editor_is_current: bool,
     /// True if the editor takes the focus when it appears.
     pub focuses_editor: bool,
-    /// True while fits are being computed.
+    /// True while this page takes its part in the computation of fits.
     pub fitting: bool,
+    /// Computes fits beside the page.
+    pub workers: Pool,
     /// Queue of files to be read as records.
     pub files: VecDeque<File>,
     /// True while a file of the queue is being read.

@@ -38,9 +38,14 @@ mod verifying;
 mod virtual_form;
 mod visited;
 mod words;
+mod workers;
 mod workspace;
 mod write;
 
 fn main() {
-    workspace::start();
+    if workers::is_worker() {
+        workers::serve();
+    } else {
+        workspace::start();
+    }
 }

@@ -130,9 +130,8 @@ fn placed(app: App, closed: usize) {
     if closed > 0 {
         app.complain(app.words().records_closed.to_owned());
     }
-    if app.read_desk(|desk| desk.has_fits_waiting()) {
-        fit::go_on(app);
-    }
+    // Also ends what was computed for the desk before.
+    fit::go_on(app);
 }
 
 /// Changes the texts of a document that does not run, and its files. Once it runs, the stage and the other tabs show

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::{
-    class, drop, film, header, idle, library, library_list, links, navigation, opening, panel, publish, served,
+    class, drop, film, fit, header, idle, library, library_list, links, navigation, opening, panel, publish, served,
     verifying,
 };
 use units::Language;
@@ -53,6 +53,7 @@ fn take_over(mut handed: Handed, place: &HtmlElement) {
 
 fn prepare(app: App) {
     shell::prepare(app.page);
+    app.with(|lab| lab.workers.wake_by(move || fit::go_on(app)));
     view::opening::keep_tab(app.page);
     opening::save_when_left(app);
     navigation::listen(app);

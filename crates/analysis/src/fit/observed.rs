@@ -1,10 +1,11 @@
 //! Measured and fitted values of one column, inside and outside the fitted part.
 
+use serde::{Deserialize, Serialize};
 use units::Unit;
 
 /// Fit of one observation, SI. All columns have equal length: one entry per measured value that is no gap, in the order of
 /// time.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct ObservationFit {
     /// Index in [`super::Task::records`].
     pub record: usize,
@@ -35,7 +36,7 @@ pub struct ObservationFit {
 }
 
 /// Prediction error over a part of the rows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outside {
     /// Number of values.
     pub n: usize,

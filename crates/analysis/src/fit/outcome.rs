@@ -19,11 +19,12 @@ use super::uncertainty::estimate;
 use super::uncertainty::estimate::Estimate;
 use super::uncertainty::identify;
 use super::uncertainty::identify::{Lack, Undetermined};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use units::Unit;
 
 /// Result of a fit. All numbers are SI; units for display are given separately.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Outcome {
     /// True if the search converged.
     pub converged: bool,

@@ -5,9 +5,10 @@ use super::search::Search;
 use super::search::problem::Problem;
 use super::task::plan::{Plan, Point};
 use super::uncertainty::covariance::Covariance;
+use serde::{Deserialize, Serialize};
 
 /// Fitted curve of one observation, SI.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
     /// Index in [`super::Task::records`].
     pub record: usize,

@@ -17,7 +17,7 @@ pub const LINKS: &str = "<!--links-->";
 
 /// Content security policy of the site's pages: only files of the site are loaded, and no inline script runs.
 pub const SITE_POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
-                               img-src data: blob:; font-src data:; connect-src 'self'; worker-src 'self'; \
+                               img-src data: blob:; font-src data:; connect-src 'self'; worker-src 'self' data:; \
                                base-uri 'none'; form-action 'none'";
 
 /// Script that registers the service worker and requests the module.

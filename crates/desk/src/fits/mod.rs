@@ -10,9 +10,11 @@ mod results;
 pub(crate) mod setup;
 pub(crate) mod state;
 mod task;
+mod workers;
 mod zero;
 
 pub use choices::{ChoiceView, FitRecordView, KnownView};
 pub use queue::FitProgress;
 pub use reporting::{Export, ExportKind, Imprint};
 pub use results::{EstimateView, FitDetail, FitView, MOST_FITS};
+pub use workers::{Finding, FitComputation, FitNews, FitWork, InProcess, Workers};

@@ -1,10 +1,11 @@
-//! The queue of fits: one fit per theory, computed in slices.
+//! The queue of fits: one fit per theory, computed by workers.
 
 use crate::fits::fit::{Definition, Job, Waiting};
 use crate::fits::state::Running;
+use crate::fits::workers::{Finding, FitNews, Workers};
 use crate::words::fit_error;
 use crate::{Announcement, Desk, Refusal};
-use analysis::fit::{Fit, FitError, Varied};
+use analysis::fit::{FitError, Varied};
 use document::Document;
 use program::{Model, Parameter};
 use units::{Words, words};
@@ -21,9 +22,6 @@ pub struct FitProgress {
     /// Number of finished theories and number of all theories.
     pub finished: (usize, usize),
 }
-
-/// Number of points of a fitted curve in a report.
-const POINTS_OF_A_CURVE: usize = 600;
 
 impl Desk {
     /// Starts a fit of the open document, whose file name is `file`, to the records that take part.
@@ -90,24 +88,24 @@ impl Desk {
         self.next_fit()
     }
 
-    /// Puts an interrupted reconstruction back into the waiting list. Cancels any other running fit.
+    /// Puts interrupted reconstructions back into the waiting list. Cancels all other running fits.
     fn set_aside(&mut self) {
-        if let Some(Running { job, .. }) = self.fits.running.take()
-            && let Some(waiting) = Waiting::of(job)
-        {
-            self.fits.waiting.push_front(waiting);
+        while let Some(Running { job, .. }) = self.fits.running.pop_back() {
+            if let Some(waiting) = Waiting::of(job) {
+                self.fits.waiting.push_front(waiting);
+            }
         }
     }
 
-    /// Starts the next fit of the queue, or else the next reconstruction. Of several theories, one that cannot be
-    /// fitted is left out. All of these are announced after the last one.
+    /// Adds the next fit of the queue, or else the next reconstruction, to the running ones. Of several theories, one that
+    /// cannot be fitted is left out. All of these are announced after the last one.
     fn next_fit(&mut self) -> Result<(), Refusal> {
         let alone = self.fits.total == 1;
         while let Some(job) = self.fits.queue.pop() {
             let theory = job.document.program.edition(self.play.basis().tag()).title.clone();
             match self.ready(job) {
                 Ok(running) => {
-                    self.fits.running = Some(running);
+                    self.fits.running.push_back(running);
                     return Ok(());
                 }
                 Err(refusal) if alone => return Err(refusal),
@@ -123,7 +121,7 @@ impl Desk {
             let job = waiting.job(&mut self.opened);
             let has_theory = job.is_some();
             if let Some(running) = job.and_then(|job| self.ready(job).ok()) {
-                self.fits.running = Some(running);
+                self.fits.running.push_back(running);
                 break;
             }
             self.fits.lost.push(match has_theory {
@@ -143,47 +141,84 @@ impl Desk {
     fn ready(&self, mut job: Job) -> Result<Running, Refusal> {
         job.document.program.set_seat(self.play.program().seat);
         let task = self.task(&job)?;
-        let model = &job.document.program.model;
-        let fit = match &job.found {
-            Some(found) => Fit::again(model, task.clone(), &found.values),
-            None => Fit::new(model, task.clone()),
-        };
-        match fit {
-            Ok(fit) => Ok(Running { job, task, fit }),
+        match analysis::fit::check(&job.document.program.model, &task) {
+            Ok(()) => Ok(Running { job, task, number: None, progress: (0, 0.0), found: None }),
             Err(error) => Err(Refusal::Fit { why: self.fit_error(&job, &error) }),
         }
     }
 
-    /// Computes one trial. Returns true if there is more work.
+    /// Computes one trial here. Returns true if there is more work.
     pub fn advance_fit(&mut self) -> bool {
-        let Some(running) = &mut self.fits.running else {
-            let _ = self.next_fit();
-            return self.fits.running.is_some();
-        };
-        if !running.fit.advance() {
-            return true;
+        let mut here = std::mem::take(&mut self.fits.here);
+        let has_more = self.advance_fits(&mut here);
+        self.fits.here = here;
+        has_more
+    }
+
+    /// Gives the workers what they can do, and takes what they have found. Results are taken in the order of the queue,
+    /// so that they do not depend on the number of workers. Returns true if there is more work.
+    pub fn advance_fits(&mut self, workers: &mut dyn Workers) -> bool {
+        self.hand_out(workers);
+        for (number, news) in workers.news() {
+            let Some(running) = self.fits.running.iter_mut().find(|running| running.number == Some(number)) else {
+                continue;
+            };
+            match news {
+                FitNews::Trial { trials, explained } => running.progress = (trials, explained),
+                FitNews::Lost => running.number = None,
+                FitNews::Found(found) => running.found = Some(found),
+            }
         }
-        if let Some(Running { job, task, mut fit }) = self.fits.running.take() {
-            let again = job.found.is_some();
-            let mut doubt = None;
-            match fit.outcome() {
-                Some(mut outcome) => {
-                    if let Some(found) = &job.found {
-                        found.complete(&mut outcome);
-                    }
-                    let traces = fit.traces(POINTS_OF_A_CURVE);
-                    doubt = self.take_outcome(job, task, outcome, traces);
+        let mut last = None;
+        while let Some(running) = self.fits.running.pop_front_if(|running| running.found.is_some()) {
+            let again = running.job.found.is_some();
+            let doubt = self.settle(running);
+            last = if again { last } else { Some(doubt) };
+            self.revision.fits += 1;
+        }
+        self.hand_out(workers);
+        if let Some(doubt) = last
+            && self.fit_progress().is_none()
+        {
+            self.announce(Announcement::FitFinished(doubt));
+        }
+        !self.fits.running.is_empty()
+    }
+
+    /// Ends what is not wanted any more, and begins as many fits as there are workers.
+    fn hand_out(&mut self, workers: &mut dyn Workers) {
+        let wanted: Vec<u32> = self.fits.running.iter().filter_map(|running| running.number).collect();
+        workers.keep(&wanted);
+        let is_open = |running: &Running| running.found.is_none();
+        while self.fits.running.iter().filter(|running| is_open(running)).count() < workers.count() {
+            let before = self.fits.running.len();
+            let _ = self.next_fit();
+            if self.fits.running.len() == before {
+                break;
+            }
+        }
+        for running in self.fits.running.iter_mut().filter(|running| running.number.is_none()) {
+            running.number = Some(workers.begin(running.work()));
+        }
+    }
+
+    /// Takes the result of a finished fit; the reason to doubt it is returned.
+    fn settle(&mut self, Running { job, task, found, .. }: Running) -> Option<String> {
+        match found.flatten() {
+            Some(finding) => {
+                let Finding { mut outcome, traces } = *finding;
+                if let Some(found) = &job.found {
+                    found.complete(&mut outcome);
                 }
-                None if again => {}
-                None => self.announce(Announcement::FitFailed),
+                self.take_outcome(job, task, outcome, traces)
             }
-            let _ = self.next_fit();
-            if !again && self.fit_progress().is_none() {
-                self.announce(Announcement::FitFinished(doubt));
+            None => {
+                if job.found.is_none() {
+                    self.announce(Announcement::FitFailed);
+                }
+                None
             }
         }
-        self.revision.fits += 1;
-        self.fits.running.is_some()
     }
 
     /// A sentence for each stored fit that could not be reconstructed, with the reason.
@@ -194,7 +229,7 @@ impl Desk {
     /// Cancels the fits started by the user.
     pub fn cancel_fit(&mut self) {
         if self.fit_progress().is_some() {
-            self.fits.running = None;
+            self.set_aside();
             self.fits.queue.clear();
             self.revision.fits += 1;
             self.announce(Announcement::FitCancelled);
@@ -203,18 +238,20 @@ impl Desk {
 
     /// Progress of the fits started by the user, `None` while none runs.
     pub fn fit_progress(&self) -> Option<FitProgress> {
-        let Running { job, fit, .. } = self.fits.running.as_ref().filter(|running| running.job.found.is_none())?;
+        let own = || self.fits.running.iter().filter(|running| running.job.found.is_none());
+        let open = own().filter(|running| running.found.is_none()).count();
+        let Running { job, progress: (trials, explained), .. } = own().next()?;
         Some(FitProgress {
             theory: job.document.program.edition(self.play.basis().tag()).title.clone(),
-            trials: fit.trials(),
-            explained: fit.explained(),
-            finished: (self.fits.total - self.fits.queue.len() - 1, self.fits.total),
+            trials: *trials,
+            explained: *explained,
+            finished: (self.fits.total - self.fits.queue.len() - open, self.fits.total),
         })
     }
 
-    /// The fit that is being reconstructed, if any.
-    pub(crate) fn being_remade(&self) -> Option<&Job> {
-        self.fits.running.as_ref().map(|running| &running.job).filter(|job| job.found.is_some())
+    /// The fits that are being reconstructed.
+    pub(crate) fn being_remade(&self) -> impl Iterator<Item = &Job> {
+        self.fits.running.iter().map(|running| &running.job).filter(|job| job.found.is_some())
     }
 
     /// Reason why a fit cannot be made, with the name of the record if it is one of several.

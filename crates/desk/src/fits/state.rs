@@ -1,8 +1,9 @@
-//! State of all fits: settings, queue, running fit and results.
+//! State of all fits: settings, queue, running fits and results.
 
 use crate::fits::fit::{Fitted, Job, Waiting};
 use crate::fits::setup::Setup;
-use analysis::fit::{Fit, Task};
+use crate::fits::workers::{Finding, FitWork, InProcess};
+use analysis::fit::Task;
 use std::collections::VecDeque;
 use units::Words;
 
@@ -24,15 +25,31 @@ pub(crate) struct Fits {
     pub queue: Vec<Job>,
     /// Length of the queue when it was started.
     pub total: usize,
-    pub running: Option<Running>,
+    /// Fits that are being computed, in the order of the queue, in which their results are taken.
+    pub running: VecDeque<Running>,
+    /// Computes fits where no other workers are given.
+    pub here: InProcess,
 }
 
-/// The fit that is being computed.
+/// A fit that is being computed.
 #[derive(Debug)]
 pub(crate) struct Running {
     pub job: Job,
     pub task: Task,
-    pub fit: Fit,
+    /// Its number among the workers; `None` before one of them has it.
+    pub number: Option<u32>,
+    /// Number of trials so far, and coefficient of determination of the best one.
+    pub progress: (usize, f64),
+    /// Its result, if it is finished. The inner `None`: nothing was found.
+    pub found: Option<Option<Box<Finding>>>,
+}
+
+impl Running {
+    /// What a worker needs.
+    pub fn work(&self) -> FitWork {
+        let known = self.job.found.as_ref().map(|found| found.values.clone());
+        FitWork::new(self.job.document.program.model.clone(), self.task.clone(), known)
+    }
 }
 
 impl Fits {
@@ -41,9 +58,7 @@ impl Fits {
         self.finished = std::mem::take(&mut other.finished);
         self.waiting = std::mem::take(&mut other.waiting);
         self.issued = other.issued;
-        if let Some(Running { job, .. }) = other.running.take() {
-            self.waiting.extend(Waiting::of(job));
-        }
+        self.waiting.extend(other.running.drain(..).filter_map(|running| Waiting::of(running.job)));
         let (setup, before) = (&mut self.setup, &mut other.setup);
         setup.window = before.window;
         setup.loss = before.loss;

@@ -19,10 +19,10 @@ impl Desk {
     pub fn saved_fits(&self) -> Vec<(String, Item)> {
         let mut saved = SavedFits { records: self.record_names(), fits: Vec::new(), length: 0 };
         saved.add_finished(self.fits.finished.iter());
-        if let Some(job) = self.being_remade()
-            && let Some(found) = &job.found
-        {
-            saved.add(&job.definition, texts(&job.document), found);
+        for job in self.being_remade() {
+            if let Some(found) = &job.found {
+                saved.add(&job.definition, texts(&job.document), found);
+            }
         }
         for Waiting { definition, texts, found } in &self.fits.waiting {
             saved.add(definition, texts.clone(), found);

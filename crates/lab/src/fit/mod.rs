@@ -124,6 +124,7 @@ fn running(app: App) -> View {
     };
     let cancel = move |_| {
         app.act_on_desk(Desk::cancel_fit);
+        go_on(app);
         progress.set(None);
         browser::focus("fit");
     };

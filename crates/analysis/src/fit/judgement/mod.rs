@@ -18,10 +18,11 @@ use super::task::weights::EXACT;
 use super::uncertainty::covariance::series;
 use apart::{Fitted, apart};
 use outliers::{Judged, Off};
+use serde::{Deserialize, Serialize};
 use statistics::RunsTest;
 
 /// Value far beyond the scatter of the others.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outlier {
     /// Index in [`super::Task::records`].
     pub record: usize,

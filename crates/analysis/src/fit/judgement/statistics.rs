@@ -1,5 +1,7 @@
 //! Statistics of residuals: autocorrelation, runs of equal sign.
 
+use serde::{Deserialize, Serialize};
+
 /// Statistic of Durbin & Watson (Biometrika 37 (1950) 409): about 2 for independent residuals, near 0 for strong positive
 /// autocorrelation. `series` are stretches without gaps.
 pub fn durbin_watson(series: &[&[f64]]) -> f64 {
@@ -22,7 +24,7 @@ pub fn autocorrelation(series: &[&[f64]]) -> f64 {
 }
 
 /// Runs test of Wald & Wolfowitz (Ann. Math. Statist. 11 (1940) 147) on the signs of residuals.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RunsTest {
     /// Number of runs of equal sign.
     pub runs: usize,

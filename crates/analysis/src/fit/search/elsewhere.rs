@@ -10,6 +10,7 @@ use super::window::{self, TRIALS, Window};
 use crate::fit::linear::{Decomposition, dot, norm};
 use crate::fit::task::Target;
 use program::{Binary, Node, NodeId, Unary};
+use serde::{Deserialize, Serialize};
 
 /// Smoothness of the sum of squares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,7 +72,7 @@ pub(in crate::fit) struct Elsewhere {
 }
 
 /// Another minimum that fits as well within the noise.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rival {
     /// Sum of squares minus that of the best answer, in variances of a residual.
     pub growth: f64,

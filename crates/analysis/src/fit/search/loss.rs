@@ -1,9 +1,10 @@
 //! Loss functions of a residual: the square, or a robust loss that grows more slowly for large residuals.
 
+use serde::{Deserialize, Serialize};
 use units::Language;
 
 /// Loss function of a residual.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Loss {
     /// Square.
     #[default]

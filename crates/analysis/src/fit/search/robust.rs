@@ -13,10 +13,11 @@ use crate::fit::judgement::outliers::NORMAL;
 use crate::fit::linear::dot;
 use crate::fit::task::weights::EXACT;
 use crate::fit::uncertainty::covariance::{Covariance, series};
+use serde::{Deserialize, Serialize};
 use units::order::median;
 
 /// Effect of a robust loss.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reweighted {
     /// Loss function.
     pub loss: Loss,

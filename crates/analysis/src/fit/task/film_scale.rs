@@ -4,9 +4,10 @@ use super::scale::Prior;
 use crate::fit::search::Search;
 use crate::fit::search::problem::Problem;
 use crate::fit::uncertainty::covariance::Covariance;
+use serde::{Deserialize, Serialize};
 
 /// Fitted scale of the film of a record.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FilmScale {
     /// Index in [`Task::records`](super::Task::records).
     pub record: usize,

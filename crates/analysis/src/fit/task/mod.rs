@@ -11,9 +11,10 @@ pub(in crate::fit) mod weights;
 use super::search::loss::Loss;
 use engine::Method;
 use program::Compiled;
+use serde::{Deserialize, Serialize};
 
 /// One measured column, bound to an expression of the model.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Observation {
     /// Name, for example `y'`.
     pub name: String,
@@ -31,7 +32,7 @@ pub struct Observation {
 }
 
 /// One run of the experiment.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Name: that of its file.
     pub name: String,
@@ -49,7 +50,7 @@ pub struct Record {
 }
 
 /// Kind of a varied number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Target {
     /// Parameter of the model, by its index.
     Parameter(usize),
@@ -61,7 +62,7 @@ pub enum Target {
 }
 
 /// Number to be varied.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Varied {
     /// Parameter, origin or offset.
     pub target: Target,
@@ -81,7 +82,7 @@ impl Varied {
 }
 
 /// Task of a fit.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Task {
     /// Values of all parameters of the model, SI, used where they are not varied.
     pub parameters: Vec<f64>,

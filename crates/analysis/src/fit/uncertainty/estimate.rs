@@ -7,10 +7,11 @@ use crate::fit::search::curve::Derived;
 use crate::fit::search::problem::Problem;
 use crate::fit::task::Target;
 use program::Model;
+use serde::{Deserialize, Serialize};
 use units::Unit;
 
 /// Estimate of a number by a fit.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// Name of the parameter, `t_origin`, or `y_offset`.
     pub name: String,

@@ -4,11 +4,12 @@ use super::covariance::Covariance;
 use crate::fit::autoregression::{orthonormal, subtract_projection};
 use crate::fit::linear::norm;
 use crate::fit::search::Search;
+use serde::{Deserialize, Serialize};
 use units::Language;
 use units::order::sort;
 
 /// Reason why numbers are not determined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Lack {
     /// The curve does not change along a combination of them.
     Flat,
@@ -19,7 +20,7 @@ pub enum Lack {
 }
 
 /// Numbers that the data do not determine individually.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Undetermined {
     /// Reason.
     pub lack: Lack,

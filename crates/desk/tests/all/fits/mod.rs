@@ -3,6 +3,7 @@
 mod first;
 mod saved;
 mod several;
+mod workers;
 
 use desk::document;
 use desk::{Desk, FitDetail};

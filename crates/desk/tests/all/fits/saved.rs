@@ -110,20 +110,3 @@ fn fits_that_cannot_come_back_are_left_out() {
     desk.add_record("tube 3.txt", film(0.5, 0.1, 9).as_bytes()).unwrap();
     assert_eq!(desk.saved_fits(), []);
 }
-
-#[test]
-fn a_new_fit_comes_before_what_is_made_again() {
-    let mut desk = three();
-    fit(&mut desk);
-    let (records, fits) = (desk.saved_records(), desk.saved_fits());
-    let mut later = Desk::open(theory("linear"));
-    crate::support::bring_back_records(&mut later, &records);
-    crate::support::bring_back_fits(&mut later, &fits);
-    later.advance_fit();
-    later.choose_record(0);
-    later.begin_fit("theories/linear.md").unwrap();
-    assert!(later.fit_progress().is_some());
-    while later.advance_fit() {}
-    let names: Vec<_> = later.fits().into_iter().map(|fit| fit.records[0].clone()).collect();
-    assert_eq!(names, ["tube 1.txt", "tube 3.txt"]);
-}

@@ -7,7 +7,7 @@ use crate::film::{Films, Player};
 use crate::stored::{Kept, Saved, VersionTimes};
 use crate::verifying::verdict::Verified;
 use crate::words::{Words, words_in};
-use crate::workers::Pool;
+use crate::workers::FitWorkers;
 use crate::write::{Editor, Panel};
 use desk::{Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};
 use document::page::Source;
@@ -59,7 +59,7 @@ pub struct Lab {
     /// True while this page takes its part in the computation of fits.
     pub fitting: bool,
     /// Computes fits beside the page.
-    pub workers: Pool,
+    pub workers: FitWorkers,
     /// Queue of files to be read as records.
     pub files: VecDeque<File>,
     /// True while a file of the queue is being read.

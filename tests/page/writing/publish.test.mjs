@@ -168,6 +168,7 @@ visit("a frame has its language, its parts, fixed values and the height of its c
     return height;
   });
   const before = await settled();
+  await inside.locator("#more > summary").click();
   await inside.locator("#recorded summary").click();
   await eventually(async () => assert.ok((await heights()) > before));
   await settled();
@@ -198,7 +199,7 @@ for (const [theme, width] of [["light", 390], ["dark", 800]]) {
     meniscus("export", "simulations/utube.md", "--output", file);
     for (const query of ["?lock&height=content&language=es", "?hide=head,scene&lock"]) {
       await lab.page.goto(pathToFileURL(file).href + query);
-      await lab.page.locator("#parameter-0").waitFor();
+      await lab.page.locator("#parameter-0").waitFor({ state: "attached" });
       await lab.page.evaluate(axe);
       const { violations } = await lab.page.evaluate(() => window.axe.run("html"));
       assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`), []);

@@ -1,12 +1,14 @@
 //! The hand-ins of a class. They are added as they arrive, and computed again one after the other in small steps, so that a
 //! page reacts in between.
 
+mod computed;
 mod curves;
 mod questions;
 mod snapshots;
 mod stuck;
 mod work;
 
+pub use computed::{Calculator, Computed, WorkOrder};
 pub use curves::{CurveGroup, Member};
 pub use questions::{ErrorKind, QuestionTally};
 pub use snapshots::{Snapshot, Snapshots};
@@ -14,10 +16,10 @@ pub use stuck::Stuck;
 pub use work::{GivenAnswer, Work};
 
 use crate::results::{Quantity, quantities};
-use crate::verify::{Copied, Curve, Recomputation, copied};
+use crate::verify::{Copied, Curve, Recomputation, copied, document_has_errors};
 use desk::{OpenedDocuments, TheoryCurve};
 use saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError};
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use units::{Language, Words};
 
 /// A file that was added.
@@ -91,13 +93,15 @@ pub struct Collection {
     language: Language,
     entries: Vec<Entry>,
     step: Option<Step>,
+    /// Hand-ins that are computed elsewhere.
+    ordered: BTreeSet<usize>,
     /// Documents opened for earlier hand-ins.
     documents: OpenedDocuments,
     /// Computed hand-ins whose data are still to be compared.
     uncompared: VecDeque<usize>,
     copies: Vec<Copied>,
-    /// Curves of the theories, each from the first fit with it.
-    theories: Vec<TheoryCurve>,
+    /// Curves of the theories, those of a theory from the first hand-in with it, and the index of that hand-in.
+    theories: Vec<(usize, TheoryCurve)>,
 }
 
 impl Collection {
@@ -108,6 +112,7 @@ impl Collection {
             language,
             entries: Vec::new(),
             step: None,
+            ordered: BTreeSet::new(),
             documents: OpenedDocuments::default(),
             uncompared: VecDeque::new(),
             copies: Vec::new(),
@@ -215,7 +220,7 @@ impl Collection {
         let is_asked = |curve: &&TheoryCurve| {
             (&*curve.theory, &*curve.quantity, &*curve.parameter) == (theory, quantity, parameter)
         };
-        self.theories.iter().find(is_asked)
+        self.theories.iter().map(|(_, curve)| curve).find(is_asked)
     }
 
     /// Works for one trial of a fit or one comparison. All hand-ins are computed before their data are compared. Returns false
@@ -227,7 +232,9 @@ impl Collection {
                 if recomputation.advance_with(&mut self.documents) {
                     self.step = Some(Step::Fitting(index, recomputation));
                 } else {
-                    self.finish(index, *recomputation);
+                    let is_known = |theory: &str| self.theories.iter().any(|(_, curve)| curve.theory == theory);
+                    let computed = Computed::of(*recomputation, self.language.tag(), is_known);
+                    self.finish(index, Some(computed));
                 }
             }
             Some(Step::Comparing(index, other)) if other < self.entries.len() => {
@@ -245,17 +252,39 @@ impl Collection {
 
     /// Opens the next hand-in. Returns false if there is none.
     fn begin(&mut self) -> bool {
-        let Some(index) = (0..self.entries.len()).find(|index| self.is_waiting(*index)) else { return false };
-        let entry = &mut self.entries[index];
-        let Ok(hand_in) = &entry.content else { return false };
+        let Some(index) = self.next_waiting() else { return false };
+        let Ok(hand_in) = &self.entries[index].content else { return false };
         match Recomputation::begin_with(&hand_in.work, &mut self.documents) {
-            Ok(recomputation) => self.step = Some(Step::Fitting(index, Box::new(recomputation))),
-            Err(why) => {
-                entry.state = State::Unreadable(why);
-                self.uncompared.push_back(index);
-            }
+            Some(recomputation) => self.step = Some(Step::Fitting(index, Box::new(recomputation))),
+            None => self.finish(index, None),
         }
         true
+    }
+
+    /// The next hand-in that is neither computed nor ordered.
+    fn next_waiting(&self) -> Option<usize> {
+        (0..self.entries.len()).find(|index| self.is_waiting(*index) && !self.ordered.contains(index))
+    }
+
+    /// Orders the next hand-in to be computed elsewhere: its index, and what a [`Calculator`] needs. `None` if none waits.
+    pub fn order(&mut self) -> Option<(usize, WorkOrder)> {
+        let index = self.next_waiting()?;
+        let hand_in = self.entries[index].hand_in()?;
+        let order = WorkOrder::new(&hand_in.work, self.language.tag());
+        self.ordered.insert(index);
+        Some((index, order))
+    }
+
+    /// Takes what was ordered for the hand-in of this index; `None` if its document has errors.
+    pub fn deliver(&mut self, index: usize, computed: Option<Computed>) {
+        if self.ordered.remove(&index) && self.is_waiting(index) {
+            self.finish(index, computed);
+        }
+    }
+
+    /// Takes the order of a hand-in back.
+    pub fn take_back(&mut self, index: usize) {
+        self.ordered.remove(&index);
     }
 
     /// Reads the columns of the next hand-in to be compared. Returns false if there is none.
@@ -270,15 +299,17 @@ impl Collection {
         true
     }
 
-    fn finish(&mut self, index: usize, recomputation: Recomputation) {
+    fn finish(&mut self, index: usize, computed: Option<Computed>) {
         let entry = &mut self.entries[index];
-        if let Ok(hand_in) = &entry.content {
-            let tag = self.language.tag();
-            let (work, mut theories) = Work::of(hand_in, recomputation, &self.program, tag, &self.theories);
-            self.theories.append(&mut theories);
-            entry.state = State::Done(Box::new(work));
-            self.uncompared.push_back(index);
-        }
+        let Ok(hand_in) = &entry.content else { return };
+        entry.state = match computed {
+            Some(mut computed) => {
+                take_curves(&mut self.theories, index, std::mem::take(&mut computed.theories));
+                State::Done(Box::new(Work::of(hand_in, computed, &self.program)))
+            }
+            None => State::Unreadable(document_has_errors()),
+        };
+        self.uncompared.push_back(index);
     }
 
     /// Compares the data of a hand-in with those of another one that was computed before.
@@ -307,4 +338,12 @@ impl Collection {
     pub fn quantities(&self) -> Vec<Quantity> {
         quantities(self.works().map(|(index, work)| (index, work.facts.as_slice())))
     }
+}
+
+/// Takes the curves of a hand-in. Those of an earlier one stay, whichever was computed first.
+fn take_curves(known: &mut Vec<(usize, TheoryCurve)>, index: usize, mut curves: Vec<TheoryCurve>) {
+    let has = |theory: &str, curves: &[TheoryCurve]| curves.iter().any(|curve| curve.theory == theory);
+    curves.retain(|new| known.iter().all(|(from, curve)| curve.theory != new.theory || *from > index));
+    known.retain(|(_, curve)| !has(&curve.theory, &curves));
+    known.extend(curves.into_iter().map(|curve| (index, curve)));
 }

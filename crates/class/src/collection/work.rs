@@ -1,9 +1,11 @@
 //! Work of one group, computed again from its hand-in.
 
-use crate::verify::{Recomputation, Verdict, compare};
+use super::computed::Computed;
+use crate::verify::{Verdict, compare};
 use desk::play::{Attempt, Grade, KeptValues, Play};
-use desk::{FittedCurve, MeasuredCurve, TheoryCurve};
+use desk::{FittedCurve, MeasuredCurve};
 use saved::hand_in::{Fact, HandIn};
+use serde::{Deserialize, Serialize};
 
 /// Work of a group, computed again.
 #[derive(Clone, Debug, Default)]
@@ -23,7 +25,7 @@ pub struct Work {
 }
 
 /// A question, and the answer of the group.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GivenAnswer {
     /// Title of the document.
     pub document: String,
@@ -49,30 +51,15 @@ impl GivenAnswer {
 }
 
 impl Work {
-    /// Work of a finished recomputation of a hand-in, and the curves of its theories that are not `known`. `program`: version
-    /// of the program that has computed.
-    pub(super) fn of(
-        hand_in: &HandIn,
-        recomputation: Recomputation,
-        program: &str,
-        language: &str,
-        known: &[TheoryCurve],
-    ) -> (Self, Vec<TheoryCurve>) {
-        let refused = recomputation.refused();
-        let (desk, facts) = recomputation.finish(language);
-        let work = Self {
-            verdict: compare(hand_in, &facts, refused, program),
-            facts,
-            curves: desk.measured_curves(),
-            fits: desk.fitted_curves(),
-            answers: answers(desk.play()),
-            equal_runs: equal_runs(desk.play()),
-        };
-        (work, desk.theory_curves(|theory| known.iter().all(|curve| curve.theory != theory)))
+    /// Compares what was computed with what a hand-in states. `program`: version of the program that has computed.
+    pub(super) fn of(hand_in: &HandIn, computed: Computed, program: &str) -> Self {
+        let Computed { facts, refused, curves, fits, answers, equal_runs, theories: _ } = computed;
+        let verdict = compare(hand_in, &facts, refused, program);
+        Self { verdict, facts, curves, fits, answers, equal_runs }
     }
 }
 
-fn equal_runs(play: &Play) -> usize {
+pub(super) fn equal_runs(play: &Play) -> usize {
     let runs = play.time_line().kept_values(play.basis());
     let equal = |one: &KeptValues| {
         let is_equal = |other: &&KeptValues| {
@@ -83,7 +70,7 @@ fn equal_runs(play: &Play) -> usize {
     runs.iter().map(equal).max().unwrap_or(0)
 }
 
-fn answers(play: &Play) -> Vec<GivenAnswer> {
+pub(super) fn answers(play: &Play) -> Vec<GivenAnswer> {
     let (basis, answers, program) = (play.basis(), play.answers(), play.program());
     let document = program.title.clone();
     let answer = |question: usize| {

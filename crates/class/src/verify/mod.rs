@@ -13,6 +13,7 @@ pub use copies::{Copied, Curve, Relation, copied, copies};
 pub use desk::write_varied;
 pub use files::{DataFile, FILM_START, film_hash, project_of_files};
 pub use recomputation::Recomputation;
+pub(crate) use recomputation::document_has_errors;
 pub use verdict::{Difference, Verdict, compare, meaning};
 
 use saved::hand_in::{HandIn, Sender};

@@ -20,20 +20,15 @@ impl Recomputation {
     /// If the document has errors.
     pub fn begin(work: &Project) -> Result<Self, Words> {
         let mut documents = OpenedDocuments::default();
-        let mut recomputation = Self::begin_with(work, &mut documents)?;
+        let mut recomputation = Self::begin_with(work, &mut documents).ok_or_else(document_has_errors)?;
         recomputation.desk.exchange_documents(&mut documents);
         Ok(recomputation)
     }
 
-    /// As [`Recomputation::begin`]; a document among `documents` is not opened again.
-    ///
-    /// # Errors
-    /// If the document has errors.
-    pub fn begin_with(work: &Project, documents: &mut OpenedDocuments) -> Result<Self, Words> {
+    /// As [`Recomputation::begin`]; a document among `documents` is not opened again. `None` if the document has errors.
+    pub fn begin_with(work: &Project, documents: &mut OpenedDocuments) -> Option<Self> {
         let texts: Vec<String> = work.documents.iter().map(|file| file.text.clone()).collect();
-        let document = documents.open(&texts).ok_or_else(|| {
-            words("the document of the hand-in has errors", "el documento de la entrega tiene errores")
-        })?;
+        let document = documents.open(&texts)?;
         let mut desk = Desk::open(document);
         let mut refused = Vec::new();
         if !work.state.is_empty()
@@ -42,7 +37,7 @@ impl Recomputation {
             refused.push(state_refused(&why));
         }
         refused.extend(desk.take_project_items(&work.items));
-        Ok(Self { desk, refused })
+        Some(Self { desk, refused })
     }
 
     /// Opens a work and finishes its fits.
@@ -89,6 +84,11 @@ impl Recomputation {
         self.desk.set_language(language);
         (self.desk, facts)
     }
+}
+
+/// Reason why a hand-in cannot be computed.
+pub(crate) fn document_has_errors() -> Words {
+    words("the document of the hand-in has errors", "el documento de la entrega tiene errores")
 }
 
 fn state_refused(why: &play::Refusal) -> Words {

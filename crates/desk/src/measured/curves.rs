@@ -3,10 +3,11 @@
 use crate::Desk;
 use program::Model;
 use report::size;
+use serde::{Deserialize, Serialize};
 use units::Unit;
 
 /// Horizontal quantity of a curve, and its unit as text.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CurveAxis {
     /// Name of the quantity.
     pub name: String,
@@ -15,7 +16,7 @@ pub struct CurveAxis {
 }
 
 /// A measured column in use, in the units of the document.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MeasuredCurve {
     /// Name of the record.
     pub record: String,
@@ -30,7 +31,7 @@ pub struct MeasuredCurve {
 }
 
 /// A fitted column, in the units of the theory.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FittedCurve {
     /// Title of the theory.
     pub theory: String,

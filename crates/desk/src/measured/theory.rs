@@ -5,6 +5,7 @@ use crate::fits::fit::Fitted;
 use analysis::fit::Target;
 use engine::Readings;
 use program::NodeId;
+use serde::{Deserialize, Serialize};
 use units::order::sort_by;
 
 /// Number of points of a curve.
@@ -13,7 +14,7 @@ const POINTS: u32 = 80;
 const REACH: f64 = 10.0;
 
 /// A derived quantity of a theory against a parameter, with the values of a fit for all other parameters. SI.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TheoryCurve {
     /// Title of the theory.
     pub theory: String,

@@ -3,6 +3,7 @@
 mod adding;
 mod against;
 mod answers;
+mod computing;
 mod curves;
 mod drawn;
 mod empty;

@@ -1,5 +1,6 @@
 //! State of the dashboard: the hand-ins, what is collected for the wall, and the names on this device.
 
+use super::computing::Computing;
 use class::collection::{Collection, Snapshot, Snapshots};
 use class::results::Quantity;
 use desk::saved::hand_in::{HandIn, HandInError};
@@ -64,6 +65,8 @@ pub struct Room {
     names: Signal<BTreeMap<String, String>>,
     is_open: Signal<bool>,
     is_computing: Signal<bool>,
+    /// Computes hand-ins beside the page.
+    computing: Signal<Computing>,
     /// Reason why the last files were refused; empty if they were not.
     refusal: Signal<String>,
     /// End of the last update of the dashboard, and the duration of all its parts, in milliseconds.
@@ -96,6 +99,7 @@ impl Room {
             names: create_signal(BTreeMap::new()),
             is_open: create_signal(false),
             is_computing: create_signal(false),
+            computing: create_signal(Computing::default()),
             refusal: create_signal(String::new()),
             updated: create_signal((0.0, 0.0)),
             wall: create_signal(Wall::Closed),
@@ -220,24 +224,43 @@ impl Room {
     /// Removes all hand-ins.
     pub fn clear(self) {
         self.collection.update_silent(Collection::clear);
+        self.computing.update_silent(Computing::end);
         self.snapshots.set(Snapshots::default());
         self.begin_update();
         while self.draw_next() {}
     }
 
-    /// Computes the hand-ins in slices, between which the page reacts.
+    /// Computes the hand-ins in workers; compares them here in slices, between which the page reacts. Called again when workers
+    /// have computed something.
     pub fn compute(self) {
         if self.is_computing.replace(true) {
             return;
         }
+        self.computing.update_silent(|computing| computing.wake_by(move || self.compute()));
         wasm_bindgen_futures::spawn_local(async move {
-            while self.work_for_a_slice() {
+            loop {
+                let waits = self.exchange();
+                let goes_on = !waits && self.work_for_a_slice();
                 browser::breathe().await;
                 self.show_sometimes().await;
+                let is_called_again = waits && !self.computing.with_untracked(Computing::has_heard);
+                if is_called_again || !(waits || goes_on) {
+                    self.is_computing.set_silent(false);
+                    return if !waits {
+                        self.show().await
+                    };
+                }
             }
-            self.is_computing.set_silent(false);
-            self.show().await;
         });
+    }
+
+    /// Returns true while hand-ins are computed in workers.
+    fn exchange(self) -> bool {
+        let mut waits = false;
+        self.collection.update_silent(|collection| {
+            self.computing.update_silent(|computing| waits = computing.exchange(collection));
+        });
+        waits
     }
 
     /// Returns false if nothing is left to do.

@@ -1,7 +1,10 @@
-//! What happens in a worker: it computes what the page sends, one fit after the other, and reports.
+//! What happens in a worker: it does what the page orders, one order after the other, and answers.
 
+use super::order::Order;
+use class::collection::{Calculator, Computed};
 use desk::{FitNews, FitWork};
 use js_sys::{Date, Uint8Array};
+use serde::Serialize;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
@@ -14,26 +17,28 @@ pub fn is_worker() -> bool {
     js_sys::global().is_instance_of::<DedicatedWorkerGlobalScope>()
 }
 
-/// Accepts work. The page waits for the first message, which is empty.
+/// Accepts orders. The page waits for the first message, which is empty.
 pub fn serve() {
     let Ok(worker) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
-    let to_page = worker.clone();
+    let (page, mut calculator) = (worker.clone(), Calculator::default());
     let accept = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
-        let bytes = event.data().dyn_into::<Uint8Array>().map(|bytes| bytes.to_vec()).unwrap_or_default();
-        let work: Option<FitWork> = postcard::from_bytes(&bytes).ok();
-        match work {
-            Some(work) => compute(work, &to_page),
-            None => report(&to_page, &FitNews::Found(None)),
+        match postcard::from_bytes(&Uint8Array::new(&event.data()).to_vec()) {
+            Ok(Order::Fit(work)) => fit(work, &page),
+            Ok(Order::HandIns(orders)) => {
+                let computed: Vec<Option<Computed>> = orders.iter().map(|order| calculator.compute(order)).collect();
+                answer(&page, &computed);
+            }
+            Err(_) => {}
         }
     });
     worker.set_onmessage(Some(accept.as_ref().unchecked_ref()));
-    // The worker accepts work as long as it lives.
+    // The worker accepts orders as long as it lives.
     accept.forget();
     let _ = worker.post_message(&Uint8Array::new_with_length(0));
 }
 
 /// Computes a fit. The page ends the worker if it does not want the result any more.
-fn compute(work: FitWork, page: &DedicatedWorkerGlobalScope) {
+fn fit(work: FitWork, page: &DedicatedWorkerGlobalScope) {
     let mut computation = work.start();
     let mut reported = Date::now();
     loop {
@@ -41,7 +46,7 @@ fn compute(work: FitWork, page: &DedicatedWorkerGlobalScope) {
         let is_last = matches!(news, FitNews::Found(_));
         let now = Date::now();
         if is_last || now - reported >= BETWEEN {
-            report(page, &news);
+            answer(page, &news);
             reported = now;
         }
         if is_last {
@@ -50,7 +55,7 @@ fn compute(work: FitWork, page: &DedicatedWorkerGlobalScope) {
     }
 }
 
-fn report(page: &DedicatedWorkerGlobalScope, news: &FitNews) {
-    let bytes = Uint8Array::from(postcard::to_allocvec(news).unwrap_or_default().as_slice());
+fn answer(page: &DedicatedWorkerGlobalScope, answer: &impl Serialize) {
+    let bytes = Uint8Array::from(postcard::to_allocvec(answer).unwrap_or_default().as_slice());
     let _ = page.post_message_with_transfer(&bytes, &js_sys::Array::of1(&bytes.buffer()));
 }

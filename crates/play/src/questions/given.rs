@@ -1,6 +1,7 @@
 //! An answer of the user, with its grade and all attempts.
 
 use crate::questions::grade::Grade;
+use serde::{Deserialize, Serialize};
 
 /// Maximum number of attempts at a question that are kept: the latest ones.
 const MOST_ATTEMPTS: usize = 100;
@@ -9,7 +10,7 @@ const MOST_ATTEMPTS: usize = 100;
 const LONGEST: usize = 300;
 
 /// An answer that has been checked.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Attempt {
     /// Text in the field.
     pub typed: String,

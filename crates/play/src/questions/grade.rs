@@ -1,6 +1,7 @@
 //! Grading of answers.
 
 use program::Tolerance;
+use serde::{Deserialize, Serialize};
 
 /// The grade of an answer, with its text.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,7 +13,7 @@ pub struct Verdict {
 }
 
 /// Grade of an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Grade {
     /// Within the tolerance.
     Correct,

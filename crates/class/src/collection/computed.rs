@@ -1,0 +1,99 @@
+//! What follows from the work of a hand-in. It is computed here in small steps, or elsewhere from an order.
+
+use super::work::{GivenAnswer, answers, equal_runs};
+use crate::verify::Recomputation;
+use desk::{FittedCurve, MeasuredCurve, OpenedDocuments, TheoryCurve};
+use saved::hand_in::Fact;
+use saved::project::Project;
+use serde::{Deserialize, Serialize};
+
+/// The work of a hand-in that is to be computed again, with all that it needs.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct WorkOrder {
+    /// Text of the project.
+    project: String,
+    /// Tag of the language of the questions.
+    language: String,
+}
+
+/// What follows from the work of a hand-in.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Computed {
+    /// The computed values.
+    #[serde(with = "as_text")]
+    pub(super) facts: Vec<Fact>,
+    /// Number of parts of the work that could not be restored.
+    pub(super) refused: usize,
+    /// The measured columns in use.
+    pub(super) curves: Vec<MeasuredCurve>,
+    /// The fitted columns.
+    pub(super) fits: Vec<FittedCurve>,
+    /// The questions of the document with their answers.
+    pub(super) answers: Vec<GivenAnswer>,
+    /// Greatest number of kept runs with the same time, parameters and state.
+    pub(super) equal_runs: usize,
+    /// Curves of the theories that were not known.
+    pub(super) theories: Vec<TheoryCurve>,
+}
+
+/// Computes orders, and keeps what hand-ins have in common.
+#[derive(Debug, Default)]
+pub struct Calculator {
+    documents: OpenedDocuments,
+    /// Titles of the theories whose curves are computed.
+    theories: Vec<String>,
+}
+
+impl WorkOrder {
+    pub(super) fn new(work: &Project, language: &str) -> Self {
+        Self { project: work.write(), language: language.to_owned() }
+    }
+}
+
+impl Computed {
+    /// What follows from a finished recomputation. Curves are computed of theories that are not `known`, by their titles.
+    pub(super) fn of(recomputation: Recomputation, language: &str, known: impl Fn(&str) -> bool) -> Self {
+        let refused = recomputation.refused();
+        let (desk, facts) = recomputation.finish(language);
+        Self {
+            facts,
+            refused,
+            curves: desk.measured_curves(),
+            fits: desk.fitted_curves(),
+            answers: answers(desk.play()),
+            equal_runs: equal_runs(desk.play()),
+            theories: desk.theory_curves(|theory| !known(theory)),
+        }
+    }
+}
+
+impl Calculator {
+    /// Computes an order; `None` if its document has errors.
+    pub fn compute(&mut self, order: &WorkOrder) -> Option<Computed> {
+        let work = Project::read(&order.project).ok()?;
+        let mut recomputation = Recomputation::begin_with(&work, &mut self.documents)?;
+        while recomputation.advance_with(&mut self.documents) {}
+        let is_known = |theory: &str| self.theories.iter().any(|known| known == theory);
+        let computed = Computed::of(recomputation, &order.language, is_known);
+        self.theories.extend(computed.theories.iter().map(|curve| curve.theory.clone()));
+        Some(computed)
+    }
+}
+
+/// Facts as in the file of a hand-in: their form needs a format that describes itself.
+mod as_text {
+    use saved::hand_in::Fact;
+    use serde::de::Error as _;
+    use serde::ser::Error as _;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub fn serialize<S: Serializer>(facts: &[Fact], serializer: S) -> Result<S::Ok, S::Error> {
+        let text = serde_json::to_string(facts).map_err(S::Error::custom)?;
+        serializer.serialize_str(&text)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Fact>, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        serde_json::from_str(&text).map_err(D::Error::custom)
+    }
+}

@@ -30,6 +30,8 @@ visit("a run pauses at the end that its document gives it, says so, and goes on"
 
 visit("a plot over the values of a parameter says how far it is, and is read by keys", async (lab) => {
   await driven(lab);
+  // Its runs are computed once it is shown.
+  await lab.showPlots();
   const plot = lab.page.locator("figure.plot", { hasText: "Resonance" });
   const progress = plot.locator(".progress");
   assert.match(await progress.innerText(), /^\d+ of 1101 runs$/);

@@ -257,10 +257,10 @@ visit("the drawing of the tutorial by hand: a ceiling, a spring, and a mass on i
     await counted(drag(lab, await grip(lab, name), [right * unit, -up * unit]));
   };
   await put("ground");
-  await becomes(lab, "ground", '<ground from="(-6 [cm], 0)" to="(6 [cm], 0)"/>');
+  await becomes(lab, "ground", '<ground from="(-5 [cm], 0)" to="(5 [cm], 0)"/>');
   // The hatching stands to the right of its direction: from right to left it is above.
-  await move("beginning", [11, 13]);
-  await move("end", [-11, 13]);
+  await move("beginning", [10, 13]);
+  await move("end", [-10, 13]);
   await becomes(lab, "ground", '<ground from="(5 [cm], 13 [cm])" to="(-5 [cm], 13 [cm])"/>');
   await put("spring");
   await move("beginning", [5, 13]);

@@ -8,7 +8,7 @@ use wasm_bindgen::JsCast;
 use web_sys::{Element, Node, SvgElement, SvgGraphicsElement};
 
 /// Minimum distance of grid lines, and step of moves without the grid, in CSS pixels.
-const GRID: f64 = 9.0;
+const GRID: f64 = 8.0;
 const FREE: f64 = 0.9;
 
 /// Geometry of the whole picture.

@@ -58,6 +58,14 @@ impl Fit {
         Problem::new(model, task).map(Self::from_own_values)
     }
 
+    /// Checks a task without a fit.
+    ///
+    /// # Errors
+    /// As for [`Fit::new`].
+    pub fn check(model: &Model, task: &Task) -> Result<(), FitError> {
+        Problem::new(model, task.clone()).map(drop)
+    }
+
     /// Resumes a fit from its known answer: `found` are the values of [`Outcome::parameters`], in their order, SI. No other
     /// start is searched. If their number differs from that of the task, the fit starts as in [`Fit::new`].
     ///

@@ -31,14 +31,6 @@ pub use uncertainty::identify::{Lack, Undetermined};
 pub use uncertainty::profile::{Interval, profile, profiles};
 pub use uncertainty::student::student;
 
-/// Checks whether a model can be fitted to measured data, without fitting it.
-///
-/// # Errors
-/// As for [`Fit::new`].
-pub fn check(model: &program::Model, task: &Task) -> Result<(), FitError> {
-    search::problem::Problem::new(model, task.clone()).map(drop)
-}
-
 /// Upper bound of the number of varied numbers, over all records.
 pub const MOST_VARIED: usize = 64;
 /// Upper bound of the number of measured values.

@@ -1,9 +1,9 @@
 //! What follows from the work of a hand-in. It is computed here in small steps, or elsewhere from an order.
 
-use super::work::{GivenAnswer, answers, equal_runs};
-use crate::verify::Recomputation;
+use super::work::{GivenAnswer, Work, answers, equal_runs};
+use crate::verify::{Recomputation, compare};
 use desk::{FittedCurve, MeasuredCurve, OpenedDocuments, TheoryCurve};
-use saved::hand_in::Fact;
+use saved::hand_in::{Fact, HandIn};
 use saved::project::Project;
 use serde::{Deserialize, Serialize};
 
@@ -64,6 +64,13 @@ impl Computed {
             equal_runs: equal_runs(desk.play()),
             theories: desk.theory_curves(|theory| !known(theory)),
         }
+    }
+
+    /// The work of a hand-in, compared with what it states. `program`: version of the program that has computed.
+    pub(super) fn work_of(self, hand_in: &HandIn, program: &str) -> Work {
+        let Self { facts, refused, curves, fits, answers, equal_runs, theories: _ } = self;
+        let verdict = compare(hand_in, &facts, refused, program);
+        Work { verdict, facts, curves, fits, answers, equal_runs }
     }
 }
 

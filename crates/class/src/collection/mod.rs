@@ -305,7 +305,7 @@ impl Collection {
         entry.state = match computed {
             Some(mut computed) => {
                 take_curves(&mut self.theories, index, std::mem::take(&mut computed.theories));
-                State::Done(Box::new(Work::of(hand_in, computed, &self.program)))
+                State::Done(Box::new(computed.work_of(hand_in, &self.program)))
             }
             None => State::Unreadable(document_has_errors()),
         };

@@ -1,10 +1,9 @@
 //! Work of one group, computed again from its hand-in.
 
-use super::computed::Computed;
-use crate::verify::{Verdict, compare};
+use crate::verify::Verdict;
 use desk::play::{Attempt, Grade, KeptValues, Play};
 use desk::{FittedCurve, MeasuredCurve};
-use saved::hand_in::{Fact, HandIn};
+use saved::hand_in::Fact;
 use serde::{Deserialize, Serialize};
 
 /// Work of a group, computed again.
@@ -47,15 +46,6 @@ impl GivenAnswer {
     /// True if the last attempt is right.
     pub fn is_right(&self) -> bool {
         self.attempts.last().is_some_and(|attempt| attempt.grade == Grade::Correct)
-    }
-}
-
-impl Work {
-    /// Compares what was computed with what a hand-in states. `program`: version of the program that has computed.
-    pub(super) fn of(hand_in: &HandIn, computed: Computed, program: &str) -> Self {
-        let Computed { facts, refused, curves, fits, answers, equal_runs, theories: _ } = computed;
-        let verdict = compare(hand_in, &facts, refused, program);
-        Self { verdict, facts, curves, fits, answers, equal_runs }
     }
 }
 

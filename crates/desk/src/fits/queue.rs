@@ -5,7 +5,7 @@ use crate::fits::state::Running;
 use crate::fits::workers::{Finding, FitNews, Workers};
 use crate::words::fit_error;
 use crate::{Announcement, Desk, Refusal};
-use analysis::fit::{FitError, Varied};
+use analysis::fit::{Fit, FitError, Varied};
 use document::Document;
 use program::{Model, Parameter};
 use units::{Words, words};
@@ -141,7 +141,7 @@ impl Desk {
     fn ready(&self, mut job: Job) -> Result<Running, Refusal> {
         job.document.program.set_seat(self.play.program().seat);
         let task = self.task(&job)?;
-        match analysis::fit::check(&job.document.program.model, &task) {
+        match Fit::check(&job.document.program.model, &task) {
             Ok(()) => Ok(Running { job, task, number: None, progress: (0, 0.0), found: None }),
             Err(error) => Err(Refusal::Fit { why: self.fit_error(&job, &error) }),
         }

@@ -43,7 +43,7 @@ impl Workers for FitWorkers {
     fn begin(&mut self, work: FitWork) -> u32 {
         match &mut self.here {
             Some(here) => here.begin(work),
-            None => self.pool.begin(&Order::Fit(work)),
+            None => self.pool.begin(&Order::Fit(Box::new(work))),
         }
     }
 

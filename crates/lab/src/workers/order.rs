@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Serialize, Deserialize)]
 pub enum Order {
     /// A fit; the answers are [`desk::FitNews`].
-    Fit(FitWork),
+    Fit(Box<FitWork>),
     /// Hand-ins to be computed again; the answer is a list of `Option<class::collection::Computed>` in the same order.
     HandIns(Vec<WorkOrder>),
 }

@@ -35,8 +35,8 @@ pub struct Pool {
     /// Called when something has been heard.
     wake: Option<Rc<dyn Fn()>>,
     members: Vec<Member>,
-    /// What the workers have reported, until it is read: the name of the member, and its answer, `None` if it has stopped.
-    inbox: Rc<RefCell<VecDeque<(u32, Option<Vec<u8>>)>>>,
+    /// What the workers have reported, until it is read.
+    inbox: Rc<RefCell<VecDeque<Report>>>,
     /// Number of members so far; it names the next one.
     started: u32,
     /// Number of orders so far; it names the next one.
@@ -44,6 +44,9 @@ pub struct Pool {
     /// True if the browser has no workers.
     is_refused: bool,
 }
+
+/// Name of a worker, and its answer; `None` if it has stopped.
+type Report = (u32, Option<Vec<u8>>);
 
 /// A worker and its order.
 struct Member {

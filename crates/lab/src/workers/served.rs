@@ -23,7 +23,7 @@ pub fn serve() {
     let (page, mut calculator) = (worker.clone(), Calculator::default());
     let accept = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
         match postcard::from_bytes(&Uint8Array::new(&event.data()).to_vec()) {
-            Ok(Order::Fit(work)) => fit(work, &page),
+            Ok(Order::Fit(work)) => fit(*work, &page),
             Ok(Order::HandIns(orders)) => {
                 let computed: Vec<Option<Computed>> = orders.iter().map(|order| calculator.compute(order)).collect();
                 answer(&page, &computed);

@@ -290,7 +290,8 @@ export class Lab {
 
   /** Shows all plots. */
   async showPlots() {
-    for (const chip of await this.page.locator(".plots-bar .chip[aria-pressed=false]:visible").all()) await chip.click();
+    const hidden = this.page.locator(".plots-bar .chip[aria-pressed=false]:visible");
+    while (await hidden.count()) await hidden.first().click();
     await this.drawn();
   }
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
-import { STILL, drop, eventually, sight, temporary, visit } from "../lab.mjs";
+import { Lab, STILL, drop, eventually, sight, temporary, visit } from "../lab.mjs";
 import { DAMPING, LENGTH, film, fit, openTheory, records, unzip } from "../measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -290,4 +290,55 @@ visit("the part that is fitted is brushed in the plot", async (lab) => {
   await lab.tab("Play");
   await lab.page.mouse.move(edge, row);
   assert.equal(await cursor(), "");
+});
+
+/** The page in a browser that refuses workers. */
+function withoutWorkers() {
+  const file = temporary("without-workers.html");
+  writeFileSync(file, readFileSync(process.env.PAGE, "utf8").replace("worker-src data:; ", ""));
+  return file;
+}
+
+/** A theory and a record, in the tab of the fits. */
+async function measuredColumn(lab) {
+  await openTheory(lab, "Linear damping");
+  await drop(lab, { name: "film.csv", text: film() });
+  await records(lab).waitFor();
+  await lab.tab("Fit");
+}
+
+visit("theories are ranked by two workers", async (lab) => {
+  await measuredColumn(lab);
+  await lab.page.locator("#rank").click();
+  await lab.page.locator("#cancel-fit").waitFor();
+  await eventually(() => assert.equal(lab.page.workers().length, 2));
+  await lab.page.locator("#cancel-fit").waitFor({ state: "detached", timeout: 120_000 });
+  assert.equal(await lab.page.locator(".fits tbody tr").count(), 9);
+});
+
+visit("a fit finds the same without workers", async (lab) => {
+  await measuredColumn(lab);
+  const found = await fit(lab);
+  assert.equal(lab.page.workers().length, 1);
+  // The browser reports in its console what it refuses; this page is not asked whether it was quiet.
+  const other = await Lab.open({ file: withoutWorkers() });
+  try {
+    await measuredColumn(other);
+    assert.deepEqual([...(await fit(other))], [...found]);
+    assert.equal(other.page.workers().length, 0);
+  } finally {
+    await other.context.close();
+  }
+});
+
+visit("a ranking that is cancelled ends the workers that compute", async (lab) => {
+  await measuredColumn(lab);
+  await lab.page.locator("#rank").click();
+  await eventually(() => assert.equal(lab.page.workers().length, 2));
+  await lab.page.locator("#cancel-fit").click();
+  // One that has just finished its fit may be kept.
+  await eventually(() => assert.ok(lab.page.workers().length < 2));
+  // The next one begins with a new one.
+  const found = await fit(lab);
+  assert.ok(found.size > 0);
 });

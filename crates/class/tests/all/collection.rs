@@ -1,7 +1,7 @@
 //! The hand-ins of a class together: those that count, tallies of answers, groups that are stuck, reports.
 
 use crate::support::{VERSION, answered, handed, measured, report};
-use class::collection::{Collection, Entry, Snapshot, Snapshots, State};
+use class::collection::{Calculator, Collection, Entry, Snapshot, Snapshots, State, WorkOrder};
 use class::page::{count_text, html, progress_text, stuck, workbook};
 use class::verify::hand_in;
 use desk::play::Grade;
@@ -196,4 +196,45 @@ fn of_the_pages_of_a_folder_those_without_data_are_left_out() {
     assert!(class.add_of_folder("cut.hand-in", Err(HandInError::Damaged)));
     while class.advance() {}
     assert_eq!((class.entries().len(), class.works().count()), (2, 1));
+}
+
+#[test]
+fn what_is_computed_elsewhere_is_what_is_computed_here() {
+    let film = crate::support::with_film(handed(&measured(4), "kite"), &measured(4));
+    let damaged = HandIn { facts: Vec::new(), ..handed(&measured(5), "owl") };
+    let mut broken = handed(&measured(6), "broken");
+    broken.work.documents[0].text = "no document".to_owned();
+    let hand_ins = [of("a", &measured(1), &["420", "0.42"]), of("b", &measured(2), &["7"]), film, damaged, broken];
+    let here = computed(&hand_ins);
+    // Two workers; the one with the later hand-ins is ready first.
+    let mut collection = Collection::new(VERSION, Language::English);
+    for (index, one) in hand_ins.iter().enumerate() {
+        collection.add(&format!("{index}.hand-in"), HandIn::read(&one.write()));
+    }
+    let mut orders: Vec<(usize, WorkOrder)> = std::iter::from_fn(|| collection.order()).collect();
+    assert_eq!(orders.len(), hand_ins.len());
+    assert!(!collection.advance(), "what is ordered is not computed here");
+    let early = orders.split_off(2);
+    let mut delivered = 0;
+    for part in [early, orders] {
+        let mut calculator = Calculator::default();
+        for (index, order) in part {
+            let bytes = postcard::to_allocvec(&calculator.compute(&order)).unwrap();
+            collection.deliver(index, postcard::from_bytes(&bytes).unwrap());
+            delivered += 1;
+            assert_eq!(collection.waiting(), hand_ins.len() - delivered);
+        }
+    }
+    while collection.advance() {}
+    let [elsewhere, here] = [&collection, &here].map(|all| html(all, &[], Language::English, VERSION, ""));
+    assert_eq!(elsewhere, here);
+    // What comes too late is not taken; what is taken back is computed here.
+    collection.clear();
+    collection.deliver(0, None);
+    assert_eq!(collection.entries().len(), 0);
+    collection.add("0.hand-in", HandIn::read(&hand_ins[0].write()));
+    let (index, _) = collection.order().unwrap();
+    collection.take_back(index);
+    while collection.advance() {}
+    assert_eq!(collection.works().count(), 1);
 }

@@ -197,7 +197,9 @@ impl Desk {
                 break;
             }
         }
-        for running in self.fits.running.iter_mut().filter(|running| running.number.is_none()) {
+        let open = self.fits.running.iter_mut().filter(|running| is_open(running));
+        let (given, waiting): (Vec<_>, Vec<_>) = open.partition(|running| running.number.is_some());
+        for running in waiting.into_iter().take(workers.count().saturating_sub(given.len())) {
             running.number = Some(workers.begin(running.work()));
         }
     }

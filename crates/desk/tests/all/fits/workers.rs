@@ -11,18 +11,21 @@ struct Elsewhere {
     issued: u32,
     /// Greatest number of fits at the same time.
     most: usize,
-    /// Number of fits that are lost before the workers become reliable.
-    losses: usize,
+    /// True if all are lost at first, and a single one is left.
+    is_lost: bool,
+    /// True if a single one is left.
+    is_alone: bool,
     /// Number of fits that were ended.
     ended: usize,
 }
 
 impl Workers for Elsewhere {
     fn count(&self) -> usize {
-        3
+        if self.is_alone { 1 } else { 3 }
     }
 
     fn begin(&mut self, work: FitWork) -> u32 {
+        assert!(self.given.len() < self.count());
         self.issued += 1;
         self.given.push((self.issued, postcard::to_allocvec(&work).unwrap()));
         self.most = self.most.max(self.given.len());
@@ -31,9 +34,11 @@ impl Workers for Elsewhere {
 
     fn news(&mut self) -> Vec<(u32, FitNews)> {
         let Some((number, bytes)) = self.given.pop() else { return Vec::new() };
-        if self.losses > 0 {
-            self.losses -= 1;
-            return vec![(number, FitNews::Lost)];
+        if std::mem::take(&mut self.is_lost) {
+            self.is_alone = true;
+            let others = std::mem::take(&mut self.given);
+            let lost = others.into_iter().map(|(other, _)| other).chain([number]);
+            return lost.map(|number| (number, FitNews::Lost)).collect();
         }
         let mut computation = postcard::from_bytes::<FitWork>(&bytes).unwrap().start();
         let mut news = computation.advance();
@@ -70,9 +75,9 @@ fn workers_find_what_is_found_here() {
     while here.advance_fit() {}
     let told = announced(&mut here);
     assert_eq!(told.last().map(String::as_str), Some("FitFinished(None)"));
-    for losses in [0, 4] {
+    for is_lost in [false, true] {
         let mut desk = ranked();
-        let mut workers = Elsewhere { losses, ..Elsewhere::default() };
+        let mut workers = Elsewhere { is_lost, ..Elsewhere::default() };
         assert_eq!(desk.fit_progress().unwrap().finished, (0, 4));
         while desk.advance_fits(&mut workers) {}
         assert_eq!((workers.most, workers.ended), (3, 0));

@@ -4,6 +4,7 @@ mod lines;
 mod members;
 mod outline;
 mod readout;
+mod rounding;
 mod scene;
 mod state;
 pub(crate) mod symbol;

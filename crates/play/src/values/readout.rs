@@ -3,6 +3,7 @@
 use super::Shown;
 use super::lines::{Line, Member};
 use super::members::{Members, ReadoutKind};
+use super::rounding::Rounding;
 use crate::{number, words};
 use program::{Compiled, Kind, Node, NodeId, Role};
 use units::Unit;
@@ -56,7 +57,8 @@ impl Shown<'_> {
     /// family shows the selected member ([`crate::Play::choose_member`]). `values` are those of the quantities, SI.
     pub(crate) fn readouts(&self, values: &[f64]) -> Vec<Readout> {
         let mut readouts = vec![self.time_readout()];
-        let lines = self.values.lines.readouts.iter().filter_map(|line| self.line_readout(line, values));
+        let rounding = Rounding::of(self);
+        let lines = self.values.lines.readouts.iter().filter_map(|line| self.line_readout(line, values, &rounding));
         readouts.extend(lines);
         readouts.extend(self.friction_readouts());
         readouts
@@ -84,9 +86,9 @@ impl Shown<'_> {
         }
     }
 
-    fn line_readout(&self, line: &Line<ReadoutKind>, values: &[f64]) -> Option<Readout> {
+    fn line_readout(&self, line: &Line<ReadoutKind>, values: &[f64], rounding: &Rounding) -> Option<Readout> {
         let member = line.member(self.values.lines.chosen_of(line))?;
-        let parts: Vec<Part> = member.parts.iter().filter_map(|&kind| self.part(kind, values)).collect();
+        let parts: Vec<Part> = member.parts.iter().filter_map(|&kind| self.part(kind, values, rounding)).collect();
         let first = parts.first()?;
         let hidden = parts.iter().any(|part| part.hidden);
         let (value, unit) = match (first.word, parts.as_slice()) {
@@ -115,10 +117,10 @@ impl Shown<'_> {
         Some(Readout { kind, name, label, symbol, members, value, unit, varies, hidden })
     }
 
-    /// A value with the data needed to format it.
-    fn part(&self, kind: ReadoutKind, values: &[f64]) -> Option<Part<'_>> {
+    /// A value with the data needed to format it; a rounding error is 0.
+    fn part(&self, kind: ReadoutKind, values: &[f64], rounding: &Rounding) -> Option<Part<'_>> {
         let model = self.basis.model();
-        Some(match kind {
+        let mut part = match kind {
             ReadoutKind::Independent => return None,
             ReadoutKind::State(index) => {
                 let state = model.states.get(index)?;
@@ -148,7 +150,10 @@ impl Shown<'_> {
                     word: Some(&quantity.value).filter(|value| value.kind != Kind::Number),
                 }
             }
-        })
+        };
+        part.value = rounding.cleared(part.value, part.unit.dimension);
+        part.scale = rounding.cleared(part.scale, part.unit.dimension);
+        Some(part)
     }
 
     fn varies(&self, kind: ReadoutKind) -> bool {

@@ -18,6 +18,7 @@ mod members;
 mod plots;
 mod profiles;
 mod replacement;
+mod rounding;
 mod scores;
 mod seats;
 mod sharing;

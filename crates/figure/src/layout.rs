@@ -200,6 +200,7 @@ impl Figure {
         for series in &plot.series {
             self.trace(plot, series);
         }
+        self.ends(plot);
         self.present(plot);
         self.axis_titles(plot, &x_ticks, &gutters, title_rows);
         self.horizontal_axis(&x_ticks);

@@ -9,6 +9,7 @@
 
 mod axes;
 mod cloud;
+mod ends;
 mod figure;
 mod hover;
 mod items;

@@ -45,6 +45,8 @@ pub struct Axis<'a> {
 pub struct Series<'a> {
     /// Name in the legend; a series without name is not listed.
     pub label: &'a str,
+    /// Name at its last visible point; empty for none.
+    pub end: &'a str,
     /// Name of the horizontal quantity in read-outs; empty if it is the label of the horizontal axis.
     pub across: &'a str,
     /// Index of its vertical axis.

@@ -219,3 +219,45 @@ fn uncertainties_are_bars_on_points_and_a_band_about_a_line() {
     assert_eq!(areas, [8, 8], "two rows before the gap and two after it, there and back");
     assert!(figure.svg(&Palette::LIGHT).contains(&format!("fill=\"{}\"/>", Palette::LIGHT.colour(Ink::Band(1)))));
 }
+
+#[test]
+fn names_stand_at_the_ends_of_curves_and_do_not_overlap() {
+    let time: Vec<f64> = (0..50).map(f64::from).collect();
+    // All end at the lower edge of the panel, one of them outside of a zoomed view.
+    let falling = |from: f64| -> Vec<f64> { time.iter().map(|t| from * (1.0 - t / 49.0)).collect() };
+    let curves = [falling(3.0), falling(2.0), falling(1.0)];
+    let series = |(number, y): (usize, &'static str)| Series {
+        x: &time,
+        y: &curves[number],
+        style: Style::Faded(number as u8),
+        end: y,
+        ..Series::default()
+    };
+    let names = ["b = 0.1 kg/s", "b = 0.2 kg/s", "a name that is much too long for the end of a curve in a narrow figure"];
+    for view in [View::default(), View { x: Some(Interval::new(0.0, 20.0)), ..View::default() }] {
+        let plot = Plot {
+            x: time_axis(),
+            y: vec![axis("y", "m")],
+            series: names.into_iter().enumerate().map(series).collect(),
+            ordered: true,
+            view,
+            ..Plot::default()
+        };
+        let figure = layout(&plot, &settings(400.0, 240.0));
+        let ends = figure.items().filter_map(|item| match item {
+            Item::Text { text, at, size, ink: Ink::Faded(0), .. } => Some((text.to_owned(), at, size)),
+            _ => None,
+        });
+        let ends: Vec<(String, Point, f32)> = ends.collect();
+        let texts: Vec<&str> = ends.iter().map(|(text, ..)| text.as_str()).collect();
+        assert_eq!(texts.len(), 3, "{texts:?}");
+        assert!(texts.contains(&names[0]) && texts.contains(&names[1]), "{texts:?}");
+        assert!(texts.iter().any(|text| text.starts_with("a name") && text.ends_with('…')), "{texts:?}");
+        let (x, y) = (figure.x_scale().unwrap(), figure.y_scales()[0]);
+        for (place, (text, at, size)) in ends.iter().enumerate() {
+            assert!(f64::from(at.y) < y.low + 1.0 && f64::from(at.y - size) > y.high - 1.0, "{text} at {at:?}");
+            assert!(f64::from(at.x) <= x.high + 0.5, "{text} at {at:?}");
+            assert!(ends[..place].iter().all(|(_, other, _)| (other.y - at.y).abs() >= *size), "{ends:?}");
+        }
+    }
+}

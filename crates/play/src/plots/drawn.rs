@@ -33,8 +33,9 @@ impl Figures<'_> {
         let state = self.plots.states.get(index)?;
         let columns = self.line.columns().plot(index)?;
         let labels = &state.labels;
-        let ghosts = self.line.ghost_traces().map(|traces| (traces, Style::Ghost)).into_iter();
-        let kept = self.line.kept_traces().map(|(traces, pattern)| (traces, Style::Faded(pattern)));
+        let ghosts = self.line.ghost_traces().map(|traces| (traces, Style::Ghost, "")).into_iter();
+        let kept = self.line.kept_traces().zip(&self.runs);
+        let kept = kept.map(|((traces, pattern), name)| (traces, Style::Faded(pattern), name.as_str()));
         let points = state.points.iter().filter_map(|points| {
             let axis = columns.curves.get(points.curve)?.axis;
             let (colour, style) = (points.colour, Style::Points);
@@ -43,7 +44,7 @@ impl Figures<'_> {
             Some(Series { label, axis, colour, style, x, y, spread, version, ..Series::default() })
         });
         let mut series: Vec<Series<'_>> = points.collect();
-        for (traces, style) in ghosts.chain(kept).chain([(self.line.traces(), Style::Line)]) {
+        for (traces, style, run) in ghosts.chain(kept).chain([(self.line.traces(), Style::Line, "")]) {
             let present_run = style == Style::Line;
             for (number, &CurveColumns { x, y, axis }) in columns.curves.iter().enumerate() {
                 let present = self.line.present().get(x).copied().zip(self.line.present().get(y).copied());
@@ -56,6 +57,8 @@ impl Figures<'_> {
                 let (x, y) = (traces.column(x), traces.column(y));
                 let across = labels.across.get(number).map_or("", String::as_str);
                 let mut curve = Series { label, across, axis, colour: number as u8, style, x, y, ..Series::default() };
+                // The first curve of a kept run names it.
+                curve.end = if number == 0 { run } else { "" };
                 curve.breaks = traces.breaks(columns.first + number);
                 curve.present = present.filter(|_| present_run);
                 series.push(curve);

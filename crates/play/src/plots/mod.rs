@@ -38,11 +38,13 @@ pub struct Plots {
 }
 
 /// The plots as they are shown: with the run, in the chosen language.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Figures<'a> {
     basis: &'a Basis,
     line: &'a TimeLine,
     plots: &'a Plots,
+    /// Names of the kept runs that are drawn.
+    runs: Vec<String>,
 }
 
 impl Plots {
@@ -53,7 +55,8 @@ impl Plots {
 
     /// The plots as they are shown.
     pub(crate) fn seen<'a>(&'a self, basis: &'a Basis, line: &'a TimeLine) -> Figures<'a> {
-        Figures { basis, line, plots: self }
+        let runs = line.kept(basis).into_iter().filter(|kept| kept.shown).map(|kept| kept.name);
+        Figures { basis, line, plots: self, runs: runs.collect() }
     }
 
     /// Must be called when the model has changed.

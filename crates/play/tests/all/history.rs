@@ -189,6 +189,15 @@ fn runs_are_kept_by_what_differs() {
             "ρ = 13534 kg/m³, b = 200 kg/s, y(0) = 0.3 m, y′(0) = 0 m/s, Euler (2)",
         ]
     );
+    // A name stands at the end of its curve, shortened where it is long.
+    let figure = play.layout_plot(PlotId::at(0), &figure::Settings::default()).unwrap();
+    let texts = figure.items().filter_map(|item| match item {
+        figure::Item::Text { text, ink: figure::Ink::Faded(_), .. } => Some(text),
+        _ => None,
+    });
+    let texts: Vec<&str> = texts.collect();
+    assert_eq!(texts.len(), 4, "{texts:?}");
+    assert!(texts.contains(&"initial settings") && texts.contains(&"b = 50 kg/s → 200 kg/s"), "{texts:?}");
     play.set_language("es");
     assert_eq!(names(&play)[0], "ajustes iniciales");
     assert!(names(&play)[2].contains("0,3 m"));

@@ -20,8 +20,8 @@ export function film(length = LENGTH, seed = 1) {
 }
 
 /** Opens a document that the page carries. */
-export async function openTheory(lab, title, button = "Documents") {
-  await lab.press(button);
+export async function openTheory(lab, title) {
+  await lab.page.locator("#browse").click();
   await lab.page.getByRole("dialog").getByRole("link", { name: title, exact: true }).click();
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), title));
 }

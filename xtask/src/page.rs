@@ -25,6 +25,9 @@ const LIBRARY: [&str; 2] = ["theories", ""];
 /// Marker of the template for what follows the player.
 const LATER: &str = "<!--later-->";
 
+/// Beginning of the element of the views, which gets the number of shipped documents: the player shows it before they arrive.
+const PLACE: &str = "<div id=\"lab\"";
+
 /// Number of iterations of zopfli; more do not make the page smaller.
 const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
 
@@ -199,6 +202,8 @@ fn with_laboratory(page: &str, laboratory: &Bound, player: &str) -> Result<Strin
     let (name, program) = first(&library)?;
     let bundle = bundle::write(&program).map_err(|error| anyhow!("{name} cannot be bundled: {error:?}"))?;
     let page = page::opening(page, &name, &pack(zopfli::Format::Gzip, &bundle)?).context("the page has no marker")?;
+    let count = library.iter().filter(|file| document::translates(&file.text).is_none()).count();
+    let page = page.replacen(PLACE, &format!("{PLACE} data-simulations=\"{count}\""), 1);
     Ok(page.replace(LATER, &later))
 }
 

@@ -15,7 +15,9 @@ use units::words;
 const SUMMARY: usize = 200;
 /// Maximum number of topics of a document.
 const TOPICS: usize = 6;
-/// Maximum length of a topic, in characters.
+/// Maximum number of keywords of a document.
+const KEYWORDS: usize = 24;
+/// Maximum length of a topic or keyword, in characters.
 const TOPIC: usize = 40;
 
 /// Entry of a document or of a translation in a list.
@@ -45,7 +47,7 @@ pub fn card(source: &str) -> Card {
         language: text("language").unwrap_or_else(|| "en".to_owned()),
         translates: text("translates"),
         summary: summary.map_or_else(|| first_sentence(source, &matter), |summary| escaped(&summary.text)),
-        topics: matter.get("topics").map(topics).unwrap_or_default(),
+        topics: matter.get("topics").map(|value| list(value, TOPICS)).unwrap_or_default(),
     }
 }
 
@@ -53,7 +55,12 @@ fn is_short(text: &str, most: usize) -> bool {
     text.chars().nth(most).is_none()
 }
 
-/// Topics with their places.
+/// Keywords of a file.
+pub(crate) fn keywords(matter: &FrontMatter) -> Vec<String> {
+    matter.get("keywords").map(|value| list(value, KEYWORDS)).unwrap_or_default()
+}
+
+/// Topics or keywords with their places.
 fn placed(value: &Value) -> impl Iterator<Item = (&str, Span)> {
     let is_quoted = value.span.range().len() > value.text.len();
     let mut at = value.span.start + usize::from(is_quoted);
@@ -65,13 +72,13 @@ fn placed(value: &Value) -> impl Iterator<Item = (&str, Span)> {
     })
 }
 
-/// Valid topics, each once.
-fn topics(value: &Value) -> Vec<String> {
+/// Valid topics or keywords, each once, at most `most`.
+fn list(value: &Value, most: usize) -> Vec<String> {
     let mut topics: Vec<String> = Vec::new();
     for (topic, _) in placed(value) {
         if !topic.is_empty()
             && is_short(topic, TOPIC)
-            && topics.len() < TOPICS
+            && topics.len() < most
             && !topics.iter().any(|other| other == topic)
         {
             topics.push(topic.to_owned());
@@ -80,7 +87,7 @@ fn topics(value: &Value) -> Vec<String> {
     topics
 }
 
-/// Reports errors in `summary` and `topics`.
+/// Reports errors in `summary`, `topics` and `keywords`.
 pub(crate) fn check(matter: &FrontMatter, diagnostics: &mut Vec<Diagnostic>) {
     if let Some(summary) = matter.get("summary").filter(|summary| !is_short(&summary.text, SUMMARY)) {
         let message =
@@ -90,29 +97,43 @@ pub(crate) fn check(matter: &FrontMatter, diagnostics: &mut Vec<Diagnostic>) {
             "es una frase para una lista; lo demás va en el texto",
         )));
     }
-    let Some(value) = matter.get("topics") else { return };
-    let refused = |message, span| {
-        Diagnostic::error("setting", message, span).with_hint(words(
-            "write a few words with commas between them",
-            "escribe unas pocas palabras separadas por comas",
-        ))
-    };
+    for (key, most, of) in [("topics", TOPICS, TOPIC_WORDS), ("keywords", KEYWORDS, KEYWORD_WORDS)] {
+        if let Some(value) = matter.get(key) {
+            diagnostics.extend(check_list(value, most, &of));
+        }
+    }
+}
+
+/// Names of an element of a list: alone, with *the*, and several.
+type Names = [(&'static str, &'static str); 3];
+
+const TOPIC_WORDS: Names = [("a topic", "un tema"), ("the topic", "el tema"), ("topics", "temas")];
+const KEYWORD_WORDS: Names =
+    [("a keyword", "una palabra clave"), ("the keyword", "la palabra clave"), ("keywords", "palabras clave")];
+
+/// First error in a list of topics or keywords.
+fn check_list(value: &Value, most: usize, names: &Names) -> Option<Diagnostic> {
+    let [(one, uno), (the, el), (many, muchos)] = names;
     let mut before: Vec<&str> = Vec::new();
     for (topic, span) in placed(value) {
         let message = if topic.is_empty() {
-            words("a topic is missing between two commas", "falta un tema entre dos comas")
+            words!("{one} is missing between two commas", "falta {uno} entre dos comas")
         } else if !is_short(topic, TOPIC) {
-            words!("a topic has more than {TOPIC} characters", "un tema tiene más de {TOPIC} caracteres")
+            words!("{one} has more than {TOPIC} characters", "{uno} tiene más de {TOPIC} caracteres")
         } else if before.contains(&topic) {
-            words!("the topic `{topic}` is given twice", "el tema `{topic}` se da dos veces")
-        } else if before.len() == TOPICS {
-            words!("a document has at most {TOPICS} topics", "un documento tiene como máximo {TOPICS} temas")
+            words!("{the} `{topic}` is given twice", "{el} `{topic}` se da dos veces")
+        } else if before.len() == most {
+            words!("a document has at most {most} {many}", "un documento tiene como máximo {most} {muchos}")
         } else {
             before.push(topic);
             continue;
         };
-        return diagnostics.push(refused(message, span));
+        return Some(Diagnostic::error("setting", message, span).with_hint(words(
+            "write a few words with commas between them",
+            "escribe unas pocas palabras separadas por comas",
+        )));
     }
+    None
 }
 
 /// Reports parts of the document's card that the translation lacks. `language` is the place of the translation's language.
@@ -123,7 +144,7 @@ pub(crate) fn check_translated(
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let original = read(original, &mut Vec::new());
-    for key in ["summary", "topics"] {
+    for key in ["summary", "topics", "keywords"] {
         if original.get(key).is_some() && translation.get(key).is_none() {
             let message = words!("`{key}` has no translation", "`{key}` no tiene traducción");
             diagnostics.push(

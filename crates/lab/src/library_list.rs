@@ -58,7 +58,7 @@ fn contents(app: App) -> View {
     let all = own.chain(entries().into_iter().map(|entry| (entry, None)));
     let item = |(number, (entry, own)): (usize, (Entry, _))| Item { number, card: entry.card(language), entry, own };
     let items: Vec<Item> = all.enumerate().map(item).collect();
-    let search = Search::over(items.iter().map(|item| &item.card));
+    let search = Search::over(items.iter().map(|item| (&item.entry, &item.card)));
     let pictures = Pictures::new(language);
     let (typing, scrolling) = (pictures.clone(), pictures.clone());
     let (found, count) = (search.found(), items.len());

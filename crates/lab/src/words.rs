@@ -84,7 +84,7 @@ table_of_words! {
     // Library.
     library_search: "Search", "Buscar";
     library_topics: "Topics", "Temas";
-    library_found: "Documents found", "Documentos encontrados";
+    library_found: "Simulations found", "Simulaciones encontradas";
     library_intro: "Records and fits stay when another document is opened.", "Los registros y los ajustes se conservan al abrir otro documento.";
     library_own: "My documents", "Mis documentos";
     own_changed: "Last changed", "Último cambio";
@@ -230,6 +230,7 @@ table_of_words! {
     text_title: "Title", "Título";
     text_summary: "Summary", "Resumen";
     text_topics: "Topics", "Temas";
+    text_keywords: "Keywords for the search", "Palabras clave para la búsqueda";
     text_prose: "Text", "Texto";
     question_prompt: "prompt", "enunciado";
     question_explanation: "explanation", "explicación";
@@ -240,6 +241,7 @@ table_of_words! {
     document_language: "Language", "Idioma";
     summary_example: "One sentence for lists of documents", "Una frase para las listas de documentos";
     topics_example: "oscillations, energy", "oscilaciones, energía";
+    keywords_example: "Hooke, SHM", "Hooke, MAS, resorte";
     front_unset: "not stated", "sin indicar";
     run_settings: "Method and duration", "Método y duración";
     run_method: "Method", "Método";

@@ -57,23 +57,28 @@ pub fn capital(letter: char) -> char {
     }
 }
 
-/// Removes a Spanish accent from a letter; every other character unchanged.
+/// Removes the accent of a letter of Latin-1, as in Spanish, Portuguese and French; every other character unchanged.
 pub fn without_accent(letter: char) -> char {
     match letter {
-        'á' => 'a',
-        'é' => 'e',
-        'í' => 'i',
-        'ó' => 'o',
-        'ú' | 'ü' => 'u',
+        'à'..='å' => 'a',
+        'ç' => 'c',
+        'è'..='ë' => 'e',
+        'ì'..='ï' => 'i',
         'ñ' => 'n',
-        'Á' => 'A',
-        'É' => 'E',
-        'Í' => 'I',
-        'Ó' => 'O',
-        'Ú' | 'Ü' => 'U',
-        'Ñ' => 'N',
+        'ò'..='ö' | 'ø' => 'o',
+        'ù'..='ü' => 'u',
+        'ý' | 'ÿ' => 'y',
+        'À'..='Ö' | 'Ø'..='Ý' => {
+            without_accent(char::from_u32(letter as u32 + 0x20).unwrap_or(letter)).to_ascii_uppercase()
+        }
         _ => letter,
     }
+}
+
+/// Text for comparison: in lower case, without accents.
+pub fn plain(text: &str) -> String {
+    let is_combining = |letter: &char| ('\u{300}'..='\u{36f}').contains(letter);
+    text.to_lowercase().chars().filter(|letter| !is_combining(letter)).map(without_accent).collect()
 }
 
 /// Number of primes that a character means, `None` if it is no prime.

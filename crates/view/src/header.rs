@@ -6,7 +6,7 @@ use crate::views::*;
 use crate::{browser, icons, keys};
 use units::Language;
 use wasm_bindgen::JsCast;
-use web_sys::{FocusEvent, KeyboardEvent, Node};
+use web_sys::{FocusEvent, HtmlElement, KeyboardEvent, Node};
 
 /// The header, with the page's `own` buttons before the menu, and `in_menu` as its first entries.
 pub fn view(app: App, own: View, in_menu: View) -> HtmlHeader {
@@ -71,10 +71,15 @@ fn menu(app: App, first: View) -> HtmlDiv {
     place.when(events::focusout, left).when(events::keydown, escape).child(more).child(entries)
 }
 
-/// Button of the laboratory for the list of documents.
+/// Button of the laboratory for the list of documents, with their number.
 pub fn browse(app: App) -> HtmlButton {
     let words = app.words();
-    labelled(icons::books(), words.library).id("browse").title(words.library_title).attr("aria-haspopup", "dialog")
+    let count = browser::by_id::<HtmlElement>("lab").and_then(|place| place.get_attribute("data-simulations"));
+    labelled(icons::books(), words.library)
+        .id("browse")
+        .title(words.library_title)
+        .attr("aria-haspopup", "dialog")
+        .maybe(count.map(|count| span().class("count").child(count)))
 }
 
 /// Button of the laboratory that opens a file.

@@ -40,7 +40,7 @@ table_of_words! {
     theme_dark: "Colours: dark", "Colores: oscuros";
     projector: "Projector's view", "Vista para proyectar";
     menu: "Open a file, colours, language", "Abrir un archivo, colores, idioma";
-    library: "Documents", "Documentos";
+    library: "Simulations", "Simulaciones";
     library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
     open: "Open", "Abrir";
     open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";

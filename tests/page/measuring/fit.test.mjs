@@ -45,7 +45,7 @@ visit("a dropped file is recognised, drawn, and fitted by one button", async (la
 });
 
 visit("a fit is handed in as report, workbook and CSV", { language: "es-ES" }, async (lab) => {
-  await openTheory(lab, "Amortiguamiento lineal", "Documentos");
+  await openTheory(lab, "Amortiguamiento lineal");
   await drop(lab, { name: "película.csv", text: film() });
   await records(lab).waitFor();
   await fit(lab);
@@ -222,7 +222,7 @@ for (const language of ["en-GB", "es-ES"]) {
     for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {
       visit(`axe finds nothing in a fit: ${language}, ${theme}, ${device}`, { ...STILL, language, theme, ...size }, async (lab) => {
         const spanish = language === "es-ES";
-        await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping", spanish ? "Documentos" : "Documents");
+        await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping");
         await lab.tab(spanish ? "Medir" : "Measure");
         await lab.page.locator(".intake .chip").first().click();
         await records(lab).waitFor();

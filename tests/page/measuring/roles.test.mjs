@@ -41,7 +41,7 @@ visit("the variable of a file with two readings is asked for, chosen with keys, 
 });
 
 visit("axe finds nothing where a file is asked about: phone, dark, Spanish", { ...STILL, language: "es-ES", theme: "dark", width: 390, height: 844, touch: true }, async (lab) => {
-  await openTheory(lab, "Amortiguamiento lineal", "Documentos");
+  await openTheory(lab, "Amortiguamiento lineal");
   await drop(lab, { name: "dos.csv", text: twoReadings() });
   await records(lab).waitFor();
   await lab.page.getByRole("combobox", { name: "Se mide frente a" }).waitFor();

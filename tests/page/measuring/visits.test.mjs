@@ -219,7 +219,7 @@ visit("answers are kept in another language and after a reload", async (lab) => 
   await shows(lab, "Mi propio oscilador");
   await stands("7", "", 1);
   // Another document has its own.
-  await openTheory(lab, "Amortiguamiento lineal", "Documentos");
+  await openTheory(lab, "Amortiguamiento lineal");
   await lab.page.goBack();
   await shows(lab, "Mi propio oscilador");
   await stands("7", "", 1);

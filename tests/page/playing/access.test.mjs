@@ -57,7 +57,7 @@ for (const language of ["en-GB", "es-ES"]) {
   }
   visit(`axe finds nothing in reports: ${language}`, { ...STILL, language }, async (lab) => {
     const spanish = language === "es-ES";
-    await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping", spanish ? "Documentos" : "Documents");
+    await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping");
     await drop(lab, { name: "film.csv", text: film() });
     await records(lab).waitFor();
     await fit(lab);

@@ -12,6 +12,7 @@ pub const KEYS: &[Entry] = &[
     ("language", ("language of the text, such as en", "idioma del texto, por ejemplo es")),
     ("summary", ("one sentence for lists of simulations", "una frase para listas de simulaciones")),
     ("topics", ("topics for lists, separated by commas", "temas para listas, separados por comas")),
+    ("keywords", ("further words that a search finds", "más palabras que encuentra una búsqueda")),
     ("translates", ("the document that this one translates", "el documento que este traduce")),
     ("method", ("numerical method, such as rk4", "método numérico, por ejemplo rk4")),
     ("step", ("time step, such as 0.01 [s]", "paso de tiempo, por ejemplo 0.01 [s]")),

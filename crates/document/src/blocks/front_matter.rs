@@ -7,11 +7,12 @@ use std::ops::Range;
 use units::{nearest, words};
 
 /// Known keys.
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 14] = [
     "title",
     "language",
     "summary",
     "topics",
+    "keywords",
     "translates",
     "method",
     "step",
@@ -24,7 +25,7 @@ const KEYS: [&str; 13] = [
 ];
 
 /// Spanish keys and other synonyms, with the keys that they mean.
-const OTHER_KEYS: [(&str, &str); 23] = [
+const OTHER_KEYS: [(&str, &str); 25] = [
     ("titulo", "title"),
     ("nombre", "title"),
     ("idioma", "language"),
@@ -35,7 +36,9 @@ const OTHER_KEYS: [(&str, &str); 23] = [
     ("descripcion", "summary"),
     ("temas", "topics"),
     ("tags", "topics"),
-    ("keywords", "topics"),
+    ("palabras", "keywords"),
+    ("palabras-clave", "keywords"),
+    ("palabras_clave", "keywords"),
     ("traduce", "translates"),
     ("metodo", "method"),
     ("paso", "step"),
@@ -167,7 +170,7 @@ fn report(entry: &Entry, given: &mut BTreeMap<&'static str, Span>, diagnostics: 
             *key_span,
         );
         let begun = || KEYS.into_iter().find(|key| name.len() > 2 && key.starts_with(name.as_str()));
-        let plain: String = name.to_lowercase().chars().map(units::alphabet::without_accent).collect();
+        let plain = units::alphabet::plain(name);
         let other = OTHER_KEYS.iter().find(|(other, _)| *other == plain).map(|(_, key)| *key);
         diagnostics.push(match other.or_else(|| nearest(name, KEYS)).or_else(begun) {
             Some(near) => unknown.meaning(near),
@@ -255,7 +258,7 @@ mod tests {
             messages("---\ntitel: x\nwibble: y\ntitle:\nstep: 1\nstep: 2\n---\n").1,
             [
                 "the front matter has no key `titel`; did you mean `title`?",
-                "the front matter has no key `wibble`; the keys are title, language, summary, topics, translates, method, \
+                "the front matter has no key `wibble`; the keys are title, language, summary, topics, keywords, translates, method, \
                  step, until, speed, tolerance, vary, main, assignment",
                 "`title` has no value",
                 "`step` is given twice",

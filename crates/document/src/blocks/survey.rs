@@ -7,7 +7,7 @@ use crate::text::source::trim;
 use model::{Diagnostic, Span};
 use program::{SurveyItem, SurveyKind, SurveyText};
 use std::ops::Range;
-use units::alphabet::without_accent;
+use units::alphabet::plain;
 use units::{Words, nearest, words};
 
 /// Other words for the kinds of items, in Spanish and English, without accents.
@@ -318,7 +318,7 @@ fn unknown(word: &str, place: Span, line: Span) -> Diagnostic {
     };
     let at = if word.is_empty() { line } else { place };
     let diagnostic = Diagnostic::error("survey-syntax", message, at);
-    let plain: String = word.to_lowercase().chars().map(without_accent).collect();
+    let plain = plain(word);
     let other = OTHER_WORDS.iter().find(|(other, _)| *other == plain).map(|(_, kind)| kind.word());
     match other.or_else(|| nearest(word, SurveyKind::ALL.map(SurveyKind::word))) {
         Some(meant) => diagnostic.meaning(meant),

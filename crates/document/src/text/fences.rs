@@ -4,7 +4,7 @@ use super::block::{Block, BlockKind, Fence};
 use super::source::{Line, lines};
 use model::{Diagnostic, Span};
 use std::ops::Range;
-use units::alphabet::without_accent;
+use units::alphabet::plain;
 use units::{nearest, words};
 
 /// Other names of kinds of blocks, in Spanish and English, without accents.
@@ -88,8 +88,8 @@ impl<'a> Opening<'a> {
 
     /// Kind that another word means.
     fn meant(&self) -> Option<BlockKind> {
-        let plain: String = self.word.to_lowercase().chars().map(without_accent).collect();
-        OTHER_WORDS.iter().find(|(word, _)| *word == plain).map(|(_, kind)| *kind)
+        let word = plain(self.word);
+        OTHER_WORDS.iter().find(|(other, _)| *other == word).map(|(_, kind)| *kind)
     }
 
     fn is_closed_by(&self, line: &str) -> bool {

@@ -9,7 +9,7 @@ use crate::{BlockKind, Outline};
 use std::ops::Range;
 
 /// Keys of the front matter that are translated.
-const FRONT: [&str; 3] = ["title", "summary", "topics"];
+const FRONT: [&str; 4] = ["title", "summary", "topics", "keywords"];
 
 /// All texts of a file, except those of its model and its drawing.
 pub fn values(outline: &Outline) -> Vec<(TextKey, String)> {

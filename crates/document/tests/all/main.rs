@@ -16,6 +16,7 @@ mod open;
 mod plot_forms;
 mod reference;
 mod remedies;
+mod search;
 mod simulations;
 mod spanish;
 mod surveys;

@@ -132,7 +132,8 @@ fn title(app: App, key: &TextKey) -> String {
     match key {
         TextKey::Front("title") => words.text_title.to_owned(),
         TextKey::Front("summary") => words.text_summary.to_owned(),
-        TextKey::Front(_) => words.text_topics.to_owned(),
+        TextKey::Front("topics") => words.text_topics.to_owned(),
+        TextKey::Front(_) => words.text_keywords.to_owned(),
         TextKey::Short(_) => words.column_label.to_owned(),
         TextKey::Prose(..) => words.text_prose.to_owned(),
         TextKey::Prompt(number) => question(number, words.question_prompt),

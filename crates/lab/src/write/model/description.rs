@@ -14,6 +14,7 @@ pub fn view(app: App) -> HtmlDiv {
         ("title", words.text_title, ""),
         ("summary", words.text_summary, words.summary_example),
         ("topics", words.text_topics, words.topics_example),
+        ("keywords", words.text_keywords, words.keywords_example),
     ];
     let numbers = [
         ("step", words.column_step, "0.01 [s]"),

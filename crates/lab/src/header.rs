@@ -1,7 +1,7 @@
 //! Header of the page: logo, title of the document, and controls for the whole page.
 
 use crate::app::App;
-use crate::{files, library_list, publish};
+use crate::{files, library_list, publish, welcome};
 use view::header;
 use view::views::*;
 use web_sys::HtmlInputElement;
@@ -10,7 +10,7 @@ use web_sys::HtmlInputElement;
 pub fn view(app: App) -> HtmlHeader {
     let browse = header::browse(app.page).when(events::click, move |_| library_list::choose(app));
     let own = View::from((browse, publish::button_of(app)));
-    header::view(app.page, own, open_button(app))
+    header::view(app.page, welcome::view(app), own, open_button(app))
 }
 
 fn open_button(app: App) -> View {

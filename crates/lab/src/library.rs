@@ -49,9 +49,9 @@ impl Entry {
     }
 }
 
-/// Document of a link that names none, in a page that was not exported: the laboratory opened with it when such links
-/// were written.
-const UNNAMED: &str = "utube.md";
+/// The published simulation. Links without the name of a document, in a page that was not exported, refer to it: the laboratory
+/// opened with it when such links were written.
+pub const PUBLISHED: &str = "utube.md";
 
 /// Documents contained in the page. Kept in memory because every change of a text reads them.
 struct Carried {
@@ -115,7 +115,7 @@ pub fn home() -> Vec<Source> {
 
 /// Files of the document that a link with this state and without the name of a document refers to.
 pub fn unnamed(state: &str) -> Vec<Source> {
-    let before = (!carried().is_exported && !state.is_empty()).then(|| find(UNNAMED)).flatten();
+    let before = (!carried().is_exported && !state.is_empty()).then(|| find(PUBLISHED)).flatten();
     before.unwrap_or_else(home)
 }
 

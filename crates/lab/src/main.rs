@@ -37,6 +37,7 @@ mod titles;
 mod verifying;
 mod virtual_form;
 mod visited;
+mod welcome;
 mod words;
 mod workers;
 mod workspace;

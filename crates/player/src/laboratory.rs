@@ -9,7 +9,7 @@ use units::Language;
 use view::opening::{self, Handed, Opening};
 use view::panel::{self, Tab};
 use view::views::*;
-use view::{App, browser, header, shell, stage, tabs};
+use view::{App, browser, header, shell, stage, tabs, welcome};
 use web_sys::HtmlElement;
 
 /// Key prefix of the state in which the laboratory left a document.
@@ -83,5 +83,8 @@ fn content(app: App, opening: &Rc<Opening>) -> View {
         later(tabs::WRITE, words.tab_write),
     ];
     let body = main().class("laboratory").child(stage::view(app)).child(panel::view(app, tabs));
-    View::from((header::view(app, own, in_menu), body))
+    let asking = opening.clone();
+    let is_own = opening.name() == welcome::OPENING && document().get_element_by_id("documents").is_none();
+    let line = is_own.then(|| welcome::line(app, move |id| asking.ask(id)));
+    View::from((header::view(app, line.map_or_else(View::new, View::from), own, in_menu), body))
 }

@@ -80,7 +80,7 @@ fn head(app: App) -> HtmlHeader {
         .title(words.share_title)
         .when(events::click, move |_| share(app));
     let own = View::from((site::links(app), hand_in::button_of(app), share));
-    header::view(app, own, source::button_of(app))
+    header::view(app, View::new(), own, source::button_of(app))
 }
 
 /// Heading for screen readers if the header is hidden.

@@ -8,8 +8,8 @@ use units::Language;
 use wasm_bindgen::JsCast;
 use web_sys::{FocusEvent, HtmlElement, KeyboardEvent, Node};
 
-/// The header, with the page's `own` buttons before the menu, and `in_menu` as its first entries.
-pub fn view(app: App, own: View, in_menu: View) -> HtmlHeader {
+/// The header, with a `line` beside the title, the page's `own` buttons before the menu, and `in_menu` as its first entries.
+pub fn view(app: App, line: View, own: View, in_menu: View) -> HtmlHeader {
     let tools = div().class("head-tools").child(own).child(menu(app, in_menu));
     header()
         .class("head")
@@ -18,6 +18,7 @@ pub fn view(app: App, own: View, in_menu: View) -> HtmlHeader {
             app.changes.program.track();
             title(app)
         })))
+        .child(line)
         .child(tools)
 }
 

@@ -42,8 +42,10 @@ mod survey;
 pub mod symbols;
 pub mod tabs;
 pub mod theme;
+mod toolbar;
 mod transport;
 pub mod views;
+pub mod welcome;
 pub mod words;
 pub mod worksheet;
 

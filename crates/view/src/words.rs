@@ -42,6 +42,10 @@ table_of_words! {
     menu: "Open a file, colours, language", "Abrir un archivo, colores, idioma";
     library: "Simulations", "Simulaciones";
     library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
+    first_steps: "First steps", "Primeros pasos";
+    film_own: "Film your own", "Filma el tuyo";
+    film_own_steps: ": film, marks, curve, fit", ": vídeo, marcas, curva, ajuste";
+    published: "Published simulation", "Simulación publicada";
     open: "Open", "Abrir";
     open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
     publish: "Share", "Compartir";

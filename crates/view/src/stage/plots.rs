@@ -4,10 +4,10 @@ use super::pinned::Pinned;
 use super::pins;
 use super::{gestures, legend, plot, plot_tools, runs};
 use crate::app::App;
+use crate::toolbar::Toolbar;
 use crate::views::*;
 use play::{PagePart, PlotId, PlotView};
-use wasm_bindgen::JsCast;
-use web_sys::{Element, HtmlElement, KeyboardEvent};
+use web_sys::Element;
 
 /// All plots, with buttons to show and hide them.
 pub fn view(app: App) -> View {
@@ -18,7 +18,7 @@ pub fn view(app: App) -> View {
     let offered = move |id: PlotId| app.plot(id).is_some_and(|plot| plot.offered);
     let count = plots.len();
     let hides = app.host().embedding().hides(PagePart::Plots);
-    let bar = Bar(create_signal(0));
+    let bar = Toolbar::new();
     let switch = |plot: &PlotView| {
         let id = plot.id;
         let turn = move |_| {
@@ -34,7 +34,7 @@ pub fn view(app: App) -> View {
             .class("chip")
             .id(format!("show-plot-{id}"))
             .tabindex(move || bar.stop(id.place()))
-            .when(events::focus, move |_| bar.0.set(id.place()))
+            .when(events::focus, move |_| bar.enter(id.place()))
             .attr("aria-pressed", move || shown(id).to_string())
             .hidden(move || !offered(id))
             .when(events::click, turn)
@@ -51,13 +51,13 @@ pub fn view(app: App) -> View {
                 .class("plots-bar")
                 .role("toolbar")
                 .attr("aria-label", words.plots)
-                .when(events::keydown, Bar::turn)
+                .when(events::keydown, Toolbar::turn)
                 .child(h2().id("plots-title").class("visually-hidden").child(words.plots))
                 .child(div().class("chips").role("group").attr("aria-label", words.plots_shown).each(&plots, switch))
                 .child(
                     runs::keep_button(app)
                         .tabindex(move || bar.stop(count))
-                        .when(events::focus, move |_| bar.0.set(count)),
+                        .when(events::focus, move |_| bar.enter(count)),
                 ),
         )
         .child(runs::list(app))
@@ -65,38 +65,6 @@ pub fn view(app: App) -> View {
         .child(p().id("plot-keys").hidden(true).child(words.plot_keys))
         .child(p().class("empty").hidden(move || (0..count).map(PlotId::at).any(shown)).child(words.no_plots))
         .into()
-}
-
-/// Toolbar above the plots: one stop of Tab, the place of the button that had the focus last. Arrow keys move within it.
-#[derive(Clone, Copy)]
-struct Bar(Signal<usize>);
-
-impl Bar {
-    fn stop(self, place: usize) -> &'static str {
-        if self.0.get() == place { "0" } else { "-1" }
-    }
-
-    /// Moves the focus by arrow keys, cyclically.
-    fn turn(event: KeyboardEvent) {
-        let forward = match event.key().as_str() {
-            "ArrowRight" => true,
-            "ArrowLeft" => false,
-            _ => return,
-        };
-        let bar = event.current_target().and_then(|bar| bar.dyn_into::<Element>().ok());
-        let found = bar.and_then(|bar| bar.query_selector_all("button:not([hidden])").ok());
-        let Some(found) = found else { return };
-        let buttons: Vec<HtmlElement> =
-            (0..found.length()).filter_map(|index| found.get(index)?.dyn_into().ok()).collect();
-        let focused = document().active_element();
-        let at = buttons.iter().position(|button| focused.as_ref() == Some(button.as_ref()));
-        let Some(at) = at else { return };
-        let next = if forward { at + 1 } else { at + buttons.len() - 1 };
-        if let Some(button) = buttons.get(next % buttons.len()) {
-            event.prevent_default();
-            let _ = button.focus();
-        }
-    }
 }
 
 /// True if a plot is shown. In a narrow window only the selected plot, by default the first.

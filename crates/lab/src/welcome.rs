@@ -1,0 +1,41 @@
+//! First things to do, on the opening document: a film of one's own, the published simulation.
+
+use crate::app::App;
+use crate::{library, library_list, visited};
+use play::Subject;
+use view::views::*;
+use view::welcome::{FILM, OPENING, PUBLISHED};
+use view::{browser, tabs, welcome};
+use web_sys::HtmlElement;
+
+/// The line in the header; empty unless the document is the one with which the laboratory opens.
+pub fn view(app: App) -> View {
+    let is_opening = memo(move || {
+        app.changes.program.track();
+        let sources = visited::sources(app);
+        library::subject_of_state(&sources) == Subject::Library(OPENING.to_owned())
+    });
+    let line = move || welcome::line(app.page, move |id| press(app, id)).into();
+    changing(move || if is_opening.get() { line() } else { View::new() })
+}
+
+fn press(app: App, id: &str) {
+    match id {
+        FILM => film(app),
+        PUBLISHED => {
+            library_list::open(app, library::PUBLISHED);
+            browser::focus_later("browse".to_owned());
+        }
+        _ => {}
+    }
+}
+
+/// Opens the tab with the film that is open, or otherwise a chooser for one.
+fn film(app: App) {
+    app.tab.set(tabs::MEASURE);
+    let is_open = app.films.open.get_untracked();
+    browser::reveal_later(if is_open { "film-acts" } else { "open-film" }.to_owned());
+    if !is_open && let Some(chooser) = browser::by_id::<HtmlElement>("film-file") {
+        chooser.click();
+    }
+}

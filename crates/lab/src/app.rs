@@ -4,6 +4,7 @@ mod host;
 
 use crate::class::{Room, SurveyRoom};
 use crate::film::{Films, Player};
+use crate::guide::Step;
 use crate::stored::{Kept, Saved, VersionTimes};
 use crate::verifying::verdict::Verified;
 use crate::words::{Words, words_in};
@@ -19,6 +20,7 @@ use std::panic::Location;
 use std::rc::Rc;
 use units::Language;
 use view::views::*;
+use view::welcome;
 use web_sys::{File, console};
 
 /// Diagnostics of the files: (file index, diagnostic).
@@ -108,6 +110,10 @@ pub struct Laboratory {
     pub record_progress: Signal<Option<RecordProgress>>,
     /// Reason why the last record could not be read.
     pub record_refusal: Signal<Option<String>>,
+    /// True until the guided start has been begun or declined on the first visit.
+    pub is_first_visit: Signal<bool>,
+    /// What the guided start asks for, `None` while there is none.
+    pub guide: Signal<Option<Step>>,
     /// True while the list of documents is open.
     pub library_asked_for: Signal<bool>,
     /// True while the publishing dialog is open.
@@ -196,6 +202,8 @@ impl App {
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
             record_refusal: create_signal(None),
+            is_first_visit: create_signal(welcome::is_first_visit()),
+            guide: create_signal(None),
             library_asked_for: create_signal(false),
             publishing: create_signal(false),
             verified: create_signal(None),

@@ -13,6 +13,7 @@ mod drop;
 mod files;
 mod film;
 mod fit;
+mod guide;
 mod header;
 mod idle;
 mod intake;

@@ -1,10 +1,10 @@
-//! First things to do, on the opening document: a film of one's own, the published simulation.
+//! First things to do, on the opening document: the guided start, a film of one's own, the published simulation.
 
 use crate::app::App;
-use crate::{library, library_list, visited};
+use crate::{guide, library, library_list, visited};
 use play::Subject;
 use view::views::*;
-use view::welcome::{FILM, OPENING, PUBLISHED};
+use view::welcome::{DECLINE, FILM, GUIDE, OPENING, PUBLISHED};
 use view::{browser, tabs, welcome};
 use web_sys::HtmlElement;
 
@@ -15,12 +15,32 @@ pub fn view(app: App) -> View {
         let sources = visited::sources(app);
         library::subject_of_state(&sources) == Subject::Library(OPENING.to_owned())
     });
-    let line = move || welcome::line(app.page, move |id| press(app, id)).into();
-    changing(move || if is_opening.get() { line() } else { View::new() })
+    let is_guided = memo(move || app.guide.with(Option::is_some));
+    effect(move || {
+        if is_opening.get() {
+            welcome::end_first_visit();
+        } else {
+            app.guide.set(None);
+        }
+    });
+    let line = move || welcome::line(app.page, app.is_first_visit.get(), move |id| press(app, id)).into();
+    changing(move || match (is_opening.get(), is_guided.get()) {
+        (false, _) => View::new(),
+        (true, false) => line(),
+        (true, true) => guide::view(app).into(),
+    })
 }
 
 fn press(app: App, id: &str) {
     match id {
+        GUIDE => {
+            app.is_first_visit.set(false);
+            guide::begin(app);
+        }
+        DECLINE => {
+            app.is_first_visit.set(false);
+            browser::focus_later(GUIDE.to_owned());
+        }
         FILM => film(app),
         PUBLISHED => {
             library_list::open(app, library::PUBLISHED);

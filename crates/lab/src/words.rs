@@ -82,6 +82,13 @@ table_of_words! {
     cycles_run: "The line of the simulation is drawn once the simulation stands still.", "La línea de la simulación se dibuja cuando la simulación está detenida.";
 
     // Library.
+    guide_lift: "Lift the liquid: drag it in the picture.", "Levanta el líquido: arrástralo en el dibujo.";
+    guide_lift_keys: " By keyboard: go to a column with Tab and press ↑.", " Con el teclado: ve a una columna con Tab y pulsa ↑.";
+    guide_let_go: "Let go: press Play.", "Suéltalo: pulsa Reproducir.";
+    guide_damp: "Change the damping while it swings: move the slider b.", "Cambia el amortiguamiento mientras oscila: mueve el deslizador b.";
+    guide_read: "Read the period: pause, and find in the plot the time from one maximum to the next.", "Lee el periodo: pausa y busca en la gráfica el tiempo entre un máximo y el siguiente.";
+    guide_done: "Done: you have measured a period. A film of your own gives the same curve.", "Hecho: has medido un periodo. Un vídeo tuyo da la misma curva.";
+    guide_skip: "Skip", "Omitir";
     library_search: "Search", "Buscar";
     library_topics: "Topics", "Temas";
     library_found: "Simulations found", "Simulaciones encontradas";

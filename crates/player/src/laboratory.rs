@@ -85,6 +85,6 @@ fn content(app: App, opening: &Rc<Opening>) -> View {
     let body = main().class("laboratory").child(stage::view(app)).child(panel::view(app, tabs));
     let asking = opening.clone();
     let is_own = opening.name() == welcome::OPENING && document().get_element_by_id("documents").is_none();
-    let line = is_own.then(|| welcome::line(app, move |id| asking.ask(id)));
+    let line = is_own.then(|| welcome::line(app, welcome::is_first_visit(), move |id| asking.ask(id)));
     View::from((header::view(app, line.map_or_else(View::new, View::from), own, in_menu), body))
 }

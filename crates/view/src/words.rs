@@ -43,6 +43,8 @@ table_of_words! {
     library: "Simulations", "Simulaciones";
     library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
     first_steps: "First steps", "Primeros pasos";
+    guide: "60-second start", "Inicio en 60 segundos";
+    guide_decline: "No guided start", "Sin inicio guiado";
     film_own: "Film your own", "Filma el tuyo";
     film_own_steps: ": film, marks, curve, fit", ": vídeo, marcas, curva, ajuste";
     published: "Published simulation", "Simulación publicada";

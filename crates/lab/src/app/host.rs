@@ -29,8 +29,13 @@ impl Host for Store {
     fn news(&self, by_slider: bool) -> Vec<News> {
         let mut news = Vec::new();
         let mut added = None;
+        let begun = self.app.get().and_then(|app| app.guide.get_untracked());
+        let mut step = begun;
         if let Some(mut desk) = self.desk() {
             while let Some(announcement) = desk.take_announcement() {
+                if let (Some(step), Announcement::Play(of_play)) = (&mut step, &announcement) {
+                    *step = step.after(of_play, desk.play());
+                }
                 match &announcement {
                     Announcement::Play(play::Announcement::ParameterSet(..)) if by_slider => {}
                     // The editor already shows that the text runs.
@@ -47,6 +52,9 @@ impl Host for Store {
         }
         if let (Some(app), Some(_)) = (self.app.get(), added) {
             app.new_record.set(added);
+        }
+        if let Some(app) = self.app.get().filter(|_| step != begun) {
+            app.guide.set(step);
         }
         news
     }

@@ -14,7 +14,7 @@ pub(crate) fn residuals(language: Language) -> (&'static str, &'static str) {
 
 /// Labels of the zeros of the clock and of the scale.
 pub(crate) fn zeros(language: Language) -> [&'static str; 2] {
-    language.pick(["Zero of the clock", "Zero of the scale"], ["Cero del reloj", "Cero de la escala"])
+    language.pick(["Time offset", "Offset of the readings"], ["Desfase temporal", "Desfase de las lecturas"])
 }
 
 /// Instructions to repeat a fit made on the page. `several`: true for several records.
@@ -37,7 +37,7 @@ pub(crate) fn record(language: Language) -> &'static str {
 
 /// Text for a search that did not converge.
 pub(crate) fn not_converged(language: Language) -> &'static str {
-    language.pick("The search did not come to its end.", "La búsqueda no llegó a su fin.")
+    language.pick("The fit did not converge.", "El ajuste no ha convergido.")
 }
 
 /// Text for a fitted curve that is not finite.
@@ -55,12 +55,12 @@ pub(crate) fn stopped(language: Language, names: &str) -> String {
 
 /// Text for a curve that does not follow the data.
 pub(crate) fn missed(language: Language) -> &'static str {
-    language.pick("The curve misses what the data show.", "La curva no capta lo que muestran los datos.")
+    language.pick("The model does not describe these data.", "El modelo no describe estos datos.")
 }
 
 /// Text for a fit that is dominated by outliers.
 pub(crate) fn misled(language: Language) -> &'static str {
-    language.pick("Values far from all others have decided it.", "Lo han decidido valores muy alejados de los demás.")
+    language.pick("Outliers dominate the fit.", "Los valores atípicos dominan el ajuste.")
 }
 
 /// Text for a fitted curve that oscillates faster than the samples can show (aliasing).
@@ -73,10 +73,8 @@ pub(crate) fn undersampled(language: Language) -> &'static str {
 
 /// Text about the clock reading at which the initial values hold. `early`: number of values before it.
 pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) -> String {
-    let mut text = language.pick(
-        format!("The initial values hold at {at} on the record's clock."),
-        format!("Los valores iniciales corresponden a {at} en el reloj del registro."),
-    );
+    let mut text = language
+        .pick(format!("The initial values refer to {at}."), format!("Los valores iniciales corresponden a {at}."));
     if early > 0 {
         text += &language.pick(
             format!(" Nothing is predicted of the {early} values before."),
@@ -127,13 +125,13 @@ pub(crate) fn undetermined(language: Language) -> &'static str {
 
 /// True value of a virtual measurement, and the deviation of the estimate in standard errors.
 pub(crate) fn truth_is(language: Language, truth: &str, off: Option<&str>) -> String {
-    let off = off.map(|off| language.pick(format!("; off by {off} σ"), format!("; desviación de {off} σ")));
+    let off = off.map(|off| language.pick(format!("; deviation {off} σ"), format!("; desviación {off} σ")));
     let off = off.unwrap_or_default();
-    language.pick(format!("truth: {truth}{off}"), format!("verdad: {truth}{off}"))
+    language.pick(format!("true value: {truth}{off}"), format!("valor verdadero: {truth}{off}"))
 }
 
 pub(crate) fn run(language: Language) -> &'static str {
-    language.pick("run", "serie")
+    language.pick("run", "ensayo")
 }
 
 /// Reason why a fit cannot be made.

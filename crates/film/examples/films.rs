@@ -122,7 +122,7 @@ impl Film {
         (track, [search, started.elapsed().as_secs_f64() - search, 0.0])
     }
 
-    /// The resting marks of a shaken film.
+    /// The fixed marks of a shaken film.
     fn marks(&self, shaken: bool) -> Marks {
         let marks = self.about["marks"].as_array().filter(|_| shaken).map_or(&[][..], Vec::as_slice);
         let camera = &self.about["frames"][0]["camera"];

@@ -176,7 +176,7 @@ fn of(code: &str) -> (&'static str, &'static str) {
         "translation" | "untranslated" => ("Translation", "Traducción"),
         "scene-syntax" | "scene-style" | "scene-refused" | "scene-definition" | "scene-point" => ("Scene", "Escena"),
         "plot-syntax" | "constant-abscissa" | "sweep" => ("Plots", "Gráficas"),
-        "preset-syntax" => ("Presets", "Ajustes"),
+        "preset-syntax" => ("Presets", "Valores predefinidos"),
         "check-syntax" | "check-constant" | "true-by-definition" => ("Checks", "Comprobaciones"),
         "question-syntax" => ("Questions", "Preguntas"),
         "survey-syntax" => ("Survey", "Encuesta"),

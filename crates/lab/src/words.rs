@@ -118,7 +118,7 @@ table_of_words! {
     fit_part_in_plot: "Take the part in the plot", "Tomar la parte de la gráfica";
     fit_from: "From", "Desde";
     fit_until: "until", "hasta";
-    fit_loss: "Loss", "Pérdida";
+    fit_loss: "Robust fitting", "Ajuste robusto";
     fit_loss_note: "With Huber's or Tukey's loss, values far from the curve count less.", "Con la pérdida de Huber o la de Tukey, los valores lejos de la curva cuentan menos.";
     fit_begin: "Fit", "Ajustar";
     fit_rank: "Rank all theories", "Comparar todas las teorías";
@@ -127,9 +127,11 @@ table_of_words! {
     fit_cancel: "Cancel", "Cancelar";
     fit_results: "Fits, the best first", "Ajustes, el mejor primero";
     fit_theory_head: "Theory", "Teoría";
-    fit_counts: "Values / varied", "Valores / varían";
+    fit_points: "points", "puntos";
+    fit_parameter: "parameter", "parámetro";
+    fit_parameters: "parameters", "parámetros";
     fit_rmse: "Residuals (RMS)", "Residuos (RMS)";
-    fit_predicted: "Outside the part", "Fuera de la parte";
+    fit_predicted: "Prediction error (RMS)", "Error de predicción (RMS)";
     fit_weight: "Weight", "Peso";
     fit_apply: "Show", "Mostrar";
     fit_open: "Open", "Abrir";
@@ -167,7 +169,7 @@ table_of_words! {
     file_followed: "The file has changed; its text runs.", "El archivo ha cambiado; su texto está en marcha.";
     file_replaced: "The file has changed and has replaced the text written here. That text is in Write, under Versions.", "El archivo ha cambiado y ha reemplazado el texto escrito aquí. Ese texto está en Escribir, en Versiones.";
     file_unreadable: "cannot be read. It may have been deleted, moved, or saved as something other than text. Its last text stays open here.", "no se puede leer. Quizá se ha borrado, se ha movido o no se ha guardado como texto. Su último texto sigue abierto aquí.";
-    text_runs: "The simulation runs as written.", "La simulación funciona tal como está escrita.";
+    text_runs: "No errors.", "Sin errores.";
     text_waits: "The last version without errors is running.", "Sigue funcionando la última versión sin errores.";
     show_error: "Show the error", "Mostrar el error";
     show_errors: "Show # errors", "Mostrar # errores";
@@ -191,10 +193,10 @@ table_of_words! {
     plot: "Plot", "Gráfica";
     plots_none: "This document has no plot yet.", "Este documento aún no tiene ninguna gráfica.";
     plot_add: "Add plot", "Añadir gráfica";
-    plot_curves: "Draws", "Dibuja";
-    plot_against: "Against", "Frente a";
+    plot_curves: "Curves", "Curvas";
+    plot_against: "Horizontal axis", "Eje horizontal";
     plot_add_curve: "Add a quantity", "Añadir una magnitud";
-    plot_kind: "As", "Como";
+    plot_kind: "Type", "Tipo";
     plot_as_curves: "curves", "curvas";
     plot_as_points: "single points", "puntos sueltos";
     plot_as_histogram: "histogram", "histograma";

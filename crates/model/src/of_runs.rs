@@ -130,7 +130,7 @@ impl Compiler<'_> {
 fn one_in_another(inner: &Expression, outer: Span) -> Diagnostic {
     let message = words!(
         "`{}` is one number of the whole run, known only at its end: it cannot stand inside another such function",
-        "`{}` es un solo número de toda la serie, que solo se conoce al final: no puede ir dentro de otra función así",
+        "`{}` es un solo número de todo el ensayo, que solo se conoce al final: no puede ir dentro de otra función así",
         quote(inner)
     );
     Diagnostic::error("aggregate-inside", message, inner.span)
@@ -145,7 +145,7 @@ fn one_in_another(inner: &Expression, outer: Span) -> Diagnostic {
 fn too_many(span: Span) -> Diagnostic {
     let message = words!(
         "a plot cannot take more than {} numbers of each run",
-        "una gráfica no puede tomar más de {} números de cada serie",
+        "una gráfica no puede tomar más de {} números de cada ensayo",
         Aggregate::MOST
     );
     Diagnostic::error("too-large", message, span)

@@ -50,7 +50,7 @@ pub fn count(language: Language) -> &'static str {
 pub fn counted(language: Language, values: &str, over_run: bool) -> String {
     match over_run {
         true => language
-            .pick(format!("Histogram of {values} over the run."), format!("Histograma de {values} durante la serie.")),
+            .pick(format!("Histogram of {values} over the run."), format!("Histograma de {values} durante el ensayo.")),
         false => language.pick(
             format!("Histogram of {values} at the moment shown."),
             format!("Histograma de {values} en el instante mostrado."),
@@ -60,7 +60,7 @@ pub fn counted(language: Language, values: &str, over_run: bool) -> String {
 
 /// Progress of the runs of a sweep plot.
 pub fn runs_complete(language: Language, done: usize, all: usize) -> String {
-    language.pick(format!("{done} of {all} runs"), format!("{done} de {all} series"))
+    language.pick(format!("{done} of {all} runs"), format!("{done} de {all} ensayos"))
 }
 
 /// Axis label of the deviation from a claim.
@@ -73,12 +73,12 @@ pub fn deviation(language: Language, relative: bool) -> &'static str {
 
 /// Name of the ghost run.
 pub fn previous_run(language: Language) -> &'static str {
-    language.pick("previous run", "serie anterior")
+    language.pick("previous run", "ensayo anterior")
 }
 
 /// Name of a kept run in a list of other items.
 pub fn kept_run(language: Language, name: &str) -> String {
-    language.pick(format!("the kept run “{name}”"), format!("la serie guardada «{name}»"))
+    language.pick(format!("the kept run “{name}”"), format!("el ensayo guardado «{name}»"))
 }
 
 /// Name of the time of a run in a list of other items.
@@ -189,12 +189,12 @@ pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
         Refusal::RunEnded => language
             .pick(
                 "The run has ended here. Go on, go back in time or back to the start.",
-                "La serie termina aquí. Continúa, retrocede en el tiempo o vuelve al inicio.",
+                "El ensayo termina aquí. Continúa, retrocede en el tiempo o vuelve al inicio.",
             )
             .to_owned(),
         Refusal::TooManyPresses { most } => language.pick(
             format!("{most} presses in one run are the most. Go back to the start."),
-            format!("En una serie caben {most} pulsaciones. Vuelve al inicio."),
+            format!("En un ensayo caben {most} pulsaciones. Vuelve al inicio."),
         ),
         Refusal::Method { method } => {
             let name = method_name(language, *method);
@@ -205,7 +205,7 @@ pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
         }
         Refusal::TooManyRuns { most } => language.pick(
             format!("{most} runs are kept already; remove one first."),
-            format!("Ya hay {most} series guardadas; quita una primero."),
+            format!("Ya hay {most} ensayos guardados; quita uno primero."),
         ),
         Refusal::Unknown { name } => {
             language.pick(format!("There is no “{name}” here."), format!("Aquí no hay «{name}»."))
@@ -251,7 +251,7 @@ impl Announcement {
             Announcement::Paused(at) => with("Paused at {}", "En pausa en {}", &time(*at)),
             Announcement::Ended(at) => with(
                 "The run ends at {}; press Play to continue",
-                "La serie termina en {}; pulsa Reproducir para continuar",
+                "El ensayo termina en {}; pulsa Reproducir para continuar",
                 &time(*at),
             ),
             Announcement::Stepped(at) => with("Step, {}", "Paso, {}", &time(*at)),
@@ -262,7 +262,7 @@ impl Announcement {
             Announcement::BackAtStart => say("Back at the start", "De vuelta en el inicio"),
             Announcement::Restarted(index) => with(
                 "The run starts again: {} changed",
-                "La serie comienza de nuevo: cambió {}",
+                "El ensayo comienza de nuevo: cambió {}",
                 basis.parameter_label(*index),
             ),
             Announcement::ParameterSet(index, value) => {
@@ -271,7 +271,7 @@ impl Announcement {
             }
             Announcement::Drawn(index) => with(
                 "The run starts again: {} drawn",
-                "La serie comienza de nuevo: se dibujó {}",
+                "El ensayo comienza de nuevo: se dibujó {}",
                 &basis.drawing_label(*index),
             ),
             Announcement::DrawingCleared(index) => {
@@ -292,7 +292,7 @@ impl Announcement {
                 let unit = basis.model().states.get(*index).map(|state| &state.unit);
                 let value = unit.map_or_else(String::new, |unit| basis.quantity_text(*value, unit));
                 let label = basis.state_label(*index);
-                with("{}; the run starts from there", "{}; la serie parte de ahí", &format!("{label}: {value}"))
+                with("{}; the run starts from there", "{}; el ensayo parte de ahí", &format!("{label}: {value}"))
             }
             Announcement::StartSet { state, value, before } => {
                 let changed = basis.parameters(line.course()).into_iter();
@@ -303,8 +303,8 @@ impl Announcement {
                 format!("{}: {value}; {}", basis.state_label(*state), changed.join(", "))
             }
             Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &line.speed_text(basis, *speed)),
-            Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),
-            Announcement::Removed(name) => with("Run removed: {}", "Serie quitada: {}", name),
+            Announcement::Kept(name) => with("Run kept: {}", "Ensayo guardado: {}", name),
+            Announcement::Removed(name) => with("Run removed: {}", "Ensayo quitado: {}", name),
             Announcement::Undone => say("Undone", "Deshecho"),
             Announcement::Full => say("Paused: the recording is full", "En pausa: el registro está lleno"),
             Announcement::Failed => {

@@ -20,7 +20,7 @@ table_of_words! {
     course_left_out: "The course has no room for everything. Not kept:", "En el curso no cabe todo. No se guarda:";
     course_way_out: "Hand in saves everything as a file for your teacher.", "Entregar lo guarda todo en un archivo para tu profesor.";
     left_attempts: "texts of earlier attempts", "textos de intentos anteriores";
-    left_kept: "kept runs", "series guardadas";
+    left_kept: "kept runs", "ensayos guardados";
     left_changes: "changes during the run", "cambios durante la simulación";
     left_texts: "texts of the answers", "textos de las respuestas";
     left_values: "values of the simulation", "valores de la simulación";

@@ -60,8 +60,8 @@ pub fn warnings(page: &mut Page, report: &Report<'_>) {
     let mut sentences: Vec<String> = Vec::new();
     if !outcome.converged {
         sentences.push(escaped(language.pick(
-            "The search did not come to its end: these numbers are the best found so far, not a result.",
-            "La búsqueda no llegó a su fin: estos números son los mejores encontrados, no un resultado.",
+            "The fit did not converge: these numbers are the best found so far, not a result.",
+            "El ajuste no ha convergido: estos números son los mejores encontrados, no un resultado.",
         )));
     }
     sentences.extend(report.doubts().iter().map(|text| escaped(text)));

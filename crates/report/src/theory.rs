@@ -218,7 +218,7 @@ fn method(report: &Report<'_>) -> String {
         let independent = &report.document.program.model.independent;
         let reading = |origin: &f64| fixed(independent.unit.from_si(*origin), 4, language.style());
         let values: Vec<String> = origins.iter().map(reading).collect();
-        text += language.pick("; initial values hold at ", "; los valores iniciales corresponden a ");
+        text += language.pick("; initial values refer to ", "; los valores iniciales corresponden a ");
         text.extend([&independent.name, " = ", &values.join("; "), " ", &unit_text(&independent.unit.text)]);
         text += language.pick(" of the record's clock", " en el reloj del registro");
         let early: usize = report.outcome.observations.iter().map(|fit| fit.early).sum();

@@ -80,7 +80,7 @@ table_of_words! {
     outline: "Dotted: measured", "A puntos: lo medido";
     drag_hint: "Drag in the scene, or use the arrow keys.", "Arrastra en la escena, o usa las flechas.";
     drag_hint_touch: "Drag in the scene with a finger.", "Arrastra en la escena con un dedo.";
-    drag_role: "handle", "asa";
+    drag_role: "handle", "tirador";
 
     instruments: "Instruments", "Instrumentos";
     stopwatch: "Stopwatch", "Cronómetro";
@@ -114,12 +114,12 @@ table_of_words! {
     keys_where: "They act while the focus is in the apparatus or nowhere, never while you type.", "Actúan cuando el foco está en el aparato o en ninguna parte, nunca mientras escribes.";
     keys_anywhere: "Apparatus", "Aparato";
     keys_plot: "In a plot", "En una gráfica";
-    keys_scene: "On a handle of the scene", "En un asa de la escena";
+    keys_scene: "On a handle of the scene", "En un tirador de la escena";
     key_space: "Space", "Espacio";
     key_play: "Play or pause", "Reproducir o pausar";
     key_step: "Step back, step forward", "Paso atrás, paso adelante";
     key_speed: "Slower, faster", "Más lento, más rápido";
-    key_keep: "Keep this run", "Guardar esta serie";
+    key_keep: "Keep this run", "Guardar este ensayo";
     key_projector: "Leave the projector's view", "Salir de la vista para proyectar";
     key_undo: "Undo the last removal or reset of parameters", "Deshacer lo último que se quitó o se restableció";
     key_help: "This list", "Esta lista";
@@ -142,17 +142,17 @@ table_of_words! {
     parameters: "Parameters", "Parámetros";
     buttons: "Actions", "Acciones";
     clear_drawing: "Clear", "Borrar";
-    drawing_hint: "Draw the curve in the field; the run starts again. Keys: left and right choose a point, up and down move it.", "Dibuja la curva en el recuadro; la serie comienza de nuevo. Teclas: izquierda y derecha eligen un punto, arriba y abajo lo mueven.";
+    drawing_hint: "Draw the curve in the field; the run starts again. Keys: left and right choose a point, up and down move it.", "Dibuja la curva en el recuadro; el ensayo comienza de nuevo. Teclas: izquierda y derecha eligen un punto, arriba y abajo lo mueven.";
     further_parameters: "Further parameters", "Otros parámetros";
     more: "More", "Más";
     choose: "Choose ...", "Elegir ...";
-    presets: "Presets", "Ajustes";
+    presets: "Presets", "Valores predefinidos";
     restore_defaults: "Restore defaults", "Restaurar valores";
-    restore_defaults_title: "Give all parameters and the start of the run the values of the document", "Dar a todos los parámetros y al inicio de la serie los valores del documento";
-    restarts: "A change starts the run again", "Al cambiarlo, la serie comienza de nuevo";
+    restore_defaults_title: "Give all parameters and the start of the run the values of the document", "Dar a todos los parámetros y al inicio del ensayo los valores del documento";
+    restarts: "A change starts the run again", "Al cambiarlo, el ensayo comienza de nuevo";
     state: "State", "Estado";
-    state_hint: "Pause to edit; the run then begins from there.", "Pausa para editar; la serie parte entonces de ahí.";
-    started_by_hand: "The run starts from a state that was set by hand. Restore defaults brings the document's start back.", "La serie parte de un estado fijado a mano. Restaurar valores recupera el del documento.";
+    state_hint: "Pause to edit; the run then begins from there.", "Pausa para editar; el ensayo parte entonces de ahí.";
+    started_by_hand: "The run starts from a state that was set by hand. Restore defaults brings the document's start back.", "El ensayo parte de un estado fijado a mano. Restaurar valores recupera el del documento.";
     method: "Method", "Método";
     step: "Step", "Paso";
     settings: "State and method", "Estado y método";
@@ -197,11 +197,11 @@ table_of_words! {
     difference_sign: "B − A", "B − A";
 
     // Runs.
-    runs: "Kept runs", "Series guardadas";
-    keep: "Keep run", "Guardar serie";
-    keep_title: "Keep this run and draw the next one over it", "Guardar esta serie y dibujar la siguiente encima";
+    runs: "Kept runs", "Ensayos guardados";
+    keep: "Keep run", "Guardar ensayo";
+    keep_title: "Keep this run and draw the next one over it", "Guardar este ensayo y dibujar el siguiente encima";
     remove_run: "Remove", "Quitar";
-    ghost: "Previous run", "Serie anterior";
+    ghost: "Previous run", "Ensayo anterior";
 
     // Panel.
     panel: "Panel", "Panel";

@@ -1,4 +1,4 @@
-// Points on a film: corners of a rectangle, both arms, points by hand, several bodies, the radius of one, resting marks; moved and
+// Points on a film: corners of a rectangle, both arms, points by hand, several bodies, the radius of one, fixed marks; moved and
 // removed one by one, by pointer, keys and finger.
 
 import assert from "node:assert/strict";
@@ -160,7 +160,7 @@ visit("the radius of a body is found from the click, typed, refused, and found a
   assert.equal((await lab.focused()).id, "film-radius");
 });
 
-visit("resting marks are placed, and removed one by one", async (lab) => {
+visit("fixed marks are placed, and removed one by one", async (lab) => {
   await filmSimulation(lab, { seconds: "2" });
   await lab.page.locator("#film-act-follow details").evaluate((fold) => (fold.open = true));
   await lab.page.locator("#film-still").click();

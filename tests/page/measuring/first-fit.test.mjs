@@ -26,5 +26,5 @@ visit("a document that cannot hold the record is no theory until it is chosen", 
   await lab.page.locator(".theory-chip").first().click();
   assert.equal(await lab.page.locator(".theory-chip[aria-pressed=true]").count(), 1);
   await lab.page.locator("#fit").click();
-  await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /misses what the data show/), 60);
+  await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /does not describe these data/), 60);
 });

@@ -87,7 +87,7 @@ visit("a virtual measurement is fitted, and the truth is found", async (lab) => 
   const found = await fit(lab);
   const length = found.get("Length of the column");
   assert.ok(Math.abs(length.value - 0.3) < 3 * length.spread, JSON.stringify(length));
-  assert.match(length.remark, /^truth: 0.3 m; off by −?\d/);
+  assert.match(length.remark, /^true value: 0.3 m; deviation −?\d/);
   // A field that cannot be says so.
   await lab.tab("Measure");
   await lab.page.getByRole("textbox", { name: "Frames per second" }).fill("none");

@@ -207,7 +207,7 @@ visit("a record is read and fitted, and is there again after a reload", "#1&d=th
 visit("a document is begun and written", "", async (visitor) => {
   await visitor.openTab("Write");
   const status = () => visitor.page.$eval("#writing-status", (status) => status.textContent);
-  const runs = () => eventually(async () => assert.match(await status(), /^The simulation runs as written/));
+  const runs = () => eventually(async () => assert.match(await status(), /^No errors/));
   await eventually(() => visitor.page.$eval(".cm-content", (content) => content.checkVisibility() || assert.fail()));
   await visitor.press("New");
   await visitor.press("A mass on a spring");

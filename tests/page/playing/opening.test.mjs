@@ -40,7 +40,7 @@ visit("a tab that is asked for brings the laboratory, which shows what was there
   await lab.press("Reproducir");
   await lab.watchUntil(1);
   await lab.press("Pausar");
-  await lab.press("Guardar serie");
+  await lab.press("Guardar ensayo");
   await lab.press("Volver al inicio");
   await lab.press("Reproducir");
   await lab.watchUntil(0.5);

@@ -10,7 +10,7 @@ const editor = (lab) => lab.page.locator(".cm-content");
 const text = (lab) => editor(lab).evaluate((content) => content.cmTile?.view?.state.doc.toString() ?? content.innerText);
 const now = (lab, expected) => eventually(async () => assert.match(await text(lab), expected));
 const field = (lab, name) => lab.page.getByLabel(name, { exact: true });
-const runs = (lab) => eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /^The simulation runs as written/));
+const runs = (lab) => eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /^No errors/));
 
 /** The oscillator of the templates, at what its readers see. */
 async function view(lab, { write = "Write", begin = "New", template = "A mass on a spring", panel = "View" } = {}) {

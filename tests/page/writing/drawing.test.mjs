@@ -12,7 +12,7 @@ const text = (lab) => editor(lab).evaluate((content) => content.cmTile?.view?.st
 /** An element of the scene as it is written, by the beginning of its tag. */
 const written = async (lab, tag) => new RegExp(`<${tag}[ />][^\n]*`).exec(await text(lab))?.[0];
 const becomes = (lab, tag, expected) => eventually(async () => assert.equal(await written(lab, tag), expected));
-const runs = (lab, words = /^The simulation runs as written/) =>
+const runs = (lab, words = /^No errors/) =>
   eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), words));
 const canvas = (lab) => lab.page.locator("#drawing-canvas");
 

@@ -17,7 +17,7 @@ const MOST = { mouse: 60, keyboard: 65, finger: 60 };
 
 const editor = (lab) => lab.page.locator(".cm-content");
 const text = (lab) => editor(lab).evaluate((content) => content.cmTile?.view?.state.doc.toString() ?? content.innerText);
-const runs = (lab) => eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /^The simulation runs as written/));
+const runs = (lab) => eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /^No errors/));
 
 /** A person with a mouse, a finger, or a keyboard alone. Counts what is done. */
 class Person {

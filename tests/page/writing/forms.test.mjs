@@ -9,7 +9,7 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 const status = (lab) => lab.page.locator("#writing-status");
 const editor = (lab) => lab.page.locator(".cm-content");
 const text = (lab) => editor(lab).evaluate((content) => content.cmTile?.view?.state.doc.toString() ?? content.innerText);
-const runs = (lab) => eventually(async () => assert.match(await status(lab).innerText(), /^The simulation runs as written/));
+const runs = (lab) => eventually(async () => assert.match(await status(lab).innerText(), /^No errors/));
 const field = (lab, name) => lab.page.getByLabel(name, { exact: true });
 const now = (lab, expected) => eventually(async () => assert.match(await text(lab), expected));
 
@@ -154,7 +154,7 @@ visit("a translation is begun, written beside the texts of the document, and its
   await side("Mass").fill("Masa");
   await lab.page.locator("#only-missing").check();
   await eventually(async () => assert.equal(await lab.page.locator(".side").count(), before - 3));
-  await eventually(async () => assert.match(await status(lab).innerText(), /The simulation runs as written/));
+  await eventually(async () => assert.match(await status(lab).innerText(), /No errors/));
   await lab.pressInMenu("ES – Español");
   await lab.page.locator("#tab-play").click();
   await eventually(async () => assert.ok(await lab.page.getByText("Rigidez del resorte").first().isVisible()));

@@ -84,7 +84,7 @@ online("the editor of the laboratory is asked for when it is first opened, and k
   await lab.tab("Write");
   await page.locator(".cm-content").waitFor();
   assert.equal(await scripts(), 1);
-  await eventually(async () => assert.match(await page.locator("#writing-status").innerText(), /^The simulation runs as written/));
+  await eventually(async () => assert.match(await page.locator("#writing-status").innerText(), /^No errors/));
 });
 
 online("a document of the site is published: the player comes when it is wanted, and the frame has the address of its page", {}, async (lab) => {

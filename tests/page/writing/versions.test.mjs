@@ -160,7 +160,7 @@ test("a served page follows its file: time, parameters and view stay, errors are
     await editor(lab.page).click();
     await lab.keys("Control+End");
     await lab.page.keyboard.insertText("\nTyped in the page.\n");
-    await eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /runs as written/));
+    await eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /No errors/));
     writeFileSync(file, original.replace("k*y = 0", "kk*y = 0"));
     await eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /^1 error/));
     assert.ok(!(await text(lab.page)).includes("Typed in the page."));

@@ -32,7 +32,7 @@ async function begin(lab, title, button = "New", template = title) {
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), title));
 }
 
-const runs = (lab) => eventually(async () => assert.match(await status(lab).innerText(), /^The simulation runs as written/));
+const runs = (lab) => eventually(async () => assert.match(await status(lab).innerText(), /^No errors/));
 
 visit("a default is changed in the text while the run goes on, and the time stays", async (lab) => {
   await write(lab);

@@ -198,7 +198,7 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
         }
     }
     for one in contenders.iter().filter(|one| !one.fitted.outcome.converged) {
-        let _ = writeln!(text, "The search for {} did not come to its end.", one.fitted.theory.document.program.title);
+        let _ = writeln!(text, "The fit of {} did not converge.", one.fitted.theory.document.program.title);
     }
     for one in contenders {
         for undetermined in &one.fitted.outcome.undetermined {

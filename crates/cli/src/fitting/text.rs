@@ -52,7 +52,7 @@ pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
     // Writing to a string cannot fail.
     let _ = writeln!(text, "{}, fitted to {}\n", fitted.theory.document.program.title, crate::failure::listed(names));
     if !outcome.converged {
-        text.push_str("The search did not come to its end: these values are only the best that were found.\n\n");
+        text.push_str("The fit did not converge: these values are only the best that were found.\n\n");
     }
     text.push_str(&parameters(fitted));
     if outcome.derived.iter().any(|one| one.determined) {
@@ -149,7 +149,7 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
     }
     for (record, when) in beginnings(fitted) {
         let what = if record.is_empty() { String::new() } else { format!(" ({record})") };
-        columns.push(vec![format!("initial values hold at{what}"), when]);
+        columns.push(vec![format!("initial values refer to{what}"), when]);
     }
     if let Some(reduced) = outcome.chi2_reduced {
         columns.push(vec!["reduced chi-square".to_owned(), number(reduced)]);

@@ -71,7 +71,7 @@ pub struct Track {
     #[arg(long, value_name = "auto|S", value_parser = exposure, allow_hyphen_values = true, conflicts_with = "body")]
     pub exposure: Option<Given>,
 
-    /// Up to four resting marks, which correct for a camera that moves
+    /// Up to four fixed marks, which correct for a camera that moves
     #[arg(long, value_name = "X,Y X,Y", value_parser = points)]
     pub marks: Option<Points>,
 

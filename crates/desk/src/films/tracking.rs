@@ -65,12 +65,12 @@ impl Desk {
         self.follow_in_film(subject)
     }
 
-    /// Sets resting marks against a shaking camera, in px of the first frame of the used part, for the next tracking.
+    /// Sets fixed marks against a shaking camera, in px of the first frame of the used part, for the next tracking.
     ///
     /// # Errors
     ///
     /// [`Refusal::Film`] for marks outside the picture, too many marks, or without an open film.
-    pub fn set_resting_marks(&mut self, marks: Vec<[f64; 2]>) -> Result<(), Refusal> {
+    pub fn set_fixed_marks(&mut self, marks: Vec<[f64; 2]>) -> Result<(), Refusal> {
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
         let checked = marks.iter().try_for_each(|mark| inside(*mark, open.clip.size()));
         let checked = checked.and_then(|()| film::tracking::Marks::new(marks.clone()).map(drop));

@@ -120,8 +120,8 @@ impl<'a> OpenFilm<'a> {
         Some(BodyOutline { radius, metres, offset, is_set: own.radius.is_some() })
     }
 
-    /// Resting marks, px of the upright picture.
-    pub fn resting_marks(self) -> &'a [[f64; 2]] {
+    /// Fixed marks, px of the upright picture.
+    pub fn fixed_marks(self) -> &'a [[f64; 2]] {
         &self.work.marks
     }
 

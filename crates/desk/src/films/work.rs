@@ -20,7 +20,7 @@ pub(crate) struct Work {
     /// First and last frame of the part.
     pub ends: [usize; 2],
     pub subject: Subject,
-    /// Resting marks in the first frame of the part, px.
+    /// Fixed marks in the first frame of the part, px.
     pub marks: Vec<[f64; 2]>,
     /// Calibration form of the user.
     pub form: CalibrationForm,

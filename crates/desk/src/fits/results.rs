@@ -237,7 +237,9 @@ impl Desk {
     /// Sentences about the clock reading at which the initial values hold, one per record.
     fn beginnings(&self, fit: &Fitted) -> Vec<String> {
         let sentence = |(place, origin): (usize, &f64)| {
-            let at = self.play.basis().quantity_text(*origin, &fit.document.program.model.independent.unit);
+            let independent = &fit.document.program.model.independent;
+            let at = self.play.basis().quantity_text(*origin, &independent.unit);
+            let at = format!("{} = {at}", independent.name);
             let of_record = fit.outcome.observations.iter().filter(|one| one.record == place);
             let text = words::initial_values_hold(self.play.language(), &at, of_record.map(|one| one.early).sum());
             match fit.definition.parts.get(place).filter(|_| fit.definition.parts.len() > 1) {

@@ -260,7 +260,7 @@ fn samples_are_made_and_fitted() {
     let detail = desk.fit_detail(fit.id).unwrap();
     let length = detail.estimates.iter().find(|one| one.name == "L").unwrap();
     assert!(length.value.starts_with("0.24") || length.value.starts_with("0.23"), "{length:?}");
-    assert!(length.remark.starts_with("truth: 0.24 m; off by "), "{length:?}");
+    assert!(length.remark.starts_with("true value: 0.24 m; deviation "), "{length:?}");
     // The fit is applied to the sliders, and the run covers the whole record.
     assert!((desk.play().course().parameters()[0] - 0.24).abs() < 0.001);
     assert!((desk.play().course().front() - 8.0).abs() < 0.05, "{}", desk.play().course().front());

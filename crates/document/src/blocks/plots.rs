@@ -208,7 +208,7 @@ fn points_of_runs(expressions: &mut Expressions, part: &mut Range<usize>, across
             "plot-syntax",
             words(
                 "it is not said at which moments of each run a point is drawn",
-                "no se dice en qué momentos de cada serie se dibuja un punto",
+                "no se dice en qué momentos de cada ensayo se dibuja un punto",
             ),
             span(&trim(source, part.clone())),
         )

@@ -37,7 +37,7 @@ pub fn read(expressions: &mut Expressions, range: Range<usize>, presets: &mut Ve
                 "too-large",
                 words!(
                     "a document cannot have more than {PRESETS} presets",
-                    "un documento no puede tener más de {PRESETS} ajustes"
+                    "un documento no puede tener más de {PRESETS} grupos de valores predefinidos"
                 ),
                 span,
             );
@@ -61,7 +61,7 @@ fn preset(expressions: &mut Expressions, statement: Range<usize>, group: &Option
                 "preset-syntax",
                 words(
                     "a preset is a name in quotation marks, a colon and values",
-                    "un ajuste es un nombre entre comillas, dos puntos y valores",
+                    "unos valores predefinidos son un nombre entre comillas, dos puntos y valores",
                 ),
                 span,
             )

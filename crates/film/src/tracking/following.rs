@@ -20,7 +20,7 @@ pub struct Plan {
     pub surfaces: Vec<Surface>,
     /// Bodies.
     pub bodies: Vec<body::Settings>,
-    /// Positions of resting marks in the first frame, for the correction of camera motion.
+    /// Positions of fixed marks in the first frame, for the correction of camera motion.
     pub marks: Vec<[f64; 2]>,
     /// Frame numbers and times in s, both ascending.
     pub frames: Vec<(usize, f64)>,

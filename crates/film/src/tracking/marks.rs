@@ -1,4 +1,4 @@
-//! Camera motion from resting marks.
+//! Camera motion from fixed marks.
 
 use crate::plane::Plane;
 use crate::tracking::body::{Disc, MARGIN, Part, Template};

@@ -61,7 +61,7 @@ pub enum Refusal {
         /// Number of the mark, from 1.
         number: usize,
     },
-    /// A resting mark was lost.
+    /// A fixed mark was lost.
     Mark {
         /// Number of the mark, from 1.
         number: usize,

@@ -96,7 +96,7 @@ fn the_readout_time_is_found_and_corrects_the_times() {
 }
 
 #[test]
-fn resting_marks_take_the_shake_away() {
+fn fixed_marks_take_the_shake_away() {
     let camera = Camera { shake: 2.0, seed: 10, ..Camera::default() };
     let tube = Tube::default();
     let frames = film(&tube, &camera);

@@ -42,7 +42,7 @@ pub enum Tool {
     Subject,
     /// Sets two points of the tube axis.
     Tube,
-    /// Adds resting marks against camera shake.
+    /// Adds fixed marks against camera shake.
     Still,
     /// Sets two marks of the ruler.
     Ruler,
@@ -65,7 +65,7 @@ pub enum Handle {
     Body(usize, usize),
     /// Point clicked by hand.
     Hand(usize),
-    /// Resting mark.
+    /// Fixed mark.
     Still(usize),
     /// Mark of the ruler.
     Ruler(usize),

@@ -168,7 +168,7 @@ fn name(handle: Handle, words: &Words) -> (&'static str, String) {
         Handle::Tube(_, end) => ("tube", numbered(words.tube_end, end)),
         Handle::Body(number, _) => ("subject", numbered(words.body, number)),
         Handle::Hand(_) => ("subject", words.point.to_owned()),
-        Handle::Still(number) => ("still", numbered(words.resting_mark, number)),
+        Handle::Still(number) => ("still", numbered(words.fixed_mark, number)),
         Handle::Ruler(number) => ("ruler", numbered(words.ruler_mark, number)),
         Handle::Origin => ("origin", words.origin.to_owned()),
         Handle::Axis => ("origin", words.axis.to_owned()),

@@ -25,7 +25,7 @@ pub struct Now {
     pub subject: Subject,
     /// Outline of each body, once it was found or its radius was set.
     pub outlines: Vec<Option<BodyOutline>>,
-    /// Resting marks, px.
+    /// Fixed marks, px.
     pub marks: Vec<Pixel>,
     /// Calibration form of the user.
     pub form: CalibrationForm,
@@ -63,7 +63,7 @@ impl Now {
             ends: film.ends(),
             subject: film.subject().clone(),
             outlines: (0..MOST_BODIES).map(|body| film.body_outline(body)).collect(),
-            marks: film.resting_marks().to_vec(),
+            marks: film.fixed_marks().to_vec(),
             form: film.calibration_form().clone(),
             calibration: *film.calibration(),
             tracks: film.tracks(),

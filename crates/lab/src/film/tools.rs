@@ -158,9 +158,9 @@ fn follow(app: App, subject: Subject) {
     }
 }
 
-/// Sets the resting marks and repeats the tracking.
+/// Sets the fixed marks and repeats the tracking.
 pub fn set_marks(app: App, marks: Vec<Pixel>) {
-    let refusal = app.attempt_on_desk(|desk| desk.set_resting_marks(marks));
+    let refusal = app.attempt_on_desk(|desk| desk.set_fixed_marks(marks));
     let refused = refusal.is_some();
     refuse(app, refusal);
     if !refused && now(app).is_some_and(|now| now.subject.needs_tracking()) {

@@ -11,7 +11,7 @@ table_of_words! {
     close: "Close the film", "Cerrar el vídeo";
     not_opened: "The film could not be opened:", "No se pudo abrir el vídeo:";
     no_document: "A film needs a document that runs. Open one from the list of documents first", "Un vídeo necesita un documento que funcione. Abre primero uno de la lista de documentos";
-    taken_up: "This film is known: the work on it goes on", "Este vídeo ya se conoce: se retoma el trabajo";
+    taken_up: "Film recognised: your earlier work is restored", "Vídeo reconocido: se ha recuperado tu trabajo anterior";
     same_name: "Another film has the same name; the work on that one is kept apart", "Otro vídeo tiene el mismo nombre; el trabajo con aquel se conserva aparte";
     project_film_not_opened: "The positions of the project are a record; its film was not opened:", "Las posiciones del proyecto son un registro; no se abrió su vídeo:";
     project_film_opened: "The film of the project is open, with its positions and its scale. Times are now those of the film's frames", "El vídeo del proyecto está abierto, con sus posiciones y su escala. Los tiempos son ahora los de los fotogramas del vídeo";
@@ -42,7 +42,7 @@ table_of_words! {
     ask_hand: "Click the point; the next frame follows", "Haz clic en el punto; sigue el fotograma siguiente";
     ask_tube: "Click one end of the tube's axis", "Haz clic en un extremo del eje del tubo";
     ask_other_end: "Click the other end", "Haz clic en el otro extremo";
-    ask_still: "Click marks that rest, up to four", "Haz clic en marcas inmóviles, hasta cuatro";
+    ask_still: "Click marks that rest, up to four", "Haz clic en marcas fijas, hasta cuatro";
     ask_ruler: "Click a mark of the ruler", "Haz clic en una marca de la regla";
     ask_second_mark: "Click another mark of the ruler", "Haz clic en otra marca de la regla";
     ask_origin: "Click the point that becomes zero", "Haz clic en el punto que será el cero";
@@ -54,7 +54,7 @@ table_of_words! {
     tube_end: "End of the tube", "Extremo del tubo";
     body: "Body", "Cuerpo";
     point: "Point", "Punto";
-    resting_mark: "Resting mark", "Marca inmóvil";
+    fixed_mark: "Fixed mark", "Marca fija";
     ruler_mark: "Mark of the ruler", "Marca de la regla";
     origin: "Origin", "Origen";
     axis: "Direction of the x axis", "Dirección del eje x";
@@ -79,8 +79,8 @@ table_of_words! {
     filming_no_ruler: "The drawing has no scale of lengths: the record stays in pixels. The picture has 640 × 360 px.", "El dibujo no tiene escala de longitudes: el registro queda en píxeles. La imagen tiene 640 × 360 px.";
     start_filming: "Film", "Filmar";
     not_drawn: "The browser did not draw the scene. Try again, or another browser.", "El navegador no dibujó la escena. Inténtalo de nuevo o con otro navegador.";
-    compare_truth: "Compare with the truth", "Comparar con la verdad";
-    truth: "Difference from the truth", "Diferencia con la verdad";
+    compare_truth: "Compare with the true values", "Comparar con los valores verdaderos";
+    truth: "Deviation from the true values", "Desviación de los valores verdaderos";
     rms: "RMS", "RMS";
     truth_scale: "Error of the scale", "Error de la escala";
     truth_legend: "Found minus true over time", "Hallado menos verdadero en el tiempo";
@@ -99,7 +99,7 @@ table_of_words! {
     until: "Until", "Hasta";
     from_here: "From this frame", "Desde este fotograma";
     until_here: "Until this frame", "Hasta este fotograma";
-    kinds: "What is followed", "Qué se sigue";
+    kinds: "What to track", "Qué seguir";
     kind_surface: "Surface in a tube", "Superficie en un tubo";
     kind_arms: "Both arms", "Ambas ramas";
     kind_body: "Body", "Cuerpo";
@@ -116,9 +116,9 @@ table_of_words! {
     radius_note: "The circle around the click shows it. If the circle does not fit the body, enter its radius: the film is tracked again.", "El círculo alrededor del clic lo muestra. Si el círculo no se ajusta al cuerpo, escribe su radio: el vídeo se sigue de nuevo.";
     difficult: "Tilted tube, shaking camera", "Tubo inclinado, cámara que tiembla";
     tube: "Axis of the tube", "Eje del tubo";
-    resting_marks: "Resting marks", "Marcas inmóviles";
-    difficult_note: "A tube that is not upright: two points of its axis. A camera that shakes: two to four marks that rest, in the first frame of the part.", "Un tubo que no es vertical: dos puntos de su eje. Una cámara que tiembla: de dos a cuatro marcas inmóviles, en el primer fotograma de la parte.";
-    forget_marks: "Forget the resting marks", "Olvidar las marcas inmóviles";
+    fixed_marks: "Fixed marks", "Marcas fijas";
+    difficult_note: "A tube that is not upright: two points of its axis. A camera that shakes: two to four marks that rest, in the first frame of the part.", "Un tubo que no es vertical: dos puntos de su eje. Una cámara que tiembla: de dos a cuatro marcas fijas, en el primer fotograma de la parte.";
+    forget_marks: "Forget the fixed marks", "Olvidar las marcas fijas";
     hint_ruler: "Two marks and the length between them; without a ruler the record stays in pixels. The origin is the point at which the quantity of the model is zero.", "Dos marcas y la longitud entre ellas; sin regla, el registro queda en píxeles. El origen es el punto en el que la magnitud del modelo es cero.";
     click_ruler: "Two marks", "Dos marcas";
     set_origin: "Origin", "Origen";

@@ -51,7 +51,9 @@ fn row(app: App, fit: FitView, (shown, several): (Option<u32>, bool), chosen: Si
     let (id, selected) = (fit.id, shown == Some(fit.id));
     let records = fit.records.join(" + ");
     let name = format!("{}, {records}", fit.theory);
-    let mut remarks = vec![records, format!("{}: {} / {}", words.fit_counts, fit.counts.0, fit.counts.1)];
+    let (points, varied) = fit.counts;
+    let parameters = if varied == 1 { words.fit_parameter } else { words.fit_parameters };
+    let mut remarks = vec![records, format!("{points} {}, {varied} {parameters}", words.fit_points)];
     if several && fit.applicable {
         remarks.insert(0, words.fit_open_theory.to_owned());
     }

@@ -43,7 +43,7 @@ table_of_words! {
     frame_language: "Language", "Idioma";
     frame_any_language: "that of the reader", "el del lector";
     frame_shown: "Shown", "Se muestra";
-    frame_locked: "Fix the values (parameters, presets and handles)", "Fijar los valores (parámetros, ajustes y asas)";
+    frame_locked: "Fix the values (parameters, presets and handles)", "Fijar los valores (parámetros, valores predefinidos y tiradores)";
     frame_state: "With the present values", "Con los valores actuales";
     frame_code: "Code", "Código";
     frame_copy: "Copy code", "Copiar código";

@@ -108,7 +108,7 @@ impl Play {
             (!self.answers.saved(&self.basis).is_empty(), pick("answers", "respuestas")),
             (
                 self.course().recipe().changes.len() > MOST_CHANGES,
-                pick("the run before the moment shown", "la serie anterior al momento mostrado"),
+                pick("the run before the moment shown", "el ensayo anterior al momento mostrado"),
             ),
         ]
         .into_iter()

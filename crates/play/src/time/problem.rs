@@ -46,7 +46,7 @@ impl TimeLine {
             Some(Subject::Event(event)) => basis.model().events.get(event)?.title.as_deref(),
             _ => None,
         });
-        let ends = basis.language().pick("The run ends at", "La serie termina en");
+        let ends = basis.language().pick("The run ends at", "El ensayo termina en");
         Some(match title {
             Some(title) => sentence(&format!("{ends} {moment}: {}", basis.text(title)), false),
             None => sentence(&format!("{ends} {moment}"), false),

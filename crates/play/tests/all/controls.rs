@@ -215,10 +215,10 @@ fn everything_is_announced() {
     play.set_language("es");
     let h_l = parameter(&play, "h_l");
     for (announcement, expected) in [
-        (Announcement::Restarted(h_l), "La serie comienza de nuevo: cambió Altura izquierda"),
+        (Announcement::Restarted(h_l), "El ensayo comienza de nuevo: cambió Altura izquierda"),
         (Announcement::ParameterSet(h_l, 2.5), "Altura izquierda: 2,5 m"),
         (Announcement::Paused(1.25), "En pausa en 1,25 s"),
-        (Announcement::StateSet(0, 0.25), "Desplazamiento: 0,25 m; la serie parte de ahí"),
+        (Announcement::StateSet(0, 0.25), "Desplazamiento: 0,25 m; el ensayo parte de ahí"),
         (Announcement::ParameterSet(99, 2.5), ": "),
     ] {
         assert_eq!(announcement.text(play.basis(), play.time_line()), expected);

@@ -30,7 +30,7 @@ fn a_run_ends_at_an_event_and_goes_on_when_asked() {
     play.set_language("es");
     assert_eq!(
         play.time_line().ending(play.basis()).as_deref(),
-        Some("La serie termina en t = 1 s: The stone has landed.")
+        Some("El ensayo termina en t = 1 s: The stone has landed.")
     );
     play.set_language("en");
     assert!(readout(&mut play, "T").starts_with('1'), "{}", readout(&mut play, "T"));

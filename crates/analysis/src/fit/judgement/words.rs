@@ -24,11 +24,9 @@ impl Outcome {
             (Verdict::Saturated, Spanish) => {
                 "Hay tantos valores como parámetros: la curva puede pasar por todos ellos, y el ajuste no pone a prueba el modelo."
             }
-            (Verdict::Misled, English) => {
-                "The residuals cannot be used to judge the model: values far from all others have decided the fit."
-            }
+            (Verdict::Misled, English) => "The residuals cannot be used to judge the model: outliers dominate the fit.",
             (Verdict::Misled, Spanish) => {
-                "Los residuos no sirven para juzgar el modelo: unos valores muy alejados de todos los demás han decidido el ajuste."
+                "Los residuos no sirven para juzgar el modelo: los valores atípicos dominan el ajuste."
             }
             (Verdict::Compatible, English) => "The residuals look random: the model is compatible with the data.",
             (Verdict::Compatible, Spanish) => "Los residuos parecen aleatorios: el modelo es compatible con los datos.",
@@ -71,13 +69,13 @@ impl Outcome {
                  igual de bien. Sus parámetros no significan nada."
             }
             (Verdict::Missed, English) => {
-                "The curve explains less than half of the variance of the data, and the residuals are autocorrelated: the fit \
-                 misses what the data show. Begin from values that are nearer, widen the ranges of the parameters, or try \
+                "The curve explains less than half of the variance of the data, and the residuals are autocorrelated: the model \
+                 does not describe these data. Begin from values that are nearer, widen the ranges of the parameters, or try \
                  another theory."
             }
             (Verdict::Missed, Spanish) => {
                 "La curva explica menos de la mitad de la varianza de los datos, y los residuos están autocorrelacionados: el \
-                 ajuste no capta lo que muestran los datos. Empieza con valores más cercanos, amplía los intervalos de los \
+                 modelo no describe estos datos. Empieza con valores más cercanos, amplía los intervalos de los \
                  parámetros o prueba otra teoría."
             }
             (Verdict::Unknown, English) => "There are too few values to judge the residuals.",

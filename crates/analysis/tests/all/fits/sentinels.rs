@@ -43,8 +43,8 @@ fn the_sentinel_is_named_and_no_good_value() {
     assert_eq!(
         Language::ALL.map(|language| misled.verdict_text(language)),
         [
-            "The residuals cannot be used to judge the model: values far from all others have decided the fit.",
-            "Los residuos no sirven para juzgar el modelo: unos valores muy alejados de todos los demás han decidido el ajuste.",
+            "The residuals cannot be used to judge the model: outliers dominate the fit.",
+            "Los residuos no sirven para juzgar el modelo: los valores atípicos dominan el ajuste.",
         ]
     );
     assert!(!fit(Loss::Huber, &[(40, 9999.0)]).misled);

@@ -139,7 +139,7 @@ fn repeated_pictures_are_left_out() {
 }
 
 #[test]
-fn resting_marks_correct_for_a_camera_that_moves() {
+fn fixed_marks_correct_for_a_camera_that_moves() {
     let dots = [[20.0, 20.0], [140.0, 25.0], [25.0, 100.0], [135.0, 95.0]];
     let shaken = y4m([WIDTH, HEIGHT], 60, |x, y, frame| {
         // It is at rest in the first frame, to which the clicks belong.

@@ -35,7 +35,7 @@ fn the_opening_document_fits_every_sample_and_finds_the_truth() {
         }
         for name in ["L", "gamma"] {
             let (_, remark) = remarks.iter().find(|(own, _)| own == name).unwrap();
-            let off = remark.split_once("off by ").expect(remark).1.split(' ').next().unwrap();
+            let off = remark.split_once("deviation ").expect(remark).1.split(' ').next().unwrap();
             assert!(off.replace('−', "-").parse::<f64>().unwrap().abs() < 3.0, "{name} of sample {sample}: {remark}");
         }
     }

@@ -72,7 +72,7 @@ fn a_fit_that_one_value_decides_is_in_doubt() {
     let record: Vec<String> = record.lines().map(wrong).collect();
     desk.add_record("sentinel.txt", record.join("\n").as_bytes()).unwrap();
     let detail = fit(&mut desk);
-    assert_eq!(detail.doubt.as_deref(), Some("Values far from all others have decided it."), "{:?}", detail.sentences);
+    assert_eq!(detail.doubt.as_deref(), Some("Outliers dominate the fit."), "{:?}", detail.sentences);
 }
 
 /// A column of 2 m or more oscillates too slowly for the record.
@@ -86,10 +86,10 @@ fn a_fit_that_misses_the_record_is_in_doubt() {
     assert_eq!(desk.play().course().parameters(), before);
     let detail = desk.fit_detail(desk.fits()[0].id).unwrap();
     assert!(detail.sentences[0].starts_with("The curve explains less than half of the variance"), "{detail:?}");
-    assert_eq!(detail.doubt.unwrap(), "The curve misses what the data show.");
+    assert_eq!(detail.doubt.unwrap(), "The model does not describe these data.");
     let said = std::iter::from_fn(|| desk.take_announcement()).last().unwrap();
     let why = desk.announcement_text(&said);
-    assert!(why.contains("The curve misses what the data show."), "{why}");
+    assert!(why.contains("The model does not describe these data."), "{why}");
 }
 
 #[test]

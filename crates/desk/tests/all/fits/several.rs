@@ -178,7 +178,7 @@ fn late_film() -> String {
 /// a restored visit.
 #[test]
 fn a_part_begins_with_its_initial_values() {
-    let said = "The initial values hold at 1.5 s on the record's clock. Nothing is predicted of the 30 values before.";
+    let said = "The initial values refer to t = 1.5 s. Nothing is predicted of the 30 values before.";
     let mut desk = Desk::open(theory("quadratic"));
     desk.add_record("film.txt", late_film().as_bytes()).unwrap();
     desk.set_fit_window(0, "1.5").unwrap();
@@ -192,7 +192,7 @@ fn a_part_begins_with_its_initial_values() {
     // A fit of all values begins at the first one again, and a fit of a part at its start.
     desk.set_fit_window(0, "").unwrap();
     let whole = fit(&mut desk);
-    let begins = |sentence: &&String| sentence.starts_with("The initial values hold at ");
+    let begins = |sentence: &&String| sentence.starts_with("The initial values refer to ");
     let begins = whole.sentences.iter().find(begins).unwrap();
     assert!(begins != said && !begins.contains("Nothing is predicted"), "{begins}");
     desk.set_fit_window(0, "1.5").unwrap();

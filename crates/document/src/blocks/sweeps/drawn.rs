@@ -76,10 +76,10 @@ pub(super) fn line(
 pub(super) fn points(expressions: &mut Expressions, range: Range<usize>) -> Option<Drawn> {
     let written = written(expressions, range)?;
     if let Some(place) = written.at_end {
-        let message = words("points are drawn of the whole run", "los puntos se dibujan de toda la serie");
+        let message = words("points are drawn of the whole run", "los puntos se dibujan de todo el ensayo");
         expressions.diagnostics.push(Diagnostic::error("sweep", message, place).with_hint(words(
             "leave out `at end`, or leave out `points` for one value of each run",
-            "quita `at end`, o quita `points` para un solo valor de cada serie",
+            "quita `at end`, o quita `points` para un solo valor de cada ensayo",
         )));
         return None;
     }
@@ -182,12 +182,12 @@ fn nothing_taken(expressions: &mut Expressions, place: Span, written: &Written) 
     let body = &source[written.body.clone()];
     let message = words!(
         "`{}` says from when on a run counts, but of these runs only single values are drawn",
-        "`{}` dice desde cuándo cuenta una serie, pero de estas series solo se dibujan valores sueltos",
+        "`{}` dice desde cuándo cuenta un ensayo, pero de estos ensayos solo se dibujan valores sueltos",
         &source[place.range()]
     );
     expressions.diagnostics.push(Diagnostic::error("sweep", message, place).with_hint(words!(
         "say what is taken of each run, as in `maximum({body})` or `mean({body})`, or leave the time out",
-        "di qué se toma de cada serie, como en `maximum({body})` o `mean({body})`, o quita el tiempo"
+        "di qué se toma de cada ensayo, como en `maximum({body})` o `mean({body})`, o quita el tiempo"
     )));
 }
 
@@ -201,13 +201,13 @@ fn refuse_varying(expressions: &mut Expressions, curve: &Placed, takes: bool) {
     let diagnostic = if takes {
         let message = words!(
             "what `{name}` does not take of the whole run changes during the run",
-            "lo que `{name}` no toma de toda la serie cambia durante la simulación"
+            "lo que `{name}` no toma de todo el ensayo cambia durante la simulación"
         );
         Diagnostic::error("sweep", message, curve.span)
             .saying(words!("depends on {}", "depende de {}", format!("`{culprit}`")))
             .with_hint(words!(
                 "for the value at the end of each run write `{name} at end`; else put `maximum`, `minimum`, `mean` or `integral` around what changes",
-                "para el valor al final de cada serie escribe `{name} at end`; si no, rodea lo que cambia con `maximum`, `minimum`, `mean` o `integral`"
+                "para el valor al final de cada ensayo escribe `{name} at end`; si no, rodea lo que cambia con `maximum`, `minimum`, `mean` o `integral`"
             ))
     } else {
         let message = words!(
@@ -216,7 +216,7 @@ fn refuse_varying(expressions: &mut Expressions, curve: &Placed, takes: bool) {
         );
         Diagnostic::error("sweep", message, curve.span).with_hint(words!(
             "say what is taken of each run: `maximum({name})`, `minimum({name})`, `mean({name})` or `{name} at end`",
-            "di qué se toma de cada serie: `maximum({name})`, `minimum({name})`, `mean({name})` o `{name} at end`"
+            "di qué se toma de cada ensayo: `maximum({name})`, `minimum({name})`, `mean({name})` o `{name} at end`"
         ))
     };
     expressions.diagnostics.push(diagnostic);

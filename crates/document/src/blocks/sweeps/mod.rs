@@ -126,12 +126,12 @@ fn end(expressions: &mut Expressions, first: f64, until: Option<f64>, span: Span
         expressions.diagnostics.push(
             Diagnostic::error(
                 "sweep",
-                words("it is not said how long these runs are", "no se dice cuánto duran estas series"),
+                words("it is not said how long these runs are", "no se dice cuánto duran estos ensayos"),
                 span,
             )
             .with_hint(words(
                 "write the end of a run into the front matter, such as `until: 100 [s]`",
-                "escribe el final de una serie en la cabecera, por ejemplo `until: 100 [s]`",
+                "escribe el final de un ensayo en la cabecera, por ejemplo `until: 100 [s]`",
             )),
         );
         return None;
@@ -141,7 +141,7 @@ fn end(expressions: &mut Expressions, first: f64, until: Option<f64>, span: Span
             "sweep",
             words(
                 "the runs end before the time from which they count",
-                "las series terminan antes del tiempo desde el que cuentan",
+                "los ensayos terminan antes del tiempo desde el que cuentan",
             ),
             span,
         );

@@ -49,7 +49,7 @@ pub(super) fn moment(expressions: &mut Expressions, range: Range<usize>) -> Opti
     let Some(value) = value else {
         let message = words(
             "the time from which a run counts must be a number, 0 or greater",
-            "el tiempo desde el que cuenta una serie debe ser un número, 0 o mayor",
+            "el tiempo desde el que cuenta un ensayo debe ser un número, 0 o mayor",
         );
         let stated = if unit.text.is_empty() { String::new() } else { format!(" [{unit}]") };
         expressions.diagnostics.push(Diagnostic::error("sweep", message, Span::new(range.start, range.end)).with_hint(

@@ -87,7 +87,7 @@ fn help(app: App) -> View {
     let marks = memo(move || app.films.now.with(|now| now.as_ref().map_or(0, |now| now.marks.len())));
     let forget = move |_| tools::set_marks(app, Vec::new());
     let tube = tool_button(app, "film-tube", Tool::Tube, words.tube);
-    let still = tool_button(app, "film-still", Tool::Still, words.resting_marks);
+    let still = tool_button(app, "film-still", Tool::Still, words.fixed_marks);
     fold(words.difficult)
         .child(div().class("chips").child(tube.hidden(move || !has_surface.get())).child(still))
         .child(note(words.difficult_note))

@@ -11,7 +11,7 @@ table_of_words! {
     canvas: "Drawing: choose an element and move it", "Dibujo: elige un elemento y muévelo";
     keys: "Arrow keys move what is chosen by a step of the grid, with Shift by ten. Page up and page down choose the next element. Delete removes, Control with D copies, Control with Z takes back.", "Las flechas mueven lo elegido un paso de la cuadrícula, con Mayús diez. Retroceder y avanzar página eligen el elemento siguiente. Suprimir quita, Control con D copia, Control con Z deshace.";
     paused: "The text has errors: the drawing can be changed by hand again when they are gone.", "El texto tiene errores: el dibujo se podrá cambiar a mano cuando desaparezcan.";
-    layers: "What lies over what", "Qué está encima de qué";
+    layers: "Layers", "Capas";
     layers_none: "Nothing is drawn yet. Add a part.", "Aún no hay nada dibujado. Añade una pieza.";
     forward: "Forward", "Adelante";
     backward: "Backward", "Atrás";
@@ -34,7 +34,7 @@ table_of_words! {
     follows_down: "downwards with", "hacia abajo con";
     follows_nothing: "nothing", "nada";
     follows_own: "an expression", "una expresión";
-    dragged: "Follows the hand", "Sigue a la mano";
+    dragged: "Can be dragged", "Se puede arrastrar";
     in_text: "Show in the text", "Ver en el texto";
     part_at: "Place", "Lugar";
     part_from: "From", "Desde";

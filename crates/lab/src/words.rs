@@ -97,7 +97,7 @@ table_of_words! {
     own_changed: "Last changed", "Último cambio";
     own_remove: "Remove", "Quitar";
     own_removed: "Removed", "Se ha quitado";
-    library_simulations: "Simulations", "Simulaciones";
+    library_simulations: "Gallery", "Galería";
     library_theories: "Theories of a liquid column that comes to rest", "Teorías de una columna de líquido que se detiene";
 
     // Fits.

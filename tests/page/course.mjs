@@ -116,19 +116,19 @@ export class Visit {
   }
 
   async enter(name, text) {
-    await this.tab("play");
+    await this.tab("explore");
     const field = this.page.getByRole("textbox", { name, exact: true });
     await field.fill(text);
     await field.press("Enter");
   }
 
   async value(name) {
-    await this.tab("play");
+    await this.tab("explore");
     return number(await this.page.getByRole("textbox", { name, exact: true }).inputValue());
   }
 
   async answer(question, text) {
-    await this.tab("activities");
+    await this.tab("questions");
     const field = this.page.locator(`#answer-${question}`);
     await field.fill(text);
     await field.press("Enter");
@@ -137,7 +137,7 @@ export class Visit {
 
   /** Text and grade of the answers to the first questions. */
   async answers(count) {
-    await this.tab("activities");
+    await this.tab("questions");
     const one = async (question) => [
       await this.page.locator(`#answer-${question}`).inputValue(),
       await this.page.locator(`#verdict-${question}`).getAttribute("data-grade"),

@@ -259,7 +259,7 @@ export class Lab {
   /** Goes to the tab of parameters and values, and unfolds *More* there, unless what is wanted is in sight. */
   async play(wanted) {
     if (await wanted.isVisible()) return;
-    await this.page.locator("#tab-play").click();
+    await this.page.locator("#tab-explore").click();
     await this.drawn();
     if (!(await wanted.isVisible())) await this.openMore();
   }
@@ -303,6 +303,7 @@ export class Lab {
 
   /** Shows the text of the document. */
   async openSource() {
+    await this.everything();
     await this.page.locator("#tab-theory").click();
     await this.page.locator("#source > summary").click();
   }
@@ -341,8 +342,19 @@ export class Lab {
     await eventually(async () => assert.ok((await this.time()) >= seconds, `the time is ${await this.time()}`), 20);
   }
 
+  /** Opens a tab of the panel. If a student does not see it, turns *Everything* on first. */
   async tab(name) {
-    await this.page.getByRole("tab", { name, exact: true }).click();
+    const tab = this.page.locator("#panel > .tabs").getByRole("tab", { name, exact: true, includeHidden: true });
+    await tab.waitFor({ state: "attached" });
+    if (!(await tab.isVisible())) await this.everything();
+    await tab.click();
+    await this.drawn();
+  }
+
+  /** Shows what teachers and authors need, or only what a student does. */
+  async everything(on = true) {
+    const button = this.page.locator("#everything");
+    if ((await button.getAttribute("aria-pressed")) !== String(on)) await button.click();
     await this.drawn();
   }
 

@@ -30,7 +30,7 @@ export const records = (lab) => lab.page.locator("article.record");
 
 /** Fits and waits; the estimates by their symbols' names. */
 export async function fit(lab, button = "#fit") {
-  await lab.page.locator("#tab-fit").click();
+  await lab.page.locator("#tab-measure").click();
   await lab.page.locator(button).click();
   await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
   await eventually(async () => assert.equal(await lab.page.locator("#cancel-fit").count(), 0), 60);

@@ -13,6 +13,7 @@ use crate::write::{Editor, Panel};
 use desk::{Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};
 use document::page::Source;
 use model::Diagnostic;
+use play::Embedding;
 use std::cell::{Cell, OnceCell, RefCell, RefMut};
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::Deref;
@@ -157,6 +158,8 @@ impl Deref for Laboratory {
 struct Store {
     lab: RefCell<Lab>,
     app: OnceCell<App>,
+    /// Options in the address of the page.
+    embedding: Embedding,
     /// Revisions of records, fits, answers and film that the views have shown.
     seen: Cell<(u64, u64, u64, u64)>,
 }
@@ -185,10 +188,10 @@ impl Store {
 }
 
 impl App {
-    /// Creates an empty laboratory, which lives as long as the page.
-    pub fn new(language: Language) -> Self {
+    /// Creates an empty laboratory with the options of its address. It lives as long as the page.
+    pub fn new(language: Language, embedding: Embedding) -> Self {
         let counter = || create_signal(0);
-        let store: &'static Store = Box::leak(Box::default());
+        let store: &'static Store = Box::leak(Box::new(Store { embedding, ..Store::default() }));
         let laboratory = Laboratory {
             page: view::App::new(store, language),
             store,

@@ -2,14 +2,15 @@
 
 use crate::app::App;
 use crate::{files, library_list, publish, welcome};
-use view::header;
 use view::views::*;
+use view::{everything, header};
 use web_sys::HtmlInputElement;
 
 /// The header.
 pub fn view(app: App) -> HtmlHeader {
     let browse = header::browse(app.page).when(events::click, move |_| library_list::choose(app));
-    let own = View::from((browse, publish::button_of(app)));
+    let everything = header::everything(app.page).when(events::click, move |_| everything::turn(app.page));
+    let own = View::from((browse, publish::button_of(app), everything));
     header::view(app.page, welcome::view(app), own, open_button(app))
 }
 

@@ -3,8 +3,9 @@
 use crate::app::App;
 use crate::{library, packing, visited};
 use document::page::{self, Source};
-use play::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Refusal, Subject, packed_length};
+use play::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, Refusal, Subject, packed_length};
 use view::browser::{self, address, fragment, is_heading};
+use view::{everything, shell};
 
 /// Document and state that a link refers to.
 pub struct Arrival {
@@ -74,7 +75,8 @@ pub async fn present(app: App) -> (String, Option<String>) {
     let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
     let (subject, remark) = pack(app, &sources).await;
     let state = app.read_desk(|desk| desk.play().share());
-    (address(&Link { subject, state }.write()), remark)
+    let options = Embedding { everything: everything::in_link(app.page), ..shell::embedding() };
+    (options.in_address(&address(&Link { subject, state }.write())), remark)
 }
 
 /// Puts a link to the present state into the address bar and the clipboard. `say` is called with a message: success or

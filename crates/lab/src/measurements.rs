@@ -1,8 +1,8 @@
-//! Tab of measured data: import and display of records, analysis cycle by cycle.
+//! Tab *Measure*: import and display of records, analysis cycle by cycle, and as its last step the fit.
 
 use crate::app::App;
 use crate::intake::{self, refuse};
-use crate::{cycles, film, library, records, virtual_form};
+use crate::{cycles, film, fit, library, records, virtual_form};
 use view::tabs;
 use view::views::*;
 use view::{browser, icons};
@@ -24,9 +24,10 @@ pub fn view(app: App) -> HtmlDiv {
                 .id("record-refusal")
                 .child(text(move || app.record_refusal.get_clone().unwrap_or_default())),
         )
+        .child(virtual_form::view(app))
         .child(records::view(app))
         .child(cycles::view(app))
-        .child(virtual_form::view(app))
+        .child(fit::view(app))
 }
 
 /// Inputs for records: a file, a pasted table.

@@ -92,8 +92,8 @@ fn place_visited(app: App, visited: Visited, restore: impl FnOnce(&mut Desk, &st
     });
     let left = saved::state(app);
     let refusal = app.read_desk(|desk| restore(desk, &left));
-    write::resume(app, Some(visited));
     messages::leave_document(app.page);
+    write::resume(app, Some(visited));
     app.rebuild();
     if let Some(refusal) = refusal {
         app.complain(refusal);

@@ -108,8 +108,8 @@ table_of_words! {
     fit_step_fit: "Result", "Resultado";
     fit_options: "Options", "Opciones";
     fit_statistics: "Statistics", "Estadística";
-    fit_none: "There is no record to fit yet. Add one in the tab Measure, drop a file anywhere on this page, or take a sample.", "Todavía no hay ningún registro que ajustar. Añade uno en la pestaña Medir, suelta un archivo en cualquier parte de esta página o toma una muestra.";
-    add_record: "Add a record", "Añadir un registro";
+    fit_title: "Fit a theory", "Ajustar una teoría";
+    fit_none: "As soon as there is a record, a theory can be fitted to it here.", "En cuanto haya un registro, aquí se le puede ajustar una teoría.";
     fit_together: "Fitted together", "Se ajustan juntos";
     fit_same: "one value for all", "un valor para todos";
     fit_same_intro: "A parameter that all records have in common is fitted to all of them at once. To use a known value for each record, untick the parameter and enter the values.", "Un parámetro común a todos los registros se ajusta con todos a la vez. Para usar un valor conocido en cada registro, desmarca el parámetro y escribe los valores.";
@@ -282,6 +282,10 @@ table_of_words! {
     column_label: "Label", "Etiqueta";
     switch_on: "on", "sí";
     switch_off: "off", "no";
+
+    // Everything.
+    everything_for_write: "Everything is shown now: this document is changed in the tab Write", "Ahora se muestra todo: este documento se cambia en la pestaña Escribir";
+    everything_for_class: "Everything is shown now: the hand-ins are in the tab Class", "Ahora se muestra todo: las entregas están en la pestaña Clase";
 
     // Diagnostics.
     nothing_runs: "There is nothing to run yet", "Todavía no hay nada que ejecutar";

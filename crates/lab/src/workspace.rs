@@ -5,10 +5,9 @@ use crate::{
     class, drop, film, fit, header, idle, library, library_list, links, navigation, opening, panel, publish, served,
     verifying,
 };
-use units::Language;
 use view::opening::{Handed, Opening};
 use view::views::*;
-use view::{browser, shell, stage};
+use view::{browser, everything, shell, stage};
 use web_sys::HtmlElement;
 
 /// Starts the laboratory in the element `lab`.
@@ -19,14 +18,16 @@ pub fn start() {
     if let Some(handed) = Opening::of_page().and_then(|opening| opening.take()) {
         return take_over(handed, &place);
     }
-    let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
+    let embedding = shell::embedding();
+    let language = shell::language(&embedding);
     wasm_bindgen_futures::spawn_local(async move {
         // A link may contain its document, which the browser must inflate.
         let arrival = links::first().await;
         place.set_inner_html("");
         // The laboratory lives as long as the page.
         let laboratory = move || {
-            let app = App::new(Language::of(&tag));
+            let app = App::new(language, embedding);
+            everything::restore(app.page);
             prepare(app);
             opening::arrive(app, arrival);
             page(app)
@@ -39,7 +40,7 @@ pub fn start() {
 fn take_over(mut handed: Handed, place: &HtmlElement) {
     let mut shown = None;
     let laboratory = || {
-        let app = App::new(handed.language());
+        let app = App::new(handed.language(), shell::embedding());
         prepare(app);
         opening::take_over(app, &mut handed);
         shown = Some(app);
@@ -59,6 +60,7 @@ fn prepare(app: App) {
     navigation::listen(app);
     drop::listen(app);
     served::follow(app);
+    panel::follow(app);
     film::mark_page(app);
     film::follow(app);
 }

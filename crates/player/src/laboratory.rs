@@ -5,7 +5,7 @@ use crate::page::damaged;
 use crate::simulation::{self, Simulation};
 use std::rc::Rc;
 use sycamore_reactive::create_root;
-use units::Language;
+use view::everything;
 use view::opening::{self, Handed, Opening};
 use view::panel::{self, Tab};
 use view::views::*;
@@ -18,21 +18,23 @@ const STATE: &str = "state:";
 /// Shows the simulation of the page in the element `lab`.
 pub fn open(opening: Opening) {
     let Some(place) = browser::by_id::<HtmlElement>("lab") else { return };
-    let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
+    let embedding = shell::embedding();
+    let language = shell::language(&embedding);
     place.set_inner_html("");
     let opening = Rc::new(opening);
     let mut shown = None;
     let root = create_root(|| {
         let view = || {
             // The simulation lives until the laboratory takes it over.
-            let simulation: &'static Simulation = Box::leak(Box::new(Simulation::of_laboratory()));
-            let app = App::new(simulation, Language::of(&tag));
+            let simulation: &'static Simulation = Box::leak(Box::new(Simulation::of_laboratory(embedding)));
+            let app = App::new(simulation, language);
             shell::prepare(app);
             let play = simulation::of_page();
             let runs = play.is_some();
             simulation.play.replace(play);
-            app.read(|play| play.set_language(Language::of(&tag).tag()));
+            app.read(|play| play.set_language(language.tag()));
             restore(app, &opening);
+            everything::restore(app);
             opening::keep_tab(app);
             shown = runs.then_some((app, simulation));
             let opening = opening.clone();
@@ -71,18 +73,23 @@ fn content(app: App, opening: &Rc<Opening>) -> View {
         button.when(events::click, move |_| opening.ask(id))
     };
     let words = app.words();
-    let own = View::from((press(header::browse(app), "browse"), press(header::publish(app), "share")));
+    let own = View::from((
+        press(header::browse(app), "browse"),
+        press(header::publish(app), "share"),
+        press(header::everything(app), "everything"),
+    ));
     let in_menu = View::from(press(header::open(app), "open"));
-    let later = |id, title| Tab::new(id, title, View::new).waiting(app, ask(opening));
+    let later = |tab: Tab| tab.waiting(app, ask(opening));
     let tabs = vec![
-        Tab::play(app),
-        Tab::activities(app).waiting(app, ask(opening)),
-        later(tabs::MEASURE, words.tab_measure),
-        later(tabs::FIT, words.tab_fit),
-        Tab::theory(app, View::new).waiting(app, ask(opening)),
-        later(tabs::WRITE, words.tab_write),
+        Tab::explore(app),
+        later(Tab::questions(app)),
+        later(Tab::new(tabs::MEASURE, words.tab_measure, View::new)),
+        later(Tab::theory(app, View::new)),
+        later(Tab::lasting(tabs::WRITE, words.tab_write, View::new)),
+        later(Tab::lasting(tabs::CLASS, words.tab_class, View::new)),
     ];
-    let body = main().class("laboratory").child(stage::view(app)).child(panel::view(app, tabs));
+    let panel = panel::view(app, panel::shown(app, tabs));
+    let body = main().class("laboratory").child(stage::view(app)).child(panel);
     let asking = opening.clone();
     let is_own = opening.name() == welcome::OPENING && document().get_element_by_id("documents").is_none();
     let line = is_own.then(|| welcome::line(app, welcome::is_first_visit(), move |id| asking.ask(id)));

@@ -1,9 +1,8 @@
-//! Layout of the page: header, stage, and a panel with the tabs for playing, questions and theory.
+//! Layout of the page: header, stage, and a panel with the tabs *Explore*, *Questions* and *Theory*.
 
 use crate::simulation::{self, Simulation};
 use crate::{answers, hand_in, height, site, source};
-use play::{Embedding, PagePart};
-use units::Language;
+use play::PagePart;
 use view::browser::{self, address, fragment, is_heading};
 use view::panel::Tab;
 use view::views::*;
@@ -12,7 +11,7 @@ use view::{App, header, icons, panel, shell, stage};
 /// Starts the page in the element `lab`.
 pub fn start() {
     let Some(place) = browser::by_id::<web_sys::HtmlElement>("lab") else { return };
-    let embedding = Embedding::read(&window().location().search().unwrap_or_default());
+    let embedding = shell::embedding();
     if embedding.hides(PagePart::Head)
         && let Some(root) = document().document_element()
     {
@@ -21,24 +20,17 @@ pub fn start() {
     if embedding.follows_content {
         height::tell();
     }
-    let asked = embedding.language.map(|language| language.tag().to_owned());
-    if let Some(tag) = &asked {
-        site::remember_language(tag);
-    }
-    let tag = asked
-        .or_else(|| browser::remembered("language"))
-        .or_else(|| window().navigator().language())
-        .unwrap_or_default();
+    let language = shell::language(&embedding);
     place.set_inner_html("");
     let page = move || {
         // The simulation lives as long as the page.
         let simulation: &'static Simulation = Box::leak(Box::new(Simulation::new(embedding)));
-        let app = App::new(simulation, Language::of(&tag));
+        let app = App::new(simulation, language);
         shell::prepare(app);
         let play = simulation::of_page();
         let runs = play.is_some();
         simulation.play.replace(play);
-        app.read(|play| play.set_language(Language::of(&tag).tag()));
+        app.read(|play| play.set_language(language.tag()));
         // Answers in this browser may be those of another student of the course.
         if simulation.course.is_none() {
             answers::restore(app);
@@ -54,22 +46,12 @@ pub fn start() {
 
 fn content(app: App, simulation: &'static Simulation) -> View {
     let embedding = app.host().embedding();
-    let shows = |part| !embedding.hides(part);
-    let mut tabs = Vec::new();
-    if shows(PagePart::Parameters) || shows(PagePart::Values) {
-        tabs.push(Tab::play(app));
-    }
-    if shows(PagePart::Activities) {
-        tabs.push(Tab::activities(app));
-    }
-    if shows(PagePart::Text) {
-        tabs.push(Tab::theory(app, View::new));
-    }
+    let tabs = panel::shown(app, vec![Tab::explore(app), Tab::questions(app), Tab::theory(app, View::new)]);
     let class = if tabs.is_empty() { "laboratory alone" } else { "laboratory" };
     let body = main().class(class).child(stage::view(app));
     let body = body.maybe((!tabs.is_empty()).then(|| panel::view(app, tabs)));
     let course = simulation.course.as_ref().map_or_else(View::new, |course| course.dialog(app));
-    let head = if shows(PagePart::Head) { head(app).into() } else { hidden_head(app) };
+    let head = if embedding.hides(PagePart::Head) { hidden_head(app) } else { head(app).into() };
     View::from((head, body, hand_in::dialog(app), course))
 }
 

@@ -30,9 +30,9 @@ impl Simulation {
         Self { embedding, course: Course::of_page(), ..Self::default() }
     }
 
-    /// Creates the host for the page of a laboratory.
-    pub fn of_laboratory() -> Self {
-        Self { is_passed_on: true, ..Self::default() }
+    /// Creates the host for the page of a laboratory with these options.
+    pub fn of_laboratory(embedding: Embedding) -> Self {
+        Self { is_passed_on: true, embedding, ..Self::default() }
     }
 }
 

@@ -4,7 +4,6 @@
 use play::Link;
 use view::views::*;
 use view::{App, browser, icons};
-use wasm_bindgen::JsValue;
 use web_sys::{HtmlAnchorElement, HtmlLinkElement};
 
 /// The links; empty if the page belongs to no site.
@@ -44,20 +43,4 @@ fn link(icon: SvgSvg, words: &'static str) -> HtmlA {
 
 fn address(id: &str) -> Option<String> {
     browser::by_id::<HtmlLinkElement>(id).map(|link| link.href())
-}
-
-/// Treats the language in the address like a choice with the language switch. If the browser stores it, it is removed
-/// from the address, so that a later choice survives a reload. Other fields stay.
-pub fn remember_language(tag: &str) {
-    let location = window().location();
-    let query = location.search().unwrap_or_default();
-    let fields = query.trim_start_matches('?').split('&').filter(|field| !field.starts_with("language="));
-    let fields: Vec<&str> = fields.filter(|field| !field.is_empty()).collect();
-    if browser::remember("language", tag)
-        && let (Ok(path), Ok(history)) = (location.pathname(), window().history())
-    {
-        let query = if fields.is_empty() { String::new() } else { format!("?{}", fields.join("&")) };
-        let address = format!("{path}{query}{}", location.hash().unwrap_or_default());
-        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
-    }
 }

@@ -70,7 +70,7 @@ pub trait Host {
     /// Restores the document texts stored under this name.
     fn restore(&self, _version: &str) {}
 
-    /// Options of a page embedded in another page: parts left out, locked controls.
+    /// Options in the address of the page: parts left out, locked controls.
     fn embedding(&self) -> Embedding {
         Embedding::default()
     }
@@ -186,6 +186,8 @@ pub struct Page {
     pub single_keys: Signal<bool>,
     /// Id of the open tab of the panel.
     pub tab: Signal<&'static str>,
+    /// True if the page shows also what teachers and authors need; see [`crate::everything`].
+    pub everything: Signal<bool>,
     /// True if the table of recorded values is shown.
     pub table_open: Signal<bool>,
     /// True if the window has room for only one plot.
@@ -234,7 +236,8 @@ impl App {
             messages: create_signal(Vec::new()),
             printing: create_signal(false),
             single_keys: create_signal(browser::remembered("keys").is_none()),
-            tab: create_signal(tabs::PLAY),
+            tab: create_signal(tabs::EXPLORE),
+            everything: create_signal(true),
             table_open: create_signal(false),
             narrow: create_signal(browser::matches(stage::NARROW)),
             front_plot: create_signal(None),

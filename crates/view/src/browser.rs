@@ -300,6 +300,14 @@ pub fn address(fragment: &str) -> String {
     if fragment.is_empty() { base.to_owned() } else { format!("{base}#{fragment}") }
 }
 
+/// Replaces the address in the present history entry, if the browser allows it.
+pub fn replace_address(address: &str) {
+    if let Ok(history) = window().history() {
+        let state = history.state().unwrap_or(JsValue::NULL);
+        let _ = history.replace_state_with_url(&state, "", Some(address));
+    }
+}
+
 /// True if a fragment is empty or the id of a heading, and not a state; `1` is the shortest state.
 pub fn is_heading(fragment: &str) -> bool {
     !fragment.contains(['&', '=']) && fragment != "1"

@@ -8,7 +8,7 @@ use crate::seat;
 use crate::sizes;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
-use crate::{buttons, drawings, parameters};
+use crate::{buttons, drawings, everything, parameters};
 use play::{MethodView, ParameterGroup, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
 
@@ -116,14 +116,18 @@ fn restore_all(app: App) {
         app.rebuild();
     }
     // The button is hidden now.
-    browser::focus("panel-play");
+    browser::focus("panel-explore");
 }
 
-/// Present state, method and step: changed less often than parameters.
+/// Present state and, with everything shown, method and step: changed less often than parameters.
 pub fn state_and_method(app: App) -> HtmlSection {
     let settings = part("settings", "controls card", app.words().settings).child(states(app));
     // A model with a counter as independent variable needs no method.
-    if app.read(|play| play.model().independent.counts) { settings } else { settings.child(numerics(app)) }
+    if app.read(|play| play.model().independent.counts) {
+        settings
+    } else {
+        settings.child(everything::only(app, move || numerics(app).into()))
+    }
 }
 
 fn presets(app: App) -> View {

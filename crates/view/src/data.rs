@@ -18,7 +18,7 @@ pub fn view(app: App) -> HtmlDiv {
         app.read(|play| play.values().table_length())
     };
     let last_start = move || length().saturating_sub(ROWS);
-    let open = memo(move || app.tab.get() == tabs::PLAY && app.table_open.get());
+    let open = memo(move || app.tab.get() == tabs::EXPLORE && app.table_open.get());
     let body = move || {
         if !open.get() {
             return View::new();

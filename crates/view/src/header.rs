@@ -94,6 +94,15 @@ pub fn publish(app: App) -> HtmlButton {
     labelled(icons::link(), words.publish).id("share").title(words.publish_title).attr("aria-haspopup", "dialog")
 }
 
+/// Switch of the laboratory: shows also what teachers and authors need; see [`crate::everything`].
+pub fn everything(app: App) -> HtmlButton {
+    let words = app.words();
+    labelled(icons::pile(), words.everything)
+        .id("everything")
+        .title(words.everything_title)
+        .attr("aria-pressed", move || app.everything.get().to_string())
+}
+
 fn languages(app: App) -> HtmlDiv {
     let words = app.words();
     let choose = |language: Language| {

@@ -87,6 +87,8 @@ icons! {
     camera: "M4 8h10.5v8H4zM14.5 11l5.5-3v8l-5.5-3z";
     /// A triangle with an exclamation mark.
     doubt: "M12 5l8 14H4zM12 10.5v4M12 16.8h.01";
+    /// Sheets in a pile.
+    pile: "M12 4l8.5 4.5L12 13 3.5 8.5zM4.5 12.5L12 16.5l7.5-4M4.5 16.5l7.5 4 7.5-4";
     /// A flag on its pole.
     keep: "M7 20V5h10l-2.5 3.8L17 12.5H7";
 }

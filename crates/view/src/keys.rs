@@ -65,7 +65,10 @@ fn pressed(app: App, hands: &Hands, event: &KeyboardEvent) {
     let nowhere = target.as_ref().is_none_or(|target| matches!(target.tag_name().as_str(), "BODY" | "HTML"));
     let is_space = event.key() == " ";
     let clicked = is_space && hands.points.get() && within(TAKES_SPACE);
-    if !(nowhere || clicked || within("#apparatus, #panel-play, #tab-play")) || within("dialog") || within(TAKES_TEXT) {
+    if !(nowhere || clicked || within("#apparatus, #panel-explore, #tab-explore"))
+        || within("dialog")
+        || within(TAKES_TEXT)
+    {
         return;
     }
     match event.key().as_str() {

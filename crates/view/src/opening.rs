@@ -79,6 +79,8 @@ pub struct Handed {
     language: String,
     sound: bool,
     tab: String,
+    everything: bool,
+    more_open: bool,
     table_open: bool,
     numerics_open: bool,
     front_plot: Option<usize>,
@@ -107,6 +109,8 @@ impl Handed {
             language: app.language.get_untracked().tag().to_owned(),
             sound,
             tab: app.tab.get_untracked().to_owned(),
+            everything: app.everything.get_untracked(),
+            more_open: app.more_open.get_untracked(),
             table_open: app.table_open.get_untracked(),
             numerics_open: app.numerics_open.get_untracked(),
             front_plot: app.front_plot.get_untracked().map(PlotId::place),
@@ -131,7 +135,9 @@ impl Handed {
 
     /// Sets what the views show, before they are built.
     pub fn prepare(&self, app: App) {
-        app.tab.set(find_tab(&self.tab).unwrap_or(tabs::PLAY));
+        app.tab.set(find_tab(&self.tab).unwrap_or(tabs::EXPLORE));
+        app.everything.set(self.everything);
+        app.more_open.set(self.more_open);
         app.table_open.set(self.table_open);
         app.numerics_open.set(self.numerics_open);
         app.front_plot.set(self.front_plot.map(PlotId::at));
@@ -199,7 +205,7 @@ pub fn keep_tab(app: App) {
 
 /// The tab with this id.
 fn find_tab(id: &str) -> Option<&'static str> {
-    [tabs::PLAY, tabs::ACTIVITIES, tabs::THEORY, tabs::MEASURE, tabs::FIT, tabs::WRITE]
+    [tabs::EXPLORE, tabs::QUESTIONS, tabs::MEASURE, tabs::THEORY, tabs::WRITE, tabs::CLASS]
         .into_iter()
         .find(|tab| *tab == id)
 }

@@ -1,16 +1,17 @@
-//! The panel beside the stage, with a tab each for playing, questions, theory, and further content of the page.
+//! The panel beside the stage, with tabs to explore, for questions, for theory, and for further content of the page.
 
 use crate::app::App;
-use crate::tabs::{ACTIVITIES, PLAY, THEORY};
+use crate::tabs::{EXPLORE, MEASURE, QUESTIONS, THEORY};
 use crate::views::*;
-use crate::{browser, playing, reading};
+use crate::{browser, exploring, reading};
+use play::PagePart;
 use sycamore_reactive::untrack;
 use web_sys::KeyboardEvent;
 
 /// A tab of the panel.
 #[derive(Clone)]
 pub struct Tab {
-    /// Name in ids: `tab-play` belongs to `panel-play`.
+    /// Name in ids: `tab-explore` belongs to `panel-explore`.
     pub id: &'static str,
     /// Title.
     pub title: &'static str,
@@ -30,25 +31,26 @@ impl Tab {
         Self { id, title, content: std::rc::Rc::new(content), offered: runs, lasting: false, waits: false }
     }
 
-    /// A tab that is always offered and whose content follows program changes itself.
+    /// A tab for teachers and authors, whose content follows program changes itself. Without a simulation it is always
+    /// offered.
     pub fn lasting(id: &'static str, title: &'static str, content: impl Fn() -> View + 'static) -> Self {
-        Self { lasting: true, offered: |_| true, ..Self::new(id, title, content) }
+        Self { lasting: true, offered: |app| app.everything.get() || !runs(app), ..Self::new(id, title, content) }
     }
 
     /// Tab of parameters, presets and values.
-    pub fn play(app: App) -> Self {
-        Self::new(PLAY, app.words().tab_play, move || playing::view(app).into())
+    pub fn explore(app: App) -> Self {
+        Self::new(EXPLORE, app.words().tab_explore, move || exploring::view(app).into())
     }
 
     /// Tab of questions and survey; not offered if the document contains neither questions nor a survey.
-    pub fn activities(app: App) -> Self {
-        let content = move || reading::activities(app).into();
-        Self { offered: reading::asks, ..Self::new(ACTIVITIES, app.words().tab_activities, content) }
+    pub fn questions(app: App) -> Self {
+        let content = move || reading::questions(app).into();
+        Self { offered: reading::asks, ..Self::new(QUESTIONS, app.words().tab_questions, content) }
     }
 
     /// Tab of prose and equations, with additional content of the page (`besides`).
-    pub fn theory(app: App, besides: impl Fn() -> View + 'static) -> Self {
-        Self::new(THEORY, app.words().tab_theory, move || reading::theory(app, besides()).into())
+    pub fn theory(app: App, besides: impl Fn() -> View + Clone + 'static) -> Self {
+        Self::new(THEORY, app.words().tab_theory, move || reading::theory(app, besides.clone()).into())
     }
 
     /// The tab while its content is not there yet. Opening it asks for the content (`ask`).
@@ -64,11 +66,30 @@ impl Tab {
     fn is_offered(&self, app: App) -> bool {
         (self.offered)(app)
     }
+
+    /// True if the address of the page leaves out everything in this tab.
+    fn is_left_out(&self, app: App) -> bool {
+        let parts: &[PagePart] = match self.id {
+            EXPLORE => &[PagePart::Parameters, PagePart::Values],
+            QUESTIONS => &[PagePart::Activities],
+            MEASURE => &[PagePart::Measure],
+            THEORY => &[PagePart::Text],
+            _ => return false,
+        };
+        let embedding = app.host().embedding();
+        parts.iter().all(|part| embedding.hides(*part))
+    }
 }
 
 /// True if there is a simulation.
 fn runs(app: App) -> bool {
     app.read(|_| true)
+}
+
+/// The tabs that the address of the page does not leave out.
+pub fn shown(app: App, mut tabs: Vec<Tab>) -> Vec<Tab> {
+    tabs.retain(|tab| !tab.is_left_out(app));
+    tabs
 }
 
 /// The panel.
@@ -77,8 +98,9 @@ pub fn view(app: App, tabs: Vec<Tab>) -> HtmlSection {
     let all = tabs.clone();
     effect(move || {
         app.changes.program.track();
+        app.everything.track();
         let mut offered = all.iter().filter(|tab| tab.is_offered(app)).map(|tab| tab.id).peekable();
-        let first = offered.peek().copied().unwrap_or(PLAY);
+        let first = offered.peek().copied().unwrap_or(EXPLORE);
         if !offered.any(|id| id == app.tab.get_untracked()) {
             app.tab.set(first);
         }
@@ -133,7 +155,7 @@ fn body(app: App, tab: Tab) -> HtmlDiv {
         .attr("aria-labelledby", format!("tab-{id}"))
         .attr("aria-busy", waits.then_some("true"))
         // A panel that begins with controls needs no stop of its own.
-        .tabindex(if id == PLAY { "-1" } else { "0" })
+        .tabindex(if id == EXPLORE { "-1" } else { "0" })
         .hidden(move || !selected())
         .child(changing(built))
 }

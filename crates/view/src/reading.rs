@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, claims, question, survey};
+use crate::{browser, claims, everything, question, survey};
 use program::{Block, Section};
 
 /// Sections of the document in the language of the page, and the level of their top headings.
@@ -39,21 +39,21 @@ fn chapters(app: App, asking: bool) -> (Vec<Section>, u8) {
 }
 
 /// Content of the tab of questions.
-pub fn activities(app: App) -> HtmlDiv {
+pub fn questions(app: App) -> HtmlDiv {
     let (sections, top) = chapters(app, true);
     prose(app, &sections, top).child(survey::view(app))
 }
 
-/// Content of the tab of prose and equations, with additional content of the page (`besides`).
-pub fn theory(app: App, besides: View) -> HtmlDiv {
+/// Content of the tab of prose and equations. With everything shown, also the author's claims and additional content of the
+/// page (`besides`).
+pub fn theory(app: App, besides: impl Fn() -> View + 'static) -> HtmlDiv {
     let (sections, top) = chapters(app, false);
     div()
         .class("theory")
         .child(contents(app, &sections, top))
         .child(prose(app, &sections, top))
         .child(equations(app))
-        .child(claims::view(app))
-        .child(besides)
+        .child(everything::only(app, move || View::from((claims::view(app), besides()))))
 }
 
 fn prose(app: App, sections: &[Section], top: u8) -> HtmlDiv {

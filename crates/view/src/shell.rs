@@ -4,6 +4,34 @@ use crate::app::{App, title};
 use crate::theme::Theme;
 use crate::views::*;
 use crate::{browser, frame, keys, messages, projector, stage, worksheet};
+use play::Embedding;
+use units::Language;
+
+/// Options in the address of the page.
+pub fn embedding() -> Embedding {
+    Embedding::read(&window().location().search().unwrap_or_default())
+}
+
+/// Language of the page: the one in its address, otherwise the one chosen at an earlier visit, otherwise that of the browser. The
+/// language in the address is treated like a choice with the language switch. If the browser stores it, it is removed from the
+/// address, so that a later choice survives a reload.
+pub fn language(embedding: &Embedding) -> Language {
+    if let Some(language) = embedding.language {
+        let location = window().location();
+        let query = location.search().unwrap_or_default();
+        let fields = query.trim_start_matches('?').split('&').filter(|field| !field.starts_with("language="));
+        let fields: Vec<&str> = fields.filter(|field| !field.is_empty()).collect();
+        if browser::remember("language", language.tag())
+            && let Ok(path) = location.pathname()
+        {
+            let query = if fields.is_empty() { String::new() } else { format!("?{}", fields.join("&")) };
+            browser::replace_address(&format!("{path}{query}{}", location.hash().unwrap_or_default()));
+        }
+        return language;
+    }
+    let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
+    Language::of(&tag)
+}
 
 /// Installs the listeners for the whole page.
 pub fn prepare(app: App) {

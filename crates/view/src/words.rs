@@ -205,12 +205,14 @@ table_of_words! {
 
     // Panel.
     panel: "Panel", "Panel";
-    tab_play: "Play", "Explorar";
-    tab_activities: "Activities", "Actividades";
+    tab_explore: "Explore", "Explorar";
+    tab_questions: "Questions", "Preguntas";
     tab_measure: "Measure", "Medir";
-    tab_fit: "Fit", "Ajustar";
     tab_theory: "Theory", "Teoría";
     tab_write: "Write", "Escribir";
+    tab_class: "Class", "Clase";
+    everything: "Everything", "Todo";
+    everything_title: "Also writing, numerical method, statistics, source, checks and class", "También escritura, método numérico, estadística, fuente, comprobaciones y clase";
     tab_waits: "The laboratory is loading ...", "El laboratorio se está cargando ...";
     contents: "Contents", "Contenido";
     equations: "Model", "Modelo";

@@ -52,7 +52,7 @@ async function frames(lab) {
 
 visit("hand-ins of a folder", async (lab) => {
   const count = readdirSync(FOLDER).length;
-  await lab.press("Share");
+  await lab.tab("Class");
   await lab.page.locator("#open-class").click();
   await lab.page.evaluate(watch, count);
   await choose(lab);

@@ -115,7 +115,7 @@ visit("a folder with hand-ins and reports: pages without data are left out, the 
   for (const { name, text } of groups) files[name] = text;
   for (const [name, text] of Object.entries(files)) writeFileSync(join(folder, name), text);
 
-  await lab.press("Share");
+  await lab.tab("Class");
   await lab.page.locator("#open-class").click();
   await lab.page.evaluate(() => {
     window.seen = new Set();

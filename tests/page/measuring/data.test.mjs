@@ -105,7 +105,7 @@ visit("an exported laboratory plays from a file, without a network", { file: exp
   await lab.press("Play");
   await lab.watchUntil(1);
   assert.match(await lab.page.title(), /U-tube/);
-  assert.equal(await lab.page.getByRole("tab", { name: "Fit" }).count(), 1);
+  assert.equal(await lab.page.getByRole("tab", { name: "Measure" }).count(), 1);
 });
 
 function exportedLaboratory() {

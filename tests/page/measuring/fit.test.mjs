@@ -37,7 +37,7 @@ visit("a dropped file is recognised, drawn, and fitted by one button", async (la
   await openTheory(lab, "Quadratic damping");
   await lab.tab("Measure");
   assert.equal(await records(lab).count(), 1);
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   assert.equal(await lab.page.locator(".fits tbody tr").count(), 1);
   await lab.page.reload();
   await lab.tab("Measure");
@@ -82,7 +82,7 @@ visit("a virtual measurement is fitted, and the truth is found", async (lab) => 
   await records(lab).waitFor();
   assert.equal(await sight(records(lab).locator(".tag")), "synthetic");
   // Somewhere else, as if the answer were unknown.
-  await lab.tab("Play");
+  await lab.tab("Explore");
   await lab.press("Restore defaults");
   const found = await fit(lab);
   const length = found.get("Length of the column");
@@ -99,7 +99,7 @@ visit("the sample with a contact line is told from the others", async (lab) => {
   await lab.tab("Measure");
   await lab.press("Column with a contact line");
   await records(lab).waitFor();
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   await lab.press("Rank all theories");
   // The page is not frozen meanwhile, and what is begun can be given up.
   await lab.page.locator("#cancel-fit").waitFor();
@@ -111,14 +111,14 @@ visit("the sample with a contact line is told from the others", async (lab) => {
   await lab.page.getByRole("button", { name: /^Open: / }).first().click();
   await eventually(async () => assert.notEqual(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Oscillations of a liquid in a U-tube"));
   await eventually(async () => assert.match(await lab.told(), /fitted values/));
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   assert.equal(await lab.page.locator(".fits tbody tr").count(), before);
 });
 
 visit("a fit takes a theory and a button, and the result stands beside the plots", async (lab) => {
   await drop(lab, { name: "film.csv", text: film() });
   await records(lab).waitFor();
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   const chips = lab.page.getByRole("group", { name: "Theories" }).getByRole("button");
   assert.match(await chips.first().innerText(), /U-tube/, "the open document is the theory");
   const linear = lab.page.locator(".theory-chip").filter({ has: lab.page.getByText("Linear damping", { exact: true }) });
@@ -126,7 +126,7 @@ visit("a fit takes a theory and a button, and the result stands beside the plots
   const before = await lab.page.evaluate(() => scrollY);
   await linear.click();
   await lab.page.getByRole("heading", { level: 1, name: "Linear damping" }).waitFor();
-  assert.equal(await lab.page.getByRole("tab", { name: "Fit" }).getAttribute("aria-selected"), "true", "nobody is sent elsewhere");
+  assert.equal(await lab.page.getByRole("tab", { name: "Measure" }).getAttribute("aria-selected"), "true", "nobody is sent elsewhere");
   assert.ok(Math.abs((await lab.page.evaluate(() => scrollY)) - before) < 2);
   assert.equal(await linear.getAttribute("aria-pressed"), "true");
   // The part that counts is the one that a zoomed plot shows.
@@ -199,7 +199,7 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await lab.keys("Enter");
   await eventually(async () => assert.equal((await lab.focused()).id, "browse"));
   await lab.tabTo("[role=tab]");
-  await lab.keys("End", "ArrowLeft", "ArrowLeft", "ArrowLeft");
+  await lab.keys("End", "ArrowLeft");
   await lab.tabTo(".intake .chip");
   await lab.keys("Enter");
   await records(lab).waitFor();
@@ -209,8 +209,6 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await eventually(async () => assert.equal((await lab.focused()).id, ticked, "the focus stays"));
   await lab.keys("Space");
   await eventually(async () => assert.equal(await lab.page.locator(`#${ticked}`).isChecked(), true));
-  await lab.page.locator("#tab-measure").focus();
-  await lab.keys("ArrowRight");
   await lab.tabTo("#fit");
   await lab.keys("Enter");
   await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
@@ -244,7 +242,7 @@ visit("the part that is fitted is brushed in the plot", async (lab) => {
   await openTheory(lab, "Linear damping");
   await drop(lab, { name: "film.csv", text: film() });
   await records(lab).waitFor();
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   const end = async (number) => lab.page.locator(`#fit-end-${number}`).inputValue();
   assert.deepEqual(await Promise.all([end(0), end(1)]), ["", ""]);
   // An open end lies at the edge of the panel, on the vertical axis.
@@ -287,7 +285,7 @@ visit("the part that is fitted is brushed in the plot", async (lab) => {
   // Back at the edge it is open again, and in no other tab does it lie over the plots.
   await drag(await grip(), plot.x + 5);
   await eventually(async () => assert.equal(await end(0), ""));
-  await lab.tab("Play");
+  await lab.tab("Explore");
   await lab.page.mouse.move(edge, row);
   assert.equal(await cursor(), "");
 });

@@ -90,7 +90,7 @@ visit("a dropped hand-in is verified, and its work can be opened", async (lab) =
   assert.match(await verdict(lab, "two.hand-in", text), /^Every value follows/);
   await lab.page.locator("#open-verified").click();
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Linear damping"));
-  await lab.page.locator("#tab-fit").click();
+  await lab.page.locator("#tab-measure").click();
   await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
 
   await drop(lab, { name: "cut.hand-in", text: text.slice(0, 500) });

@@ -193,7 +193,7 @@ visit("answers are kept in another language and after a reload", async (lab) => 
   await openOwn(lab);
   const question = () => lab.page.locator("section.question").first();
   const tab = async () => {
-    for (const name of await lab.page.getByRole("tab").allInnerTexts()) {
+    for (const name of await lab.page.locator("#panel > .tabs [role=tab]:visible").allInnerTexts()) {
       await lab.tab(name);
       if (await question().isVisible()) return;
     }

@@ -111,7 +111,7 @@ for (const [document, kind, language] of sessions) {
     await visit.start();
     let count = 0;
     if (asking.includes(document)) {
-      await visit.tab("activities");
+      await visit.tab("questions");
       const all = Array.from({ length: 20 }, (_, question) => texts(question));
       count = await visit.page.locator("body").evaluate((_, [code, all]) => new Function(`return (${code})`)()(all), [answerAll.toString(), all]);
       assert.ok(count > 0);

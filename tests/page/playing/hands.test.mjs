@@ -39,7 +39,8 @@ visit("Space is the transport's after a click on whatever button, and the button
   await lab.page.keyboard.press("Space");
   await paused(lab);
   // Elsewhere on the page, too: a tab, a step, the sound.
-  for (const button of [lab.page.locator("#tab-measure"), lab.page.locator("#step-forward"), lab.page.locator("#tab-write"), lab.page.locator("#tab-play")]) {
+  await lab.everything();
+  for (const button of [lab.page.locator("#tab-measure"), lab.page.locator("#step-forward"), lab.page.locator("#tab-write"), lab.page.locator("#tab-explore")]) {
     await button.click();
     await lab.page.keyboard.press("Space");
     await playing(lab);
@@ -97,7 +98,7 @@ visit("on the Spanish page Escribir shows the Spanish file", { language: "es-ES"
 });
 
 visit("the tab stays after the page is loaded again", async (lab) => {
-  for (const tab of ["Measure", "Write", "Theory", "Play"]) {
+  for (const tab of ["Measure", "Write", "Theory", "Explore"]) {
     await lab.tab(tab);
     await lab.page.reload();
     await eventually(async () => assert.equal(await lab.page.locator("#panel > .tabs [aria-selected=true]").innerText(), tab));
@@ -128,8 +129,8 @@ visit("answers of a document whose title begins like that of another stay", asyn
   for (const name of ["Pendulum: large angles", "Pendulum"]) {
     await drop(lab, { name: "pendulum.md", text: document(name) });
     await eventually(async () => assert.equal(await title(lab), name));
-    await lab.tab("Activities");
-    const field = lab.page.locator("#panel-activities").getByRole("textbox").first();
+    await lab.tab("Questions");
+    const field = lab.page.locator("#panel-questions").getByRole("textbox").first();
     assert.equal(await field.inputValue(), "", name);
     await field.fill("2");
     await lab.page.getByRole("button", { name: "Check", exact: true }).click();

@@ -74,7 +74,7 @@ visit("what was removed is brought back by Undo", async (lab) => {
   assert.equal(await kept.count(), 1);
 
   await lab.enter("Damping", "77");
-  await lab.page.locator("#tab-play").click();
+  await lab.page.locator("#tab-explore").click();
   await lab.press("Restore defaults");
   assert.equal(await lab.number("Damping"), 50);
   await lab.page.evaluate(() => document.activeElement.blur());

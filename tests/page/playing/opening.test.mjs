@@ -16,7 +16,7 @@ const waiting = (lab) => lab.page.locator("[role=tab][aria-busy=true]").count();
 const seen = (lab) =>
   lab.page.evaluate(() => ({
     stage: document.querySelector(".stage").innerText,
-    panel: document.querySelector("#panel-play").innerText,
+    panel: document.querySelector("#panel-explore").innerText,
     head: document.querySelector("header").innerText,
     plots: [...document.querySelectorAll("canvas[id^=canvas-]")]
       .filter((canvas) => canvas.checkVisibility() && canvas.getBoundingClientRect().bottom < innerHeight)
@@ -56,7 +56,7 @@ visit("a tab that is asked for brings the laboratory, which shows what was there
   assert.equal((await lab.focused()).id, "tab-theory");
   await lab.page.locator("#panel-theory h2, #panel-theory h3").first().waitFor();
   assert.equal(await lab.told(), "", "a screen reader hears nothing again");
-  await lab.page.locator("#tab-play").click();
+  await lab.page.locator("#tab-explore").click();
   await lab.page.evaluate(() => scrollTo(0, 0));
   await eventually(async () => {
     const after = await seen(lab);
@@ -101,7 +101,7 @@ visit("a link to a state of the page's own document opens in the player", { file
   assert.equal(await waiting(lab), 5);
   assert.equal(await lab.number("Damping"), 300);
   assert.equal(await lab.time(), 2);
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   await lab.taken();
   assert.equal(await lab.number("Damping"), 300);
   assert.equal(await lab.time(), 2);

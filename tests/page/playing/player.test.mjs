@@ -16,7 +16,7 @@ function exported(document = "utube.md") {
 }
 
 visit("a visitor plays, changes, drags and goes back", { file: exported }, async (page) => {
-  assert.deepEqual(await page.page.getByRole("tab").allInnerTexts(), ["Play", "Activities", "Theory"]);
+  assert.deepEqual(await page.page.getByRole("tab").allInnerTexts(), ["Explore", "Questions", "Theory"]);
   await page.press("Play");
   await page.watchUntil(1);
   await page.press("Pause");
@@ -61,7 +61,7 @@ visit("what is typed may be arithmetic in the names of the model", { file: expor
 });
 
 visit("questions are answered, and the answers are there again", { file: exported }, async (page) => {
-  await page.tab("Activities");
+  await page.tab("Questions");
   const question = page.page.locator(".question").first();
   await question.getByRole("textbox").fill("1000");
   await question.getByRole("textbox").press("Enter");
@@ -71,7 +71,7 @@ visit("questions are answered, and the answers are there again", { file: exporte
   await question.getByRole("textbox").press("Enter");
   await eventually(async () => assert.match(await sight(question), /Correct/));
   await page.page.reload();
-  await page.tab("Activities");
+  await page.tab("Questions");
   await eventually(async () => assert.match(await sight(page.page.locator(".question").first()), /Correct/));
 });
 

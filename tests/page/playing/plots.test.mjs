@@ -27,7 +27,7 @@ visit("one plot is open beside the scene; more of them share its room", async (l
 });
 
 visit("the stage stays in sight while the panel is read", async (lab) => {
-  await lab.tab("Activities");
+  await lab.tab("Questions");
   await lab.page.locator("section.question").last().scrollIntoViewIfNeeded();
   assert.ok((await lab.page.evaluate(() => scrollY)) > 500);
   const box = await lab.page.locator("#canvas-0").boundingBox();

@@ -24,7 +24,7 @@ async function saved(page, name) {
 
 visit("a survey is answered and saved with the keyboard", { file: surveyed, ...STILL }, async (page) => {
   const link = await page.page.evaluate(() => location.hash);
-  await page.page.getByRole("tab", { name: "Activities" }).focus();
+  await page.page.getByRole("tab", { name: "Questions" }).focus();
   await page.keys("Enter");
   const group = (name) => page.page.getByRole("group", { name });
   assert.equal(await group("You are a").getByRole("radio", { name: "No answer" }).isChecked(), true);
@@ -32,7 +32,7 @@ visit("a survey is answered and saved with the keyboard", { file: surveyed, ...S
   await page.keys("Enter");
   assert.equal(await page.page.locator("#survey-said").innerText(), "Nothing is answered yet.");
   // From "No answer", the last of its group, the arrows lead round to the alternatives.
-  await page.page.getByRole("tab", { name: "Activities" }).focus();
+  await page.page.getByRole("tab", { name: "Questions" }).focus();
   await page.tabTo("#survey-0-none");
   await page.keys("ArrowDown", "ArrowDown");
   assert.equal(await group("You are a").getByRole("radio", { name: "teacher" }).isChecked(), true);
@@ -61,7 +61,7 @@ visit("a survey is answered and saved with the keyboard", { file: surveyed, ...S
 });
 
 visit("the survey is asked in Spanish, and its file is the same", { file: surveyed, language: "es-ES" }, async (page) => {
-  await page.page.getByRole("tab", { name: "Actividades" }).click();
+  await page.page.getByRole("tab", { name: "Preguntas" }).click();
   await page.page.getByRole("group", { name: "Fue claro" }).getByRole("radio", { name: "1 en desacuerdo" }).check();
   await page.page.getByRole("group", { name: "¿Qué ayudó más?" }).getByRole("radio", { name: "gráficas" }).check();
   const { items } = JSON.parse(await saved(page, "Pendulum.survey"));

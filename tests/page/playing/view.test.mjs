@@ -19,7 +19,7 @@ async function view(lab, { write = "Write", begin = "New", template = "A mass on
   await lab.press(begin);
   await lab.press(template);
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), template));
-  await lab.page.getByRole("tab", { name: panel, exact: true }).click();
+  await lab.page.locator(".writing-tabs").getByRole("tab", { name: panel, exact: true }).click();
   await lab.page.locator(".plots-form").waitFor();
 }
 
@@ -87,7 +87,7 @@ visit("controls are put under headings, which are moved, named and removed", asy
   await lab.button("Move down: Group").press("Enter");
   await eventually(async () => assert.deepEqual(await words(), [controls[0], "Group", ...controls.slice(1)]));
   await runs(lab);
-  await lab.tab("Play");
+  await lab.tab("Explore");
   const group = lab.page.getByRole("group", { name: "Spring" });
   await eventually(async () => assert.equal(await group.locator(".parameter").count(), controls.length - 1));
   await lab.tab("Write");
@@ -134,7 +134,7 @@ visit("controls change their order and labels, values are hidden, with keys alon
   await lab.keys("Space");
   await now(lab, /\nhidden /);
   await runs(lab);
-  await lab.tab("Play");
+  await lab.tab("Explore");
   await eventually(async () => {
     const labels = await lab.page.locator(".parameter label").allInnerTexts();
     assert.ok(labels[1].includes("What hangs there"), `${labels}`);
@@ -162,7 +162,7 @@ visit("the description of the document is a form, and keys that it does not know
 
 visit("a question appears when the one before is answered, and the author sees all of them", async (lab) => {
   await view(lab);
-  await lab.page.getByRole("tab", { name: "Questions", exact: true }).click();
+  await lab.page.locator(".writing-tabs").getByRole("tab", { name: "Questions", exact: true }).click();
   await lab.press("Add question");
   await lab.page.locator("#new-prompt").fill("How long is one swing?");
   await lab.page.locator("#new-follows").check();
@@ -170,7 +170,7 @@ visit("a question appears when the one before is answered, and the author sees a
   await now(lab, /```question\nHow long is one swing\?\n\nafter: previous\nhide: T\n/);
   await eventually(async () => assert.equal(await field(lab, "Question 2: Appears after question").inputValue(), "previous"));
   await runs(lab);
-  await lab.tab("Activities");
+  await lab.tab("Questions");
   const second = lab.page.locator(".question").nth(1);
   await eventually(async () => assert.match(await second.innerText(), /^question 2\s+Answer this first: Question 1$/i));
   await lab.page.locator("#answer-0").fill("7 s");
@@ -186,6 +186,7 @@ visit("a question appears when the one before is answered, and the author sees a
 visit("how far the present run is off what is conserved is shown beside the claim", async (lab) => {
   await lab.page.goto("about:blank");
   await lab.go(`${lab.address}#1&d=kepler.md`);
+  await lab.everything();
   await lab.tab("Theory");
   await lab.page.locator("#checks > summary").click();
   const show = lab.page.getByRole("button", { name: "Show in the present run" }).first();

@@ -14,7 +14,7 @@ const field = (lab, name) => lab.page.getByLabel(name, { exact: true });
 const now = (lab, expected) => eventually(async () => assert.match(await text(lab), expected));
 
 async function panel(lab, name) {
-  await lab.page.getByRole("tab", { name, exact: true }).click();
+  await lab.page.locator(".writing-tabs").getByRole("tab", { name, exact: true }).click();
 }
 
 /** The oscillator of the templates, by forms. */
@@ -43,7 +43,7 @@ visit("a cell changes its place in the text, the simulation follows, and comment
   await field(lab, "m: Step").fill("0.05");
   await now(lab, /in 0\.1\.\.3 step 0\.05 +"Mass of the bob"/);
   await runs(lab);
-  await lab.tab("Play");
+  await lab.tab("Explore");
   await eventually(async () => assert.equal(await lab.number("Mass of the bob"), 0.25));
   await lab.tab("Write");
   // Text and forms have one history.
@@ -156,9 +156,9 @@ visit("a translation is begun, written beside the texts of the document, and its
   await eventually(async () => assert.equal(await lab.page.locator(".side").count(), before - 3));
   await eventually(async () => assert.match(await status(lab).innerText(), /No errors/));
   await lab.pressInMenu("ES – Español");
-  await lab.page.locator("#tab-play").click();
+  await lab.page.locator("#tab-explore").click();
   await eventually(async () => assert.ok(await lab.page.getByText("Rigidez del resorte").first().isVisible()));
-  await lab.page.locator("#tab-write").click();
+  await lab.tab("Write");
   await panel(lab, "Texto");
   await lab.page.getByLabel("Archivo", { exact: true }).selectOption("a-mass-on-a-spring.es.md");
   await now(lab, /"Stiffness of the spring" = "Rigidez del resorte"/);
@@ -188,10 +188,10 @@ visit("the questions stand with their answers, and one is added that the model a
   await runs(lab);
   await asked.nth(1).getByRole("button", { name: "Go to the text" }).click();
   await eventually(async () => assert.ok(await editor(lab).evaluate((content) => content.contains(document.activeElement))));
-  await lab.tab("Activities");
+  await lab.tab("Questions");
   await eventually(async () => assert.equal(await lab.page.locator(".question").count(), 2));
   // Each part is written in its field; the field keeps the focus.
-  await lab.page.locator("#tab-write").click();
+  await lab.tab("Write");
   await panel(lab, "Questions");
   const before = await text(lab);
   await part("Answer").fill("T within 7 %");

@@ -153,7 +153,7 @@ visit("a frame has its language, its parts, fixed values and the height of its c
   assert.equal(await inside.locator("#tab-theory").count(), 0);
   assert.equal(await inside.locator("#parameter-0").isDisabled(), true);
   assert.equal(await inside.locator("[part~=handle]").count(), 0, "nothing in the drawing can be dragged");
-  await inside.getByRole("tab", { name: "Actividades" }).click();
+  await inside.getByRole("tab", { name: "Preguntas" }).click();
   assert.equal(await inside.locator(".question input").first().isEnabled(), true, "questions are answered");
   await inside.getByRole("tab").first().click();
   await inside.getByRole("button", { name: "Reproducir", exact: true }).click();

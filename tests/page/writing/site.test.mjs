@@ -66,7 +66,7 @@ online("from the list to a simulation, and on to the laboratory with what was se
   await page.getByRole("heading", { level: 1, name: "Oscillations of a liquid in a U-tube" }).waitFor();
   await lab.enter("Damping", "321");
   await page.getByRole("link", { name: "Open in the laboratory" }).click();
-  await page.getByRole("tab", { name: "Fit" }).waitFor();
+  await page.getByRole("tab", { name: "Measure" }).waitFor();
   assert.equal(await lab.number("Damping"), 321);
   await page.goBack();
   await page.getByRole("link", { name: "All simulations" }).click();

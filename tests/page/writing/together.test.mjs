@@ -14,7 +14,7 @@ const TUBES = [["short.csv", 0.18], ["middle.csv", 0.24], ["long.csv", 0.3]];
 async function dropThree(lab) {
   await drop(lab, ...TUBES.map(([name, length], place) => ({ name, text: film(length, place + 1) })));
   await eventually(async () => assert.equal(await records(lab).count(), TUBES.length));
-  await lab.page.locator("#tab-fit").click();
+  await lab.page.locator("#tab-measure").click();
 }
 
 const tick = (lab, group, name) => lab.page.getByRole("group", { name: group }).getByRole("checkbox", { name, exact: true });
@@ -43,14 +43,14 @@ visit("three records are fitted together with a number in common, and are there 
   assert.ok(Math.abs((await lab.number("Length of the column")) - 0.3) < 1e-3);
   const drawn = () => records(lab).locator("[id^=show-record]").evaluateAll((boxes) => boxes.map((box) => box.checked));
   assert.deepEqual(await drawn(), [false, false, true]);
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   await lab.page.getByRole("combobox", { name: "Record to be fitted" }).selectOption("short.csv");
   await eventually(async () => assert.ok(Math.abs((await lab.number("Length of the column")) - 0.18) < 1e-3));
   assert.deepEqual(await drawn(), [true, false, false]);
   await eventually(async () => assert.match(await lab.told(), /fitted values of short\.csv/));
 
   // The report has all three, and the font of its equations.
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   const report = await lab.save(lab.page.locator(".detail").getByRole("button", { name: "Report", exact: true }));
   assert.equal(report.name, "short-middle-long.html");
   for (const [name] of TUBES) assert.match(report.text, new RegExp(`<figcaption>${name}`));
@@ -59,13 +59,13 @@ visit("three records are fitted together with a number in common, and are there 
   // After a reload the document is open as before, the fit in the list; from another document it can be opened again.
   const before = await rows(lab).locator("td").allInnerTexts();
   await lab.page.reload();
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   await eventually(async () => assert.equal(await rows(lab).count(), 1));
   assert.deepEqual((await rows(lab).locator("td").allInnerTexts()).slice(0, 5), before.slice(0, 5));
   assert.match(await rows(lab).innerText(), /short\.csv \+ middle\.csv \+ long\.csv/);
   assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Linear damping");
   await openTheory(lab, "Oscillations of a liquid in a U-tube");
-  await lab.tab("Fit");
+  await lab.tab("Measure");
   await lab.page.getByRole("button", { name: /^Open: Linear damping/ }).click();
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Linear damping"));
   await eventually(async () => assert.match(await lab.told(), /fitted values of/));

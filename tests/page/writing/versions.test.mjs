@@ -165,12 +165,12 @@ test("a served page follows its file: time, parameters and view stay, errors are
     await eventually(async () => assert.match(await lab.page.locator("#writing-status").innerText(), /^1 error/));
     assert.ok(!(await text(lab.page)).includes("Typed in the page."));
     // What was typed is said to be replaced, and can be brought back; the errors of the file stand in sight in each tab.
-    await lab.tab("Play");
+    await lab.tab("Explore");
     const message = (words) => lab.page.locator(".message", { hasText: words });
     await message("has replaced the text written here").getByRole("button", { name: "Undo" }).click();
     await lab.tab("Write");
     await eventually(async () => assert.ok((await text(lab.page)).includes("Typed in the page.")));
-    await lab.tab("Play");
+    await lab.tab("Explore");
     await message("followed.md: 1 error. The last version without errors is running.").getByRole("button", { name: "Show" }).click();
     await eventually(async () => assert.equal(await lab.page.locator("#tab-write").getAttribute("aria-selected"), "true"));
     writeFileSync(file, original.replace("title: A mass on a spring", "title: Mended"));

@@ -44,7 +44,7 @@ visit("a default is changed in the text while the run goes on, and the time stay
   const time = await lab.time();
   assert.ok(time >= 1);
   await replace(lab, "parameter b   = 50 ", "parameter b   = 5000 ");
-  await lab.tab("Play");
+  await lab.tab("Explore");
   await eventually(async () => assert.equal(await lab.number("Damping"), 5000));
   assert.equal(await lab.time(), time);
   // What follows in the text is the same document, and its own copy: Back leads to that of the library.
@@ -90,7 +90,7 @@ visit("a document in which nothing runs opens in the editor, says what is wrong,
   await findings.getByRole("heading", { name: "Dimensions do not match" }).waitFor();
   await findings.locator("code", { hasText: /^sqr$/ }).first().waitFor();
   assert.doesNotMatch(await findings.innerText(), /`|dimension-mismatch|unknown-function/, "no raw backticks and codes");
-  assert.deepEqual(await lab.page.locator("#panel > .tabs [role=tab]:visible").allInnerTexts(), ["Write"]);
+  assert.deepEqual(await lab.page.locator("#panel > .tabs [role=tab]:visible").allInnerTexts(), ["Write", "Class"]);
   // One error corrected, one left: nothing runs yet, and what was typed stays in another language.
   await replace(lab, "sqr(", "sqrt(");
   await eventually(async () => assert.match(await status(lab).innerText(), /^1 error\. There is nothing to run yet\.$/));
@@ -202,11 +202,11 @@ visit("a translation is written beside its document, and each file has its own u
 visit("tabs, questions and plots follow the text", async (lab) => {
   await write(lab);
   await begin(lab, "My simulation", "New", "Empty document");
-  assert.equal(await lab.page.getByRole("tab", { name: "Activities" }).count(), 0);
+  assert.equal(await lab.page.locator("#tab-questions:visible").count(), 0);
   await editor(lab).click();
   await lab.keys("Control+End");
   await lab.page.keyboard.insertText("\n```question\nHow fast?\nanswer: v within 1 %\n```\n\n```plots\n\"Speed\": x' against t\n```\n");
-  await eventually(async () => assert.equal(await lab.page.getByRole("tab", { name: "Activities" }).count(), 1));
+  await eventually(async () => assert.equal(await lab.page.locator("#tab-questions:visible").count(), 1));
   await lab.button("Speed").waitFor();
   assert.ok(await editor(lab).evaluate((content) => content === document.activeElement), "the writer goes on writing");
 });

@@ -3,7 +3,7 @@
 use super::Store;
 use crate::{data, film, saved, visited, write};
 use desk::{Announcement, Desk};
-use play::Play;
+use play::{Embedding, Play};
 use units::Language;
 use view::browser;
 use view::message::Message;
@@ -87,8 +87,8 @@ impl Host for Store {
     }
 
     fn part(&self) -> Option<Part> {
-        let is_fitting = self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::FIT);
-        self.desk().filter(|desk| is_fitting && !desk.records().is_empty()).map(|desk| desk.fitted_part())
+        let is_measuring = self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::MEASURE);
+        self.desk().filter(|desk| is_measuring && !desk.records().is_empty()).map(|desk| desk.fitted_part())
     }
 
     fn set_part(&self, part: Part) {
@@ -105,6 +105,10 @@ impl Host for Store {
         if let Some(app) = self.app.get() {
             write::restore(*app, version);
         }
+    }
+
+    fn embedding(&self) -> Embedding {
+        self.embedding.clone()
     }
 
     fn can_resize(&self) -> bool {
@@ -135,8 +139,7 @@ impl Host for Store {
         if let Some(app) = self.app.get() {
             app.tab.set(match place {
                 write::FINDINGS => tabs::WRITE,
-                record if record.starts_with("record-") => tabs::MEASURE,
-                _ => tabs::FIT,
+                _ => tabs::MEASURE,
             });
         }
         browser::reveal_later(place.to_owned());
@@ -154,7 +157,7 @@ impl Store {
             },
             // The results are visible where the fit was started.
             Announcement::FitFinished(None)
-                if self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::FIT) =>
+                if self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::MEASURE) =>
             {
                 None
             }

@@ -29,12 +29,7 @@ use room::Part;
 use view::views::*;
 use view::{browser, pieces};
 
-/// Title of the dashboard.
-pub fn title(app: App) -> &'static str {
-    words::of(app).title
-}
-
-/// Section of the publishing dialog with a button that opens the dashboard.
+/// Content of the tab *Class*: a button that opens the dashboard.
 pub fn door(app: App) -> View {
     let words = words::of(app);
     let open = button().class("action").id("open-class").when(events::click, move |_| open(app)).child(words.open);

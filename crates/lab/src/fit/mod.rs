@@ -9,19 +9,18 @@ mod work;
 pub use work::go_on;
 
 use crate::app::App;
-use crate::{library, measurements};
+use crate::library;
 use desk::{Desk, FitProgress};
-use view::browser;
-use view::tabs;
 use view::views::*;
+use view::{browser, everything};
 
-/// The tab: record, theory, fit.
+/// Last step of the tab *Measure*: record, theory, result.
 pub fn view(app: App) -> View {
     let has_records = memo(move || {
         app.records.track();
         app.read_desk(|desk| !desk.records().is_empty())
     });
-    // While this tab is open, the plots show the selected part of the time axis.
+    // While the tab is open, the plots show the selected part of the time axis.
     effect(move || {
         app.tab.track();
         app.page.wake();
@@ -29,24 +28,14 @@ pub fn view(app: App) -> View {
     changing(move || if has_records.get() { steps(app) } else { nothing_yet(app) })
 }
 
-/// Content without records: ways to get one.
+/// Content without records.
 fn nothing_yet(app: App) -> View {
-    let words = app.words();
-    let names = app.read_desk(|desk| desk.sample_names().to_vec());
-    let choose = |(number, name): (usize, &'static str)| {
-        button().class("chip").when(events::click, move |_| measurements::sample(app, number)).child(name)
-    };
-    let samples = div()
-        .class("chips")
-        .role("group")
-        .attr("aria-label", words.sample_records)
-        .each(names.into_iter().enumerate(), choose);
-    let measure = button()
-        .class("primary")
-        .when(events::click, move |_| view::panel::show(app.page, tabs::MEASURE))
-        .child(words.add_record);
-    let card = section().class("card step").attr("aria-label", words.tab_fit);
-    card.child(p().child(words.fit_none)).child(samples).child(measure).into()
+    let section = section().class("fitting-steps").attr("aria-labelledby", "fit-title");
+    section.child(title(app)).child(note(app.words().fit_none)).into()
+}
+
+fn title(app: App) -> HtmlH3 {
+    h3().id("fit-title").child(app.words().fit_title)
 }
 
 fn steps(app: App) -> View {
@@ -90,8 +79,15 @@ fn steps(app: App) -> View {
         .child(buttons)
         .child(refusal_of(refusal))
         .child(results::view(app, chosen, ranked))
-        .child(setup::options(app));
-    div().class("fitting-steps").child(record).child(theory).child(fit).into()
+        .child(everything::only(app.page, move || setup::options(app).into()));
+    section()
+        .class("fitting-steps")
+        .attr("aria-labelledby", "fit-title")
+        .child(title(app))
+        .child(record)
+        .child(theory)
+        .child(fit)
+        .into()
 }
 
 /// A card with its step number.

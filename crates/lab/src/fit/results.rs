@@ -6,6 +6,7 @@ use crate::opening;
 use desk::{ExportKind, FitDetail, FitView, Imprint};
 use document::page::Source;
 use view::browser;
+use view::everything;
 use view::symbols::name_and_symbol;
 use view::tabs;
 use view::views::*;
@@ -79,7 +80,7 @@ fn row(app: App, fit: FitView, (shown, several): (Option<u32>, bool), chosen: Si
             opening::change_theory(app, texts.into_iter().map(|(name, text)| Source { name, text }).collect());
         }
         app.act_on_desk(|desk| desk.apply_fit(id));
-        app.tab.set(tabs::FIT);
+        app.tab.set(tabs::MEASURE);
     };
     let forget = move |_| {
         app.act_on_desk(|desk| desk.remove_fit(id));
@@ -166,18 +167,21 @@ fn detail(app: App, id: u32, several: bool) -> View {
     let Some(detail) = app.read_desk(|desk| desk.fit_detail(id)) else { return View::new() };
     let statistics: Vec<String> = detail.statistics.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let estimates = table_in("estimates", words.fit_varied, None, estimates(app, &detail));
-    let statistics = details()
-        .class("options")
-        .child(summary().child(words.fit_statistics))
-        .child(ul().class("statistics").each(statistics, |line| li().child(line)))
-        .child(note(words.fit_errors));
+    let statistics = move || {
+        details()
+            .class("options")
+            .child(summary().child(words.fit_statistics))
+            .child(ul().class("statistics").each(&statistics, |line| li().child(line.clone())))
+            .child(note(words.fit_errors))
+            .into()
+    };
     div()
         .class("detail")
         .child(h4().child(detail.theory))
         .maybe(detail.doubt.map(|why| p().class("doubt").child(why)))
         .child(estimates)
         .child(div().class("verdicts").each(detail.sentences, |sentence| p().child(sentence)))
-        .child(statistics)
+        .child(everything::only(app.page, statistics))
         .child(exports(app, id, several))
         .into()
 }

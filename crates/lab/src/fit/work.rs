@@ -33,7 +33,7 @@ fn work(app: App) {
         app.with(|lab| lab.fitting = false);
         if !more {
             // The result appears below the button.
-            if asked_for && app.tab.get_untracked() == tabs::FIT {
+            if asked_for && app.tab.get_untracked() == tabs::MEASURE {
                 browser::bring_to_top("fit-step");
             }
             app.page.wake();

@@ -1,23 +1,26 @@
-//! Tabs of the panel: those of the simulation, and those for measuring, fitting and writing.
+//! Tabs of the panel: those of the simulation, *Measure*, and with everything shown *Write* and *Class*.
 
+mod needed;
 mod source;
 
+pub use needed::{follow, turn_on};
+
 use crate::app::App;
-use crate::{fit, measurements, write};
+use crate::{class, measurements, write};
 use view::panel::Tab;
-use view::tabs::{FIT, MEASURE, WRITE};
+use view::tabs::{CLASS, MEASURE, WRITE};
 use view::views::*;
 
 /// The panel.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let tabs = vec![
-        Tab::play(app.page),
-        Tab::activities(app.page),
+        Tab::explore(app.page),
+        Tab::questions(app.page),
         Tab::new(MEASURE, words.tab_measure, move || measurements::view(app).into()),
-        Tab::new(FIT, words.tab_fit, move || fit::view(app)),
         Tab::theory(app.page, move || source::view(app)),
         Tab::lasting(WRITE, words.tab_write, move || write::view(app)),
+        Tab::lasting(CLASS, words.tab_class, move || class::door(app)),
     ];
-    view::panel::view(app.page, tabs)
+    view::panel::view(app.page, view::panel::shown(app.page, tabs))
 }

@@ -72,7 +72,10 @@ pub fn view(app: App) -> View {
             .child(text_for("frame-height", words.frame_height, "size", now.height, |frame, text| frame.height = text))
             .child(languages(app, frame)),
         tick_for("frame-follows", words.frame_follows, |frame, on| frame.embedding.follows_content = on),
-        fieldset().class("ticks").child(legend().child(words.frame_shown)).each(PagePart::ALL, part),
+        fieldset()
+            .class("ticks")
+            .child(legend().child(words.frame_shown))
+            .each(PagePart::ALL.into_iter().filter(|part| *part != PagePart::Measure), part),
         tick_for("frame-locked", words.frame_locked, |frame, on| frame.embedding.locked = on),
         tick_for("frame-state", words.frame_state, |frame, on| frame.with_state = on),
         code(app, frame),
@@ -127,6 +130,7 @@ fn name(words: &Words, part: PagePart) -> &'static str {
         PagePart::Parameters => words.part_parameters,
         PagePart::Values => words.part_values,
         PagePart::Activities => words.part_activities,
+        PagePart::Measure => words.part_measure,
         PagePart::Text => words.part_text,
     }
 }

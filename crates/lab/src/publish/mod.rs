@@ -9,7 +9,7 @@ mod window;
 mod words;
 
 use crate::app::App;
-use crate::{class, write};
+use crate::write;
 use view::views::*;
 use view::{header, views};
 
@@ -43,7 +43,6 @@ fn contents(app: App) -> View {
         .child(section_of(words.course, page.course(app)))
         .child(section_of(words.frame, frame::view(app)))
         .child(section_of(words.files, files::view(app)))
-        .child(section_of(class::title(app), class::door(app)))
         .into()
 }
 

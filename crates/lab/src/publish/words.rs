@@ -54,7 +54,8 @@ table_of_words! {
     part_plots: "Plots", "Gráficas";
     part_parameters: "Parameters", "Parámetros";
     part_values: "Values", "Valores";
-    part_activities: "Activities", "Actividades";
+    part_activities: "Questions", "Preguntas";
+    part_measure: "Measurements and fits", "Mediciones y ajustes";
     part_text: "Theory", "Teoría";
 
     // Files.

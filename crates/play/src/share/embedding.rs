@@ -1,10 +1,11 @@
-//! Embedding of a page in another page: options in its address, and the HTML of the frame.
+//! Options in the address of a page, for pages inside other pages and for links of a teacher, and the HTML of a frame.
 //!
 //! | field of the query | value |
 //! |---|---|
 //! | `language` | language of the page, such as `es` |
 //! | `hide` | parts to be left out, separated by commas: see [`PagePart`] |
 //! | `lock` | parameters, presets and initial values cannot be changed |
+//! | `everything` | the laboratory opens with what teachers and authors need; `everything=no`: without it |
 //! | `height` | `content`: the page is as high as its content and reports this height to its parent |
 //!
 //! Other fields are ignored. The state stays in the fragment, as in every link.
@@ -27,14 +28,24 @@ pub enum PagePart {
     Values,
     /// The questions.
     Activities,
+    /// Records, cycles and fits, in the laboratory.
+    Measure,
     /// Prose and equations.
     Text,
 }
 
 impl PagePart {
     /// All parts, in the order of the page.
-    pub const ALL: [Self; 7] =
-        [Self::Head, Self::Scene, Self::Plots, Self::Parameters, Self::Values, Self::Activities, Self::Text];
+    pub const ALL: [Self; 8] = [
+        Self::Head,
+        Self::Scene,
+        Self::Plots,
+        Self::Parameters,
+        Self::Values,
+        Self::Activities,
+        Self::Measure,
+        Self::Text,
+    ];
 
     /// Name in addresses.
     pub fn name(self) -> &'static str {
@@ -45,10 +56,14 @@ impl PagePart {
             Self::Parameters => "parameters",
             Self::Values => "values",
             Self::Activities => "activities",
+            Self::Measure => "measure",
             Self::Text => "text",
         }
     }
 }
+
+/// Names of the fields of a query that are options.
+const FIELDS: [&str; 5] = ["language", "hide", "lock", "everything", "height"];
 
 /// Options in the address of a page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -59,6 +74,8 @@ pub struct Embedding {
     pub hidden: Vec<PagePart>,
     /// True if parameters, presets and initial values cannot be changed.
     pub locked: bool,
+    /// State of the switch *Everything* in the laboratory; `None` if not specified.
+    pub everything: Option<bool>,
     /// True if the page is as high as its content and reports this height to its parent.
     pub follows_content: bool,
 }
@@ -78,6 +95,8 @@ impl Embedding {
                 }
                 // Moodle and others append `=` to a field without a value.
                 ("lock", "" | "1" | "true") => read.locked = true,
+                ("everything", "" | "1" | "true") => read.everything = Some(true),
+                ("everything", "no") => read.everything = Some(false),
                 ("height", "content") => read.follows_content = true,
                 _ => {}
             }
@@ -98,10 +117,26 @@ impl Embedding {
         if self.locked {
             fields.push("lock".to_owned());
         }
+        if let Some(on) = self.everything {
+            fields.push(if on { "everything" } else { "everything=no" }.to_owned());
+        }
         if self.follows_content {
             fields.push("height=content".to_owned());
         }
         if fields.is_empty() { String::new() } else { format!("?{}", fields.join("&")) }
+    }
+
+    /// An address with these options instead of its own. Other fields of its query stay behind them.
+    pub fn in_address(&self, address: &str) -> String {
+        let (page, fragment) = address.find('#').map_or((address, ""), |place| address.split_at(place));
+        let (page, query) = page.split_once('?').unwrap_or((page, ""));
+        let is_own = |field: &&str| FIELDS.contains(&field.split('=').next().unwrap_or_default());
+        let others = query.split('&').filter(|field| !field.is_empty() && !is_own(field));
+        let own = self.write();
+        let fields: Vec<&str> =
+            own.trim_start_matches('?').split('&').filter(|field| !field.is_empty()).chain(others).collect();
+        let mark = if fields.is_empty() { "" } else { "?" };
+        format!("{page}{mark}{}{fragment}", fields.join("&"))
     }
 
     /// True if a part is left out.
@@ -143,9 +178,10 @@ mod tests {
             language: Some(Language::Spanish),
             hidden: vec![PagePart::Plots, PagePart::Text],
             locked: true,
+            everything: Some(false),
             follows_content: true,
         };
-        assert_eq!(all.write(), "?language=es&hide=plots,text&lock&height=content");
+        assert_eq!(all.write(), "?language=es&hide=plots,text&lock&everything=no&height=content");
         assert_eq!(Embedding::default().write(), "");
         for part in PagePart::ALL {
             let one = Embedding { hidden: vec![part], ..Embedding::default() };
@@ -160,6 +196,8 @@ mod tests {
             ("", Embedding::default()),
             ("?id=7&language=xx&hide=&height=300&lock=0", Embedding::default()),
             ("?lock=&id=7", Embedding { locked: true, ..Embedding::default() }),
+            ("?everything=&id=7", Embedding { everything: Some(true), ..Embedding::default() }),
+            ("?everything=perhaps", Embedding::default()),
             (
                 "hide=text%2Cplots,nothing,text",
                 Embedding { hidden: vec![PagePart::Plots, PagePart::Text], ..Embedding::default() },
@@ -167,6 +205,22 @@ mod tests {
         ];
         for (query, expected) in cases {
             assert_eq!(Embedding::read(query), expected, "{query}");
+        }
+    }
+
+    #[test]
+    fn options_replace_those_of_an_address_and_leave_the_rest() {
+        let on = Embedding { everything: Some(true), ..Embedding::default() };
+        let cases = [
+            ("file:///a.html", "file:///a.html?everything", "file:///a.html"),
+            ("a.html#1&d=b.md&p=c:1", "a.html?everything#1&d=b.md&p=c:1", "a.html#1&d=b.md&p=c:1"),
+            ("a.html?id=7&lock&everything=no&hide=text#1", "a.html?everything&id=7#1", "a.html?id=7#1"),
+            ("a.html?#", "a.html?everything#", "a.html#"),
+        ];
+        for (address, with, without) in cases {
+            assert_eq!(on.in_address(address), with, "{address}");
+            assert_eq!(on.in_address(with), with, "{address}");
+            assert_eq!(Embedding::default().in_address(address), without, "{address}");
         }
     }
 

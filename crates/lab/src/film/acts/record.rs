@@ -54,7 +54,7 @@ fn progress(app: App) -> View {
 fn result(app: App) -> View {
     let words = words::of(app);
     let fit = move |_| {
-        view::panel::show(app.page, tabs::FIT);
+        view::panel::show(app.page, tabs::MEASURE);
         browser::focus_later("fit".to_owned());
     };
     let show = move |_| {

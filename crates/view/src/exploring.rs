@@ -1,4 +1,4 @@
-//! Tab for playing: main parameters, presets and values; folded, all other parameters, state and method, and the recorded
+//! Tab *Explore*: main parameters, presets and values; folded, all other parameters, state and method, and the recorded
 //! run as a table.
 
 use crate::app::App;
@@ -12,7 +12,7 @@ pub fn view(app: App) -> HtmlDiv {
     let embedding = app.host().embedding();
     let [adjusts, reads] = [PagePart::Parameters, PagePart::Values].map(|part| !embedding.hides(part));
     div()
-        .class("playing")
+        .class("exploring")
         .maybe((embedding.locked && adjusts).then(|| note(app.words().locked)))
         .maybe(adjusts.then(|| controls::view(app)))
         .maybe(reads.then(|| readouts::view(app)))

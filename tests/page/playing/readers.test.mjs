@@ -1,0 +1,151 @@
+// Two readers of the laboratory: a student sees four tabs; with the switch *Everything* teachers and authors see the rest.
+
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+import { STILL, beside, eventually, visit } from "../lab.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+const shown = (lab) => lab.page.locator("#panel > .tabs [role=tab]:visible").allInnerTexts();
+const STUDENT = ["Explore", "Questions", "Measure", "Theory"];
+const EVERYTHING = [...STUDENT, "Write", "Class"];
+const isOn = (lab) => lab.page.locator("#everything").getAttribute("aria-pressed");
+const message = (lab) => lab.page.locator("#messages").innerText();
+
+visit("a student has four tabs, and the switch adds what teachers and authors need", { fragment: "" }, async (lab) => {
+  assert.deepEqual(await shown(lab), STUDENT);
+  await lab.openMore();
+  const numerics = lab.page.locator(".numerics");
+  assert.equal(await numerics.count(), 0);
+  await lab.tab("Theory");
+  const [source, checks] = [lab.page.locator("#source"), lab.page.locator("#checks")];
+  await lab.page.locator("#equations").waitFor();
+  assert.deepEqual([await source.count(), await checks.count()], [0, 0]);
+  await lab.press("Everything");
+  assert.deepEqual(await shown(lab), EVERYTHING);
+  await source.waitFor();
+  await checks.waitFor();
+  await lab.tab("Explore");
+  await numerics.waitFor();
+  // In the tab that disappears, the first one takes its place.
+  await lab.tab("Class");
+  await lab.page.locator("#open-class").waitFor();
+  await lab.press("Everything");
+  assert.deepEqual(await shown(lab), STUDENT);
+  assert.equal(await lab.page.locator("#tab-explore").getAttribute("aria-selected"), "true");
+});
+
+visit("the fit is the last step of measuring; its options and statistics are for those who see everything", { fragment: "" }, async (lab) => {
+  await lab.tab("Measure");
+  assert.equal(await lab.page.locator("#fit").count(), 0, "nothing to fit yet");
+  await lab.page.locator("#fit-title").waitFor();
+  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+  await lab.page.locator("#fit").waitFor();
+  const last = await lab.page.locator(".measurements > *").last().getAttribute("aria-labelledby");
+  assert.equal(last, "fit-title");
+  await lab.page.locator("#fit").click();
+  await lab.page.locator("#fit-results").waitFor({ timeout: 60_000 });
+  const [statistics, loss] = [lab.page.locator(".statistics"), lab.page.locator("#fit-loss")];
+  assert.deepEqual([await statistics.count(), await loss.count()], [0, 0]);
+  await lab.press("Everything");
+  assert.deepEqual([await statistics.count(), await loss.count()], [1, 1]);
+  assert.equal(await lab.page.locator("#tab-measure").getAttribute("aria-selected"), "true");
+});
+
+visit("the switch is remembered, and works before the laboratory is there", { fragment: "", idle: false }, async (lab) => {
+  await lab.page.locator("#everything").click();
+  await lab.taken();
+  await eventually(async () => assert.deepEqual(await shown(lab), EVERYTHING));
+  await lab.page.reload();
+  await lab.page.locator("#everything").waitFor();
+  // The player that the page begins with shows the same tabs as the laboratory.
+  assert.equal(await lab.page.locator("[role=tab][aria-busy=true]").count() > 0, true, "the laboratory is not there yet");
+  assert.deepEqual(await shown(lab), EVERYTHING);
+  assert.equal(await isOn(lab), "true");
+});
+
+visit("a link opens the page for either reader", async (lab) => {
+  const copied = async () => {
+    await lab.copyLink();
+    return lab.page.evaluate(() => location.href);
+  };
+  assert.doesNotMatch(await copied(), /everything/, "nobody has chosen");
+  await lab.everything();
+  const all = await copied();
+  assert.match(all, /\?everything#1&d=utube\.md/);
+  await lab.everything(false);
+  // The address follows the switch.
+  await lab.page.reload();
+  assert.equal(await isOn(lab), "false");
+  const few = await copied();
+  assert.match(few, /\?everything=no#1&d=utube\.md/);
+  await lab.page.goto("about:blank");
+  await lab.go(all);
+  assert.deepEqual(await shown(lab), EVERYTHING);
+  await lab.everything();
+  await lab.page.goto("about:blank");
+  await lab.go(few);
+  assert.deepEqual(await shown(lab), STUDENT);
+});
+
+visit("a document with errors turns everything on, and says so", async (lab) => {
+  await lab.page.setInputFiles("#open-file", beside("broken.md"));
+  await lab.page.getByRole("heading", { name: "There is nothing to run yet" }).waitFor();
+  assert.equal(await isOn(lab), "true");
+  assert.match(await message(lab), /Everything is shown now: .* tab Write/);
+  await lab.page.locator(".cm-content").waitFor();
+  // It opens in the editor also for those who turn the switch off.
+  await lab.everything(false);
+  assert.equal(await lab.page.locator("#tab-write").getAttribute("aria-selected"), "true");
+  // Not the choice of the student: the next document is shown as before.
+  await lab.page.evaluate(() => localStorage.removeItem("meniscus:everything"));
+  await lab.page.goto("about:blank");
+  await lab.go(`${lab.address}#1&d=utube.md`);
+  assert.deepEqual(await shown(lab), STUDENT);
+});
+
+visit("several hand-ins turn everything on, and say so", async (lab) => {
+  const files = ["otter", "heron"].map((name) => ({ name: `${name}.hand-in`, mimeType: "application/json", buffer: Buffer.from("{}") }));
+  await lab.page.setInputFiles("#open-file", files);
+  await lab.page.locator("#class-hand-ins").waitFor();
+  await lab.keys("Escape");
+  assert.equal(await isOn(lab), "true");
+  assert.deepEqual(await shown(lab), EVERYTHING);
+  assert.match(await message(lab), /Everything is shown now: .* tab Class/);
+  await lab.tab("Class");
+  await lab.page.locator("#open-class").click();
+  await lab.page.locator("#class-hand-ins").waitFor();
+});
+
+visit("a student's first screen has few controls, and the play button comes soon", { fragment: "" }, async (lab) => {
+  const seen = new Set();
+  let play = 0;
+  for (let count = 1; count <= 60; count += 1) {
+    await lab.page.keyboard.press("Tab");
+    const at = await lab.page.evaluate(() => {
+      let element = document.activeElement;
+      while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+      if (!element || element === document.body) return undefined;
+      const box = element.getBoundingClientRect();
+      return { id: element.id, name: element.outerHTML.slice(0, 160), isSeen: box.top < innerHeight && box.bottom > 0 };
+    });
+    if (!at || seen.has(at.name)) break;
+    if (at.isSeen) seen.add(at.name);
+    if (at.id === "play") play = count;
+  }
+  assert.ok(play > 0 && play <= 12, `Play is stop ${play}`);
+  assert.ok(seen.size > 10 && seen.size <= 30, `${seen.size} controls`);
+});
+
+for (const [language, size, theme] of [["en-GB", {}, "light"], ["es-ES", { width: 390, height: 844, touch: true }, "dark"]]) {
+  visit(`axe finds nothing as the page opens for either reader: ${language}`, { ...STILL, language, theme, ...size, fragment: "" }, async (lab) => {
+    await lab.page.evaluate(axe);
+    for (const all of [false, true]) {
+      await lab.everything(all);
+      const { violations } = await lab.page.evaluate(() => window.axe.run(document));
+      assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)}`), []);
+      assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false, "no sideways scrolling");
+    }
+  });
+}

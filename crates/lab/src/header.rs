@@ -9,7 +9,8 @@ use web_sys::HtmlInputElement;
 /// The header.
 pub fn view(app: App) -> HtmlHeader {
     let browse = header::browse(app.page).when(events::click, move |_| library_list::choose(app));
-    let everything = header::everything(app.page).when(events::click, move |_| everything::turn(app.page));
+    let everything = header::everything(app.page).title(app.words().everything_title);
+    let everything = everything.when(events::click, move |_| everything::turn(app.page));
     let own = View::from((browse, publish::button_of(app), everything));
     header::view(app.page, welcome::view(app), own, open_button(app))
 }

@@ -283,7 +283,12 @@ table_of_words! {
     switch_on: "on", "sí";
     switch_off: "off", "no";
 
-    // Everything.
+    // Source, and what else is shown with everything.
+    source: "Source", "Fuente";
+    source_intro: "The whole simulation is this text. Save it, change it, and open it again.", "Toda la simulación es este texto. Guárdalo, cámbialo y ábrelo de nuevo.";
+    save_source: "Download", "Descargar";
+    save_xlsx: "Download XLSX", "Descargar XLSX";
+    everything_title: "Also writing, numerical method, statistics, source, checks and class", "También escritura, método numérico, estadística, fuente, comprobaciones y clase";
     everything_for_write: "Everything is shown now: this document is changed in the tab Write", "Ahora se muestra todo: este documento se cambia en la pestaña Escribir";
     everything_for_class: "Everything is shown now: the hand-ins are in the tab Class", "Ahora se muestra todo: las entregas están en la pestaña Clase";
 

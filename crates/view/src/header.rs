@@ -96,10 +96,8 @@ pub fn publish(app: App) -> HtmlButton {
 
 /// Switch of the laboratory: shows also what teachers and authors need; see [`crate::everything`].
 pub fn everything(app: App) -> HtmlButton {
-    let words = app.words();
-    labelled(icons::pile(), words.everything)
+    labelled(icons::pile(), app.words().everything)
         .id("everything")
-        .title(words.everything_title)
         .attr("aria-pressed", move || app.everything.get().to_string())
 }
 

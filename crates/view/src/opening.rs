@@ -195,9 +195,10 @@ pub fn end(app: App) {
 /// Storage key of the tab shown last.
 const SHOWN: &str = "tab";
 
-/// Restores the tab of the laboratory that was shown before a reload, and stores the present one from now on.
+/// Restores the tab of the laboratory that was shown before a reload, unless it is hidden now, and stores the present one from now on.
 pub fn keep_tab(app: App) {
-    if let Some(tab) = browser::remembered_in_tab(SHOWN).and_then(|shown| find_tab(&shown)) {
+    let is_offered = |tab: &&str| app.everything.get_untracked() || ![tabs::WRITE, tabs::CLASS].contains(tab);
+    if let Some(tab) = browser::remembered_in_tab(SHOWN).and_then(|shown| find_tab(&shown)).filter(is_offered) {
         app.tab.set(tab);
     }
     effect(move || browser::remember_in_tab(SHOWN, app.tab.get()));

@@ -212,7 +212,6 @@ table_of_words! {
     tab_write: "Write", "Escribir";
     tab_class: "Class", "Clase";
     everything: "Everything", "Todo";
-    everything_title: "Also writing, numerical method, statistics, source, checks and class", "También escritura, método numérico, estadística, fuente, comprobaciones y clase";
     tab_waits: "The laboratory is loading ...", "El laboratorio se está cargando ...";
     contents: "Contents", "Contenido";
     equations: "Model", "Modelo";
@@ -230,9 +229,6 @@ table_of_words! {
     check_open: "not checked", "sin comprobar";
     check_holds: "holds", "se cumple";
     check_fails: "does not hold", "no se cumple";
-    source: "Source", "Fuente";
-    source_intro: "The whole simulation is this text. Save it, change it, and open it again.", "Toda la simulación es este texto. Guárdalo, cámbialo y ábrelo de nuevo.";
-    save_source: "Download", "Descargar";
     copy: "Copy", "Copiar";
     copied: "Copied", "Copiado";
     not_copied: "The browser did not allow copying", "El navegador no permitió copiar";
@@ -244,7 +240,6 @@ table_of_words! {
     row_next: "Later rows", "Filas siguientes";
     row_last: "Last rows", "Últimas filas";
     save_csv: "Download CSV", "Descargar CSV";
-    save_xlsx: "Download XLSX", "Descargar XLSX";
     copy_csv: "Copy CSV", "Copiar CSV";
 
     // Worksheet.

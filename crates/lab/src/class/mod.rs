@@ -33,7 +33,7 @@ use view::{browser, pieces};
 pub fn door(app: App) -> View {
     let words = words::of(app);
     let open = button().class("action").id("open-class").when(events::click, move |_| open(app)).child(words.open);
-    View::from((note(words.intro), div().class("ways").child(open)))
+    section().class("card step").attr("aria-label", words.title).child(note(words.intro)).child(open).into()
 }
 
 /// The dialogs of the dashboard and of the wall. Their contents exist only while they are open.

@@ -3,7 +3,9 @@
 mod files;
 mod frame;
 mod hand_in;
+mod lesson;
 mod link;
+mod options;
 mod page;
 mod window;
 mod words;
@@ -38,6 +40,7 @@ fn contents(app: App) -> View {
     div()
         .class("publishing")
         .child(section_of(words.link, link::view(app)))
+        .child(section_of(words.lesson, lesson::view(app)))
         .child(section_of(app.page.words().hand_in, hand_in::view(app)))
         .child(section_of(words.page, page.view(app)))
         .child(section_of(words.course, page.course(app)))

@@ -19,6 +19,14 @@ table_of_words! {
     qr_address: "Address for the QR code", "Dirección para el código QR";
     qr_not_made: "This address is too long for a QR code.", "Esta dirección es demasiado larga para un código QR.";
 
+    // Link of a teacher.
+    lesson: "Link for a class", "Enlace para una clase";
+    lesson_intro: "Opens this document with the present values in this laboratory, and shows only what you choose. It is no lock: whoever changes the address sees the rest.", "Abre este documento con los valores actuales en este laboratorio y muestra solo lo que elijas. No es un cierre: quien cambie la dirección verá el resto.";
+    lesson_tabs: "Tabs", "Pestañas";
+    lesson_as_left: "as the reader has chosen", "las que haya elegido el lector";
+    lesson_student: "of a student", "las de un estudiante";
+    lesson_everything: "everything", "todo";
+
     // Page.
     page: "Page", "Página";
     page_intro: "One file that plays this simulation in any browser, without a network. Its source is inside: the laboratory opens it again.", "Un solo archivo que reproduce esta simulación en cualquier navegador, sin conexión. Lleva dentro su fuente: el laboratorio lo vuelve a abrir.";
@@ -47,8 +55,8 @@ table_of_words! {
     frame_state: "With the present values", "Con los valores actuales";
     frame_code: "Code", "Código";
     frame_copy: "Copy code", "Copiar código";
-    frame_copied: "Code copied.", "Código copiado.";
-    frame_not_copied: "The browser does not allow copying. Select the code and copy it.", "El navegador no permite copiar. Selecciona el código y cópialo.";
+    frame_copied: "Copied.", "Copiado.";
+    frame_not_copied: "The browser does not allow copying. Select the text and copy it.", "El navegador no permite copiar. Selecciona el texto y cópialo.";
     part_head: "Title and buttons", "Título y botones";
     part_scene: "Scene", "Escena";
     part_plots: "Plots", "Gráficas";

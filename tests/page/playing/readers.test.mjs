@@ -89,6 +89,47 @@ visit("a link opens the page for either reader", async (lab) => {
   assert.deepEqual(await shown(lab), STUDENT);
 });
 
+visit("a teacher's link chooses tabs, hidden values and fixed controls", { fragment: "#1&d=utube.md&p=b:200" }, async (lab) => {
+  await lab.everything();
+  await lab.press("Share");
+  const section = lab.page.locator("section[aria-label='Link for a class']");
+  const link = () => section.locator("#lesson-code").innerText();
+  await eventually(async () => assert.match(await link(), /#1&d=utube\.md&p=b:200/));
+  await section.getByLabel("Tabs").selectOption("of a student");
+  for (const name of ["Values", "Measurements and fits"]) await section.getByRole("checkbox", { name, exact: true }).uncheck();
+  await section.getByRole("checkbox", { name: /^Fix the values/ }).check();
+  await eventually(async () => assert.match(await link(), /\?hide=values,measure&lock&everything=no#1&d=utube\.md&p=b:200/));
+  await section.getByRole("button", { name: "Copy link" }).click();
+  await eventually(async () => assert.match(await section.innerText(), /Copied\.|Select the text and copy it/));
+  const address = await link();
+  await lab.page.goto("about:blank");
+  await lab.go(address);
+  assert.deepEqual(await shown(lab), ["Explore", "Questions", "Theory"]);
+  assert.equal(await lab.page.locator("#readouts").count(), 0);
+  assert.equal(await lab.page.locator("#panel-explore fieldset.locked").first().evaluate((set) => set.disabled), true);
+  assert.equal(await lab.page.locator("#parameter-0").isDisabled(), true);
+  assert.equal(await lab.page.locator("[role=slider][part~=handle]").count(), 0, "the liquid is not dragged");
+  await lab.button("Play").click();
+  await lab.watchUntil(0.3);
+  // Other states keep the choice, and the switch adds to it.
+  await lab.everything();
+  assert.deepEqual(await shown(lab), ["Explore", "Questions", "Theory", "Write", "Class"]);
+  assert.match(await lab.page.evaluate(() => location.search), /^\?hide=values,measure&lock&everything$/);
+});
+
+for (const address of ["?hide=scene,measure,activities,text&lock&everything=no", "?hide=measure,activities,text&everything"]) {
+  visit(`the page opens as the laboratory shows it: ${address}`, { fragment: address, idle: false }, async (lab) => {
+    const seen = async () => ({ tabs: await shown(lab), scene: await lab.page.locator("#scene").isVisible(), locked: await lab.page.locator("fieldset.locked").count() > 0 });
+    await lab.page.locator("#play").waitFor();
+    const before = await seen();
+    assert.deepEqual(before, address.includes("lock") ? { tabs: ["Explore"], scene: false, locked: true } : { tabs: ["Explore", "Write", "Class"], scene: true, locked: false });
+    await lab.rest();
+    await lab.rest();
+    await lab.taken();
+    assert.deepEqual(await seen(), before);
+  });
+}
+
 visit("a document with errors turns everything on, and says so", async (lab) => {
   await lab.page.setInputFiles("#open-file", beside("broken.md"));
   await lab.page.getByRole("heading", { name: "There is nothing to run yet" }).waitFor();

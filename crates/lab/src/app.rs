@@ -5,6 +5,7 @@ mod host;
 use crate::class::{Room, SurveyRoom};
 use crate::film::{Films, Player};
 use crate::guide::Step;
+use crate::publish::Sheet;
 use crate::stored::{Kept, Saved, VersionTimes};
 use crate::verifying::verdict::Verified;
 use crate::words::{Words, words_in};
@@ -119,6 +120,8 @@ pub struct Laboratory {
     pub library_asked_for: Signal<bool>,
     /// True while the publishing dialog is open.
     pub publishing: Signal<bool>,
+    /// The parts of the worksheet.
+    pub sheet: Sheet,
     /// The hand-in that is verified in a dialog, with the result.
     pub verified: Signal<Option<Verified>>,
     /// Raised when a text in the editor has been checked.
@@ -209,6 +212,7 @@ impl App {
             guide: create_signal(None),
             library_asked_for: create_signal(false),
             publishing: create_signal(false),
+            sheet: Sheet::new(),
             verified: create_signal(None),
             written: counter(),
             typed: counter(),

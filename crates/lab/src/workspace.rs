@@ -66,7 +66,7 @@ fn prepare(app: App) {
 }
 
 fn page(app: App) -> View {
-    View::from((shell::view(app.page, move || build(app)), drop::view(app)))
+    View::from((shell::view(app.page, move || build(app)), drop::view(app), publish::solutions(app)))
 }
 
 /// The whole content, for the present document and language.

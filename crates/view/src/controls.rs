@@ -126,7 +126,7 @@ pub fn state_and_method(app: App) -> HtmlSection {
     if app.read(|play| play.model().independent.counts) {
         settings
     } else {
-        settings.child(everything::only(app, move || numerics(app).into()))
+        settings.child(everything::only(app, Box::new(move || numerics(app).into())))
     }
 }
 

@@ -35,6 +35,6 @@ pub fn turn(app: App) {
 }
 
 /// Shows the content only while everything is shown.
-pub fn only(app: App, content: impl Fn() -> View + 'static) -> View {
+pub fn only(app: App, content: Box<dyn Fn() -> View>) -> View {
     changing(move || if app.everything.get() { content() } else { View::new() })
 }

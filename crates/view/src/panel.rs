@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::tabs::{EXPLORE, MEASURE, QUESTIONS, THEORY};
 use crate::views::*;
-use crate::{browser, exploring, reading};
+use crate::{browser, claims, exploring, reading};
 use play::PagePart;
 use sycamore_reactive::untrack;
 use web_sys::KeyboardEvent;
@@ -48,9 +48,13 @@ impl Tab {
         Self { offered: reading::asks, ..Self::new(QUESTIONS, app.words().tab_questions, content) }
     }
 
-    /// Tab of prose and equations, with additional content of the page (`besides`).
+    /// Tab of prose and equations; with everything shown, also of the claims of the author and of additional content (`besides`).
     pub fn theory(app: App, besides: impl Fn() -> View + Clone + 'static) -> Self {
-        Self::new(THEORY, app.words().tab_theory, move || reading::theory(app, besides.clone()).into())
+        let content = move || {
+            let besides = besides.clone();
+            reading::theory(app, Box::new(move || View::from((claims::view(app), besides())))).into()
+        };
+        Self::new(THEORY, app.words().tab_theory, content)
     }
 
     /// The tab while its content is not there yet. Opening it asks for the content (`ask`).

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, claims, everything, question, survey};
+use crate::{browser, everything, question, survey};
 use program::{Block, Section};
 
 /// Sections of the document in the language of the page, and the level of their top headings.
@@ -44,16 +44,15 @@ pub fn questions(app: App) -> HtmlDiv {
     prose(app, &sections, top).child(survey::view(app))
 }
 
-/// Content of the tab of prose and equations. With everything shown, also the author's claims and additional content of the
-/// page (`besides`).
-pub fn theory(app: App, besides: impl Fn() -> View + 'static) -> HtmlDiv {
+/// Content of the tab of prose and equations; with everything shown, also `besides`.
+pub fn theory(app: App, besides: Box<dyn Fn() -> View>) -> HtmlDiv {
     let (sections, top) = chapters(app, false);
     div()
         .class("theory")
         .child(contents(app, &sections, top))
         .child(prose(app, &sections, top))
         .child(equations(app))
-        .child(everything::only(app, move || View::from((claims::view(app), besides()))))
+        .child(everything::only(app, besides))
 }
 
 fn prose(app: App, sections: &[Section], top: u8) -> HtmlDiv {

@@ -6,6 +6,7 @@ use crate::views::*;
 use crate::{browser, frame, keys, messages, projector, stage, worksheet};
 use play::Embedding;
 use units::Language;
+use wasm_bindgen::JsValue;
 
 /// Options in the address of the page.
 pub fn embedding() -> Embedding {
@@ -22,10 +23,11 @@ pub fn language(embedding: &Embedding) -> Language {
         let fields = query.trim_start_matches('?').split('&').filter(|field| !field.starts_with("language="));
         let fields: Vec<&str> = fields.filter(|field| !field.is_empty()).collect();
         if browser::remember("language", language.tag())
-            && let Ok(path) = location.pathname()
+            && let (Ok(path), Ok(history)) = (location.pathname(), window().history())
         {
             let query = if fields.is_empty() { String::new() } else { format!("?{}", fields.join("&")) };
-            browser::replace_address(&format!("{path}{query}{}", location.hash().unwrap_or_default()));
+            let address = format!("{path}{query}{}", location.hash().unwrap_or_default());
+            let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
         }
         return language;
     }

@@ -123,6 +123,7 @@ visit("a fit takes a theory and a button, and the result stands beside the plots
   assert.match(await chips.first().innerText(), /U-tube/, "the open document is the theory");
   const linear = lab.page.locator(".theory-chip").filter({ has: lab.page.getByText("Linear damping", { exact: true }) });
   await eventually(async () => assert.equal(await linear.locator("math").count(), 1, "each has its equation"));
+  await linear.scrollIntoViewIfNeeded();
   const before = await lab.page.evaluate(() => scrollY);
   await linear.click();
   await lab.page.getByRole("heading", { level: 1, name: "Linear damping" }).waitFor();

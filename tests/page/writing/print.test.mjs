@@ -51,6 +51,46 @@ for (const [language, other] of [["en-GB", "EN"], ["es-ES", "ES"]]) {
   });
 }
 
+visit("the parts of the worksheet are chosen, and solutions come only if they are asked for", async (lab) => {
+  const parts = { Theory: "math", Scene: ".sheet-apparatus .drawing", "Table of the parameters": ".sheet-apparatus table", Plots: "figure", Questions: ".sheet-question", "Lines for answers": ".lines" };
+  const sheet = lab.page.locator(".worksheet").first();
+  const solutions = lab.page.locator(".worksheet.solutions");
+  const isPrinted = async (part) => (await sheet.locator(parts[part]).filter({ visible: true }).count()) > 0;
+  const printed = async () => {
+    await print(lab);
+    await sheet.waitFor();
+    const all = [];
+    for (const part of Object.keys(parts)) if (await isPrinted(part)) all.push(part);
+    return all;
+  };
+  const back = async () => {
+    await lab.page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    await lab.page.emulateMedia({ media: "screen" });
+  };
+  const tick = (name) => lab.page.locator("section[aria-label=Worksheet]").getByRole("checkbox", { name, exact: true });
+  await lab.press("Step forward");
+  assert.deepEqual(await printed(), Object.keys(parts));
+  assert.equal(await solutions.count(), 0);
+  const answers = await sheet.locator(".sheet-question").count();
+  await back();
+  await lab.press("Share");
+  for (const name of ["Theory", "Plots", "Lines for answers"]) await tick(name).uncheck();
+  await tick("Solutions").check();
+  await lab.page.evaluate(() => (window.print = () => (window.printed = true)));
+  await lab.page.locator("#print").click();
+  assert.equal(await lab.page.evaluate(() => window.printed), true);
+  assert.deepEqual(await printed(), ["Scene", "Table of the parameters", "Questions"]);
+  assert.equal(await solutions.locator("section").count(), answers);
+  assert.match(await solutions.locator("section").first().innerText(), /Answer: [0-9.]+/);
+  await back();
+  // The choice is still there when the dialog is opened again, also in another language.
+  await lab.keys("Escape");
+  await lab.pressInMenu("ES – Español");
+  await lab.press("Compartir");
+  const hoja = lab.page.locator("section[aria-label='Hoja de trabajo']");
+  assert.deepEqual([await hoja.getByLabel("Teoría").isChecked(), await hoja.getByLabel("Soluciones").isChecked(), await hoja.getByLabel("Escena").isChecked()], [false, true, true]);
+});
+
 visit("the paper shows the scene as it stands", async (lab) => {
   const drawing = (place) => lab.page.evaluate((place) => document.querySelector(place).shadowRoot.querySelector("svg").outerHTML, place);
   await lab.press("Step forward");

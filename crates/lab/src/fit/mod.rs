@@ -79,7 +79,7 @@ fn steps(app: App) -> View {
         .child(buttons)
         .child(refusal_of(refusal))
         .child(results::view(app, chosen, ranked))
-        .child(everything::only(app.page, move || setup::options(app).into()));
+        .child(everything::only(app.page, Box::new(move || setup::options(app).into())));
     section()
         .class("fitting-steps")
         .attr("aria-labelledby", "fit-title")

@@ -181,7 +181,7 @@ fn detail(app: App, id: u32, several: bool) -> View {
         .maybe(detail.doubt.map(|why| p().class("doubt").child(why)))
         .child(estimates)
         .child(div().class("verdicts").each(detail.sentences, |sentence| p().child(sentence)))
-        .child(everything::only(app.page, statistics))
+        .child(everything::only(app.page, Box::new(statistics)))
         .child(exports(app, id, several))
         .into()
 }

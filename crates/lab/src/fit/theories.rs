@@ -64,8 +64,10 @@ fn theories(app: App) -> Vec<Theory> {
         let (file, title, chosen) = (entry.file().to_owned(), entry.title(language), entry.files == open);
         theories.push(Theory { file: Some(file), title, chosen });
     }
-    if theories.iter().all(|theory| !theory.chosen) {
-        theories.insert(0, Theory { file: None, title: view::title(app.page), chosen: true });
+    // The open document comes first, whether the page carries it or not.
+    match theories.iter().position(|theory| theory.chosen) {
+        Some(place) => theories.get_mut(..=place).into_iter().for_each(|before| before.rotate_right(1)),
+        None => theories.insert(0, Theory { file: None, title: view::title(app.page), chosen: true }),
     }
     theories
 }
@@ -89,9 +91,7 @@ fn chip(app: App, number: usize, theory: Theory, suitability: Suitability) -> Ht
             && !chosen
         {
             opening::change_theory(app, files);
-            // If the open document was not in the list, it has been removed, and the others have moved up.
-            let place = theories(app).iter().position(|theory| theory.chosen).unwrap_or(0);
-            browser::focus_later(format!("theory-{place}"));
+            browser::focus_later("theory-0".to_owned());
         }
     };
     button()

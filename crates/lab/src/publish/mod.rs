@@ -9,6 +9,9 @@ mod options;
 mod page;
 mod window;
 mod words;
+mod worksheet;
+
+pub use worksheet::{Sheet, solutions};
 
 use crate::app::App;
 use crate::write;
@@ -42,6 +45,7 @@ fn contents(app: App) -> View {
         .child(section_of(words.link, link::view(app)))
         .child(section_of(words.lesson, lesson::view(app)))
         .child(section_of(app.page.words().hand_in, hand_in::view(app)))
+        .child(section_of(words.sheet, worksheet::view(app)))
         .child(section_of(words.page, page.view(app)))
         .child(section_of(words.course, page.course(app)))
         .child(section_of(words.frame, frame::view(app)))

@@ -19,6 +19,16 @@ table_of_words! {
     qr_address: "Address for the QR code", "Dirección para el código QR";
     qr_not_made: "This address is too long for a QR code.", "Esta dirección es demasiado larga para un código QR.";
 
+    // Worksheet.
+    sheet: "Worksheet", "Hoja de trabajo";
+    sheet_intro: "Printing this page gives a worksheet, also with the keys of the browser. Choose its parts.", "Al imprimir esta página sale una hoja de trabajo, también con las teclas del navegador. Elige sus partes.";
+    sheet_parts: "Printed", "Se imprime";
+    sheet_theory: "Theory", "Teoría";
+    sheet_values: "Table of the parameters", "Tabla de los parámetros";
+    sheet_lines: "Lines for answers", "Líneas para respuestas";
+    sheet_solutions: "Solutions", "Soluciones";
+    sheet_print: "Print", "Imprimir";
+
     // Link of a teacher.
     lesson: "Link for a class", "Enlace para una clase";
     lesson_intro: "Opens this document with the present values in this laboratory, and shows only what you choose. It is no lock: whoever changes the address sees the rest.", "Abre este documento con los valores actuales en este laboratorio y muestra solo lo que elijas. No es un cierre: quien cambie la dirección verá el resto.";

@@ -8,7 +8,9 @@ use web_sys::HtmlInputElement;
 
 /// The header.
 pub fn view(app: App) -> HtmlHeader {
-    let browse = header::browse(app.page).when(events::click, move |_| library_list::choose(app));
+    let browse = header::browse(app.page)
+        .title(app.words().library_title)
+        .when(events::click, move |_| library_list::choose(app));
     let everything = header::everything(app.page).title(app.words().everything_title);
     let everything = everything.when(events::click, move |_| everything::turn(app.page));
     let own = View::from((browse, publish::button_of(app), everything));
@@ -26,7 +28,7 @@ fn open_button(app: App) -> View {
         }
         chosen.set_value("");
     };
-    let open = header::open(app.page).when(events::click, move |_| node.click());
+    let open = header::open(app.page).title(words.open_title).when(events::click, move |_| node.click());
     let input = input
         .id("open-file")
         .hidden(true)

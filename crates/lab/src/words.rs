@@ -6,6 +6,9 @@ use view::{table_of_words, words as around};
 table_of_words! {
     @beside around;
     // Page.
+    library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
+    open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
+    publish_title: "Link, page, frame for other pages, QR code, files", "Enlace, página, marco para otras páginas, código QR, archivos";
     link_without_translations: "The translations are too long for a link", "Las traducciones son demasiado largas para un enlace";
     link_needs_file: "The document is too long for a link; whoever opens it also needs the file", "El documento es demasiado largo para un enlace; quien lo abra necesita también el archivo";
     link_local: "It opens only on this computer, in this page. For others, save the page below and send it, or put it on a web server.", "Solo se abre en este ordenador, en esta página. Para otras personas, guarda la página más abajo y envíala, o súbela a un servidor web.";

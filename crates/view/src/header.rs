@@ -74,24 +74,21 @@ fn menu(app: App, first: View) -> HtmlDiv {
 
 /// Button of the laboratory for the list of documents, with their number.
 pub fn browse(app: App) -> HtmlButton {
-    let words = app.words();
     let count = browser::by_id::<HtmlElement>("lab").and_then(|place| place.get_attribute("data-simulations"));
-    labelled(icons::books(), words.library)
+    labelled(icons::books(), app.words().library)
         .id("browse")
-        .title(words.library_title)
         .attr("aria-haspopup", "dialog")
         .maybe(count.map(|count| span().class("count").child(count)))
 }
 
 /// Button of the laboratory that opens a file.
 pub fn open(app: App) -> HtmlButton {
-    labelled(icons::folder(), app.words().open).id("open").title(app.words().open_title)
+    labelled(icons::folder(), app.words().open).id("open")
 }
 
 /// Button of the laboratory for sharing and publishing.
 pub fn publish(app: App) -> HtmlButton {
-    let words = app.words();
-    labelled(icons::link(), words.publish).id("share").title(words.publish_title).attr("aria-haspopup", "dialog")
+    labelled(icons::link(), app.words().publish).id("share").attr("aria-haspopup", "dialog")
 }
 
 /// Switch of the laboratory: shows also what teachers and authors need; see [`crate::everything`].

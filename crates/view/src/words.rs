@@ -41,7 +41,6 @@ table_of_words! {
     projector: "Projector's view", "Vista para proyectar";
     menu: "Open a file, colours, language", "Abrir un archivo, colores, idioma";
     library: "Simulations", "Simulaciones";
-    library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
     first_steps: "First steps", "Primeros pasos";
     guide: "60-second start", "Inicio en 60 segundos";
     guide_decline: "No guided start", "Sin inicio guiado";
@@ -49,9 +48,7 @@ table_of_words! {
     film_own_steps: ": film, marks, curve, fit", ": vídeo, marcas, curva, ajuste";
     published: "Published simulation", "Simulación publicada";
     open: "Open", "Abrir";
-    open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
     publish: "Share", "Compartir";
-    publish_title: "Link, page, frame for other pages, QR code, files", "Enlace, página, marco para otras páginas, código QR, archivos";
     document: "Document", "Documento";
     document_title: "Save the document of this simulation; the laboratory of Meniscus opens it", "Guardar el documento de esta simulación; el laboratorio de Meniscus lo abre";
     all_simulations: "All simulations", "Todas las simulaciones";

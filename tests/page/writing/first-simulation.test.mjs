@@ -62,7 +62,11 @@ class Person {
   /** Goes to a tab of the panel, from a place in it. */
   async tab(name) {
     const tab = this.lab.page.locator("#panel > .tabs").getByRole("tab", { name, exact: true, includeHidden: true });
-    if (!(await tab.isVisible())) await this.press(this.lab.page.locator("#everything"));
+    if (!(await tab.isVisible())) {
+      await this.press(this.lab.page.locator("#everything"));
+      // Back to the link that skips to the panel.
+      if (!this.mouse) await this.keys("Shift+Tab", "Shift+Tab", "Shift+Tab", "Enter");
+    }
     if (this.mouse) return this.press(tab);
     const selected = this.lab.page.locator("#panel > .tabs [aria-selected=true]");
     if (await this.lab.page.evaluate(() => document.activeElement === document.body)) {
@@ -72,7 +76,7 @@ class Person {
     await this.press(selected);
     for (let left = 6; (await selected.innerText()) !== name; left -= 1) {
       assert.ok(left > 0, "the arrow keys lead to it");
-      await this.keys(left === 6 && name === "Explore" ? "Home" : "ArrowRight");
+      await this.keys(left === 6 && name === "Write" ? "End" : name === "Write" ? "ArrowLeft" : left === 6 && name === "Explore" ? "Home" : "ArrowRight");
     }
   }
 
@@ -134,7 +138,7 @@ for (const hands of ["mouse", "keyboard", "finger"]) {
     await lab.watchUntil(0.5);
     if (mouse) await person.press(lab.button("Pause"));
     else {
-      await person.keys("k", "End");
+      await person.keys("k", "End", "ArrowLeft");
       await person.keys("Tab");
     }
     // A phone shows one plot at a time.

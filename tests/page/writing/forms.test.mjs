@@ -158,7 +158,7 @@ visit("a translation is begun, written beside the texts of the document, and its
   await lab.pressInMenu("ES – Español");
   await lab.page.locator("#tab-explore").click();
   await eventually(async () => assert.ok(await lab.page.getByText("Rigidez del resorte").first().isVisible()));
-  await lab.tab("Write");
+  await lab.tab("Escribir");
   await panel(lab, "Texto");
   await lab.page.getByLabel("Archivo", { exact: true }).selectOption("a-mass-on-a-spring.es.md");
   await now(lab, /"Stiffness of the spring" = "Rigidez del resorte"/);

@@ -7,11 +7,13 @@ mod lesson;
 mod link;
 mod options;
 mod page;
+mod sheet;
 mod window;
 mod words;
 mod worksheet;
 
-pub use worksheet::{Sheet, solutions};
+pub use sheet::Sheet;
+pub use worksheet::solutions;
 
 use crate::app::App;
 use crate::write;
@@ -26,7 +28,7 @@ pub fn button_of(app: App) -> HtmlButton {
         app.publishing.set(true);
         window::open();
     };
-    header::publish(app.page).when(events::click, open)
+    header::publish(app.page).title(app.words().publish_title).when(events::click, open)
 }
 
 /// The dialog. Its content exists only while it is open.

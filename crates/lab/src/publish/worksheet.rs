@@ -1,27 +1,12 @@
 //! Choice of the parts of the worksheet, and its solutions.
 
+use super::sheet::Sheet;
 use super::words;
 use crate::app::App;
 use view::views::*;
 
-/// Parts of the worksheet that can be left out: name in the attribute `data-sheet-without` of the page, and index in [`Sheet`].
+/// Parts of the worksheet that can be left out: names in the attribute `data-sheet-without` of the page.
 const PARTS: [&str; 6] = ["theory", "scene", "values", "plots", "questions", "lines"];
-
-/// The chosen parts. They hold as long as the page is open.
-#[derive(Clone, Copy)]
-pub struct Sheet {
-    /// Names of the parts that are left out.
-    left_out: Signal<Vec<&'static str>>,
-    /// True if the solutions follow at the end.
-    solves: Signal<bool>,
-}
-
-impl Sheet {
-    /// All parts, without the solutions.
-    pub fn new() -> Self {
-        Self { left_out: create_signal(Vec::new()), solves: create_signal(false) }
-    }
-}
 
 /// Section of the dialog: the parts, and a button that prints.
 pub fn view(app: App) -> View {

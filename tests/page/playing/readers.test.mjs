@@ -99,7 +99,7 @@ visit("a teacher's link chooses tabs, hidden values and fixed controls", { fragm
   for (const name of ["Values", "Measurements and fits"]) await section.getByRole("checkbox", { name, exact: true }).uncheck();
   await section.getByRole("checkbox", { name: /^Fix the values/ }).check();
   await eventually(async () => assert.match(await link(), /\?hide=values,measure&lock&everything=no#1&d=utube\.md&p=b:200/));
-  await section.getByRole("button", { name: "Copy link" }).click();
+  await section.getByRole("button", { name: "Copy this link" }).click();
   await eventually(async () => assert.match(await section.innerText(), /Copied\.|Select the text and copy it/));
   const address = await link();
   await lab.page.goto("about:blank");

@@ -30,7 +30,7 @@ pub fn view(app: App) -> View {
         // Without the header nobody could open a file or change the language.
         options.parts(PagePart::ALL.into_iter().filter(|part| *part != PagePart::Head)),
         options.locked(),
-        options.result(link, words.lesson, app.page.words().share),
+        options.result(link, words.lesson_address, words.lesson_copy),
         remark,
     ))
 }

@@ -33,6 +33,8 @@ table_of_words! {
     lesson: "Link for a class", "Enlace para una clase";
     lesson_intro: "Opens this document with the present values in this laboratory, and shows only what you choose. It is no lock: whoever changes the address sees the rest.", "Abre este documento con los valores actuales en este laboratorio y muestra solo lo que elijas. No es un cierre: quien cambie la dirección verá el resto.";
     lesson_tabs: "Tabs", "Pestañas";
+    lesson_address: "Address", "Dirección";
+    lesson_copy: "Copy this link", "Copiar este enlace";
     lesson_as_left: "as the reader has chosen", "las que haya elegido el lector";
     lesson_student: "of a student", "las de un estudiante";
     lesson_everything: "everything", "todo";

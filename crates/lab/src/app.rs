@@ -14,7 +14,7 @@ use crate::write::{Editor, Panel};
 use desk::{Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};
 use document::page::Source;
 use model::Diagnostic;
-use play::Embedding;
+use play::{Embedding, PagePart};
 use std::cell::{Cell, OnceCell, RefCell, RefMut};
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::Deref;
@@ -162,7 +162,7 @@ struct Store {
     lab: RefCell<Lab>,
     app: OnceCell<App>,
     /// Options in the address of the page.
-    embedding: Embedding,
+    embedding: RefCell<Embedding>,
     /// Revisions of records, fits, answers and film that the views have shown.
     seen: Cell<(u64, u64, u64, u64)>,
 }
@@ -194,7 +194,8 @@ impl App {
     /// Creates an empty laboratory with the options of its address. It lives as long as the page.
     pub fn new(language: Language, embedding: Embedding) -> Self {
         let counter = || create_signal(0);
-        let store: &'static Store = Box::leak(Box::new(Store { embedding, ..Store::default() }));
+        let store: &'static Store =
+            Box::leak(Box::new(Store { embedding: RefCell::new(embedding), ..Store::default() }));
         let laboratory = Laboratory {
             page: view::App::new(store, language),
             store,
@@ -226,6 +227,14 @@ impl App {
         // Set here for the first time, so this cannot fail.
         let _ = store.app.set(app);
         app
+    }
+
+    /// Shows a part that the address of the page leaves out, from the next rebuild on. Returns true if it was left out.
+    pub fn bring_back(self, part: PagePart) -> bool {
+        let Ok(mut embedding) = self.store.embedding.try_borrow_mut() else { return false };
+        let was_hidden = embedding.hides(part);
+        embedding.hidden.retain(|other| *other != part);
+        was_hidden
     }
 
     /// Texts of the interface. Not tracked: views with texts are rebuilt when the language changes.

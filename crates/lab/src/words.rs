@@ -293,6 +293,7 @@ table_of_words! {
     save_xlsx: "Download XLSX", "Descargar XLSX";
     everything_title: "Also writing, numerical method, statistics, source, checks and class", "También escritura, método numérico, estadística, fuente, comprobaciones y clase";
     everything_for_write: "Everything is shown now: this document is changed in the tab Write", "Ahora se muestra todo: este documento se cambia en la pestaña Escribir";
+    measure_shown: "The tab Measure is shown now: what was opened needs it", "Ahora se muestra la pestaña Medir: lo que se ha abierto la necesita";
     everything_for_class: "Everything is shown now: the hand-ins are in the tab Class", "Ahora se muestra todo: las entregas están en la pestaña Clase";
 
     // Diagnostics.

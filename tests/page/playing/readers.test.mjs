@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
-import { STILL, beside, eventually, visit } from "../lab.mjs";
+import { STILL, beside, drop, eventually, visit } from "../lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -144,6 +144,15 @@ visit("a document with errors turns everything on, and says so", async (lab) => 
   await lab.page.goto("about:blank");
   await lab.go(`${lab.address}#1&d=utube.md`);
   assert.deepEqual(await shown(lab), STUDENT);
+});
+
+visit("a record shows the tab that the address hides, and says so", { fragment: "?hide=measure#1&d=utube.md" }, async (lab) => {
+  assert.deepEqual(await shown(lab), ["Explore", "Questions", "Theory"]);
+  await drop(lab, { name: "film.csv", text: "t [s],y [cm]\n0,1\n0.1,2\n0.2,3\n0.3,2\n" });
+  await lab.page.locator(".record").waitFor();
+  assert.deepEqual(await shown(lab), STUDENT);
+  assert.match(await message(lab), /The tab Measure is shown now/);
+  assert.equal(await lab.page.locator("#tab-measure").getAttribute("aria-selected"), "true");
 });
 
 visit("several hand-ins turn everything on, and say so", async (lab) => {

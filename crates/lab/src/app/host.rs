@@ -108,7 +108,7 @@ impl Host for Store {
     }
 
     fn embedding(&self) -> Embedding {
-        self.embedding.clone()
+        self.embedding.borrow().clone()
     }
 
     fn can_resize(&self) -> bool {

@@ -1,8 +1,11 @@
-//! Turns *Everything* on when something is opened that needs a hidden part of the page.
+//! Turns *Everything* on when something is opened that needs a hidden part of the page, and shows the tab *Measure* for records and
+//! films where the address hides it.
 
 use crate::app::App;
+use play::PagePart;
+use view::browser;
 use view::message::Message;
-use view::tabs::{CLASS, WRITE};
+use view::tabs::{CLASS, MEASURE, WRITE};
 use view::views::*;
 
 /// Watches the open tab and the document: a document with errors is corrected in the tab *Write*.
@@ -13,6 +16,14 @@ pub fn follow(app: App) {
         let is_hidden = [WRITE, CLASS].contains(&app.tab.get());
         if is_hidden || app.with(|lab| lab.desk.is_none() && !lab.sources.is_empty()) == Some(true) {
             turn_on(app, app.words().everything_for_write);
+        }
+        if app.tab.get() == MEASURE && app.bring_back(PagePart::Measure) {
+            wasm_bindgen_futures::spawn_local(async move {
+                // The panel cannot be rebuilt while the tab is being set.
+                browser::breathe().await;
+                app.rebuild();
+                app.report(Message::notice(app.words().measure_shown.to_owned()));
+            });
         }
     });
 }

@@ -123,9 +123,10 @@ for (const address of ["?hide=scene,measure,activities,text&lock&everything=no",
     await lab.page.locator("#play").waitFor();
     const before = await seen();
     assert.deepEqual(before, address.includes("lock") ? { tabs: ["Explore"], scene: false, locked: true } : { tabs: ["Explore", "Write", "Class"], scene: true, locked: false });
-    await lab.rest();
-    await lab.rest();
-    await lab.taken();
+    await eventually(async () => {
+      await lab.rest();
+      assert.equal(await lab.page.locator("[role=tab][aria-busy=true]").count(), 0);
+    }, 30);
     assert.deepEqual(await seen(), before);
   });
 }

@@ -13,7 +13,7 @@ const [first, controls, drawing] = [...tutorial.matchAll(/^````markdown\n(.*?)^`
 const further = /^## 4\..*?(^```question\n.*?^```$)\n\n(^```check\n.*?^```$)/ms.exec(tutorial);
 const spanish = /^````text\n(.*?)^````$/ms.exec(tutorial)[1];
 /** Not more actions with these hands. */
-const MOST = { mouse: 60, keyboard: 65, finger: 60 };
+const MOST = { mouse: 60, keyboard: 72, finger: 60 };
 
 const editor = (lab) => lab.page.locator(".cm-content");
 const text = (lab) => editor(lab).evaluate((content) => content.cmTile?.view?.state.doc.toString() ?? content.innerText);

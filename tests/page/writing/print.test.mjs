@@ -52,7 +52,7 @@ for (const [language, other] of [["en-GB", "EN"], ["es-ES", "ES"]]) {
 }
 
 visit("the parts of the worksheet are chosen, and solutions come only if they are asked for", async (lab) => {
-  const parts = { Theory: "math", Scene: ".sheet-apparatus .drawing", "Table of the parameters": ".sheet-apparatus table", Plots: "figure", Questions: ".sheet-question", "Lines for answers": ".lines" };
+  const parts = { Theory: ".passage:not(:has(.sheet-question)) math", Scene: ".sheet-apparatus .drawing", "Table of the parameters": ".sheet-apparatus table", Plots: "figure", Questions: ".sheet-question", "Lines for answers": ".lines" };
   const sheet = lab.page.locator(".worksheet").first();
   const solutions = lab.page.locator(".worksheet.solutions");
   const isPrinted = async (part) => (await sheet.locator(parts[part]).filter({ visible: true }).count()) > 0;

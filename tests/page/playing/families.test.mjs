@@ -72,7 +72,7 @@ visit("the number of masses is changed in the page, and the link restores it", a
   await eventually(async () => assert.equal(await size.inputValue(), "5"));
   assert.notEqual(await lab.number("Stiffness"), 9);
   // The button is gone: nothing differs from the defaults. The focus stays in its panel.
-  assert.equal((await lab.focused()).id, "panel-play");
+  assert.equal((await lab.focused()).id, "panel-explore");
   await lab.openSource();
   assert.match(await lab.page.locator("#source pre").innerText(), /size N = 5/);
 });

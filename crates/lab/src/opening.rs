@@ -187,13 +187,17 @@ pub fn open_kept(app: App, kept: Visited) {
     visited::note(app, None);
 }
 
-/// Opens another theory for the records being fitted; the scroll position is kept.
+/// Opens another theory for the records being fitted. The step of the theory keeps its place in the window: the content above it
+/// has its full height only when the browser has drawn it.
 pub fn change_theory(app: App, sources: Vec<Source>) {
-    let place = browser::scrolled();
+    let step = "theory-step";
+    let before = browser::top_of(step);
     leave(app);
     open(app, sources, "");
     visited::step(app);
-    browser::scroll_to(place);
+    if let (Some(before), Some(now)) = (before, browser::top_of(step)) {
+        browser::scroll_to(browser::scrolled() + now - before);
+    }
 }
 
 /// Saves the open document before it is replaced.

@@ -69,6 +69,11 @@ pub fn scrolled() -> f64 {
     window().scroll_y().unwrap_or(0.0)
 }
 
+/// Distance of an element from the top of the window, in CSS pixels.
+pub fn top_of(id: &str) -> Option<f64> {
+    by_id::<HtmlElement>(id).map(|element| element.get_bounding_client_rect().top())
+}
+
 /// Scrolls the page to a vertical position in CSS pixels, without animation.
 pub fn scroll_to(place: f64) {
     let options = ScrollToOptions::new();

@@ -22,6 +22,10 @@ pub fn follow(app: App) {
                 // The panel cannot be rebuilt while the tab is being set.
                 browser::breathe().await;
                 app.rebuild();
+                // The message that a record has been read would replace this one.
+                while app.with(|lab| lab.reading) == Some(true) {
+                    browser::pause(50).await;
+                }
                 app.report(Message::notice(app.words().measure_shown.to_owned()));
             });
         }

@@ -299,12 +299,12 @@ function withoutWorkers() {
   return file;
 }
 
-/** A theory and a record, in the tab of the fits. */
+/** A theory and a record, in the tab with the fits. */
 async function measuredColumn(lab) {
   await openTheory(lab, "Linear damping");
   await drop(lab, { name: "film.csv", text: film() });
   await records(lab).waitFor();
-  await lab.tab("Fit");
+  await lab.tab("Measure");
 }
 
 visit("theories are ranked by two workers", async (lab) => {

@@ -187,7 +187,7 @@ visit("a record is read and fitted, and is there again after a reload", "#1&d=th
   await field.uploadFile(temporary("film.csv"));
   const tables = () => visitor.page.$$eval("tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.innerText)));
   await eventually(async () => assert.match(JSON.stringify(await tables()), /y \[cm\]/, "the record is shown"));
-  await visitor.openTab("Fit");
+  await visitor.openTab("Measure");
   await visitor.press("Fit");
   const estimate = async (name) => {
     const rows = await tables();
@@ -200,11 +200,12 @@ visit("a record is read and fitted, and is there again after a reload", "#1&d=th
   }
   await visitor.page.reload();
   await visitor.whole();
-  await visitor.openTab("Fit");
+  await visitor.openTab("Measure");
   await eventually(() => estimate("Length of the column"));
 });
 
 visit("a document is begun and written", "", async (visitor) => {
+  await visitor.press("Everything");
   await visitor.openTab("Write");
   const status = () => visitor.page.$eval("#writing-status", (status) => status.textContent);
   const runs = () => eventually(async () => assert.match(await status(), /^No errors/));
@@ -225,7 +226,7 @@ visit("a document is begun and written", "", async (visitor) => {
 });
 
 visit("a link opens the same state for somebody else", "", async (visitor) => {
-  await visitor.openTab("Play");
+  await visitor.openTab("Explore");
   await (await visitor.find("textbox", "Damping")).click({ count: 3 });
   await visitor.page.keyboard.type("20\n");
   await visitor.press("Step forward");
@@ -236,7 +237,7 @@ visit("a link opens the same state for somebody else", "", async (visitor) => {
   assert.notEqual(time, 0);
   await inNewContext(visitor.page.url(), async (other) => {
     await eventually(async () => assert.equal(await other.time(), time));
-    await other.openTab("Play");
+    await other.openTab("Explore");
     assert.equal(await other.number("textbox", "Damping"), 20);
   });
 });

@@ -233,7 +233,8 @@ fn names_stand_at_the_ends_of_curves_and_do_not_overlap() {
         end: y,
         ..Series::default()
     };
-    let names = ["b = 0.1 kg/s", "b = 0.2 kg/s", "a name that is much too long for the end of a curve in a narrow figure"];
+    let names =
+        ["b = 0.1 kg/s", "b = 0.2 kg/s", "a name that is much too long for the end of a curve in a narrow figure"];
     for view in [View::default(), View { x: Some(Interval::new(0.0, 20.0)), ..View::default() }] {
         let plot = Plot {
             x: time_axis(),

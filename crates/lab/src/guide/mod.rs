@@ -14,7 +14,7 @@ const END: &str = "guide-end";
 
 /// Begins with the first step.
 pub fn begin(app: App) {
-    app.tab.set(tabs::PLAY);
+    app.tab.set(tabs::EXPLORE);
     app.guide.set(Some(Step::Lift));
     // The button that was pressed is gone.
     browser::focus_later(END.to_owned());

@@ -208,3 +208,15 @@ for (const [language, words] of Object.entries(WORDS)) {
     }
   }
 }
+
+for (const [language, words] of Object.entries(WORDS)) {
+  for (const [width, height] of [[1440, 900], [1260, 800], [1024, 768]]) {
+    visit(`line and guided start have room in the head: ${language}, ${width}`, { ...FIRST, language, width, height }, async (lab) => {
+      const high = () => lab.page.locator("header.head").evaluate((head) => head.offsetHeight);
+      assert.equal(await high(), 56);
+      await lab.press(words.guide);
+      await asked(lab, words, 0);
+      assert.equal(await high(), 56);
+    });
+  }
+}

@@ -18,7 +18,6 @@ mod members;
 mod plots;
 mod profiles;
 mod replacement;
-mod rounding;
 mod scores;
 mod seats;
 mod sharing;

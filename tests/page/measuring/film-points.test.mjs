@@ -99,7 +99,7 @@ visit("two bodies", async (lab) => {
   await eventually(async () => assert.match(await lab.page.locator("#film-values").innerText(), /x_2 =/), 60);
   await lab.page.locator("#compare-truth").click();
   const text = await lab.page.locator("#film-truth").innerText();
-  const rms = [...text.matchAll(/truth (\d): RMS ([\d.]+) px/g)].map(([, , value]) => Number(value));
+  const rms = [...text.matchAll(/true values (\d): RMS ([\d.]+) px/g)].map(([, , value]) => Number(value));
   assert.ok(rms.length === 2 && Math.max(...rms) < 0.3, text);
 });
 

@@ -38,12 +38,12 @@ visit("a plot is added, changed, moved and removed, and the text with it", async
   await field(lab, `${last}: Title`).fill("Phase portrait");
   await field(lab, `${last}: Add a quantity`).selectOption("y");
   await now(lab, /"Phase portrait": y', y against y\n/);
-  await field(lab, `${last}: Draws`).fill("y'");
+  await field(lab, `${last}: Curves`).fill("y'");
   await field(lab, `${last}: Equal scales`).check();
   await now(lab, /"Phase portrait": y' against y, equal axes\n/);
-  await field(lab, `${last}: As`).selectOption("points");
+  await field(lab, `${last}: Type`).selectOption("points");
   await now(lab, /"Phase portrait": points y' against y every 1 \[s\], equal axes\n/);
-  await field(lab, `${last}: As`).selectOption("histogram");
+  await field(lab, `${last}: Type`).selectOption("histogram");
   await now(lab, /"Phase portrait": histogram y'\n/);
   await runs(lab);
   await lab.press("Move up: Phase portrait");
@@ -57,7 +57,7 @@ visit("a plot is added, changed, moved and removed, and the text with it", async
 visit("a fault of a plot stands beside it, and what would be read otherwise is refused", async (lab) => {
   await view(lab);
   const card = lab.page.locator(".plot-form").first();
-  const curves = field(lab, "Plot 1: Draws");
+  const curves = field(lab, "Plot 1: Curves");
   const kept = await curves.inputValue();
   await curves.fill("yy");
   await card.locator(".brief.error").waitFor();
@@ -104,7 +104,7 @@ visit("controls are put under headings, which are moved, named and removed", asy
 
 visit("what is wrong is in sight from the end of a long form, and one press leads to it", async (lab) => {
   await view(lab);
-  await field(lab, "Plot 1: Draws").fill("yy");
+  await field(lab, "Plot 1: Curves").fill("yy");
   const lead = lab.page.locator("#show-errors");
   await lead.waitFor();
   assert.equal(await lead.innerText(), "Show the error");

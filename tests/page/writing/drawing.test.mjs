@@ -106,7 +106,11 @@ visit("parts are placed, sized and turned by pointing, come to lie on the grid, 
   await becomes(lab, "block", '<block at="(0, 0)" size="(14 [cm], 10 [cm])" turn="-90 [deg]"/>');
   await runs(lab);
   // The picture itself is pressed: what lies there is chosen and moved.
-  const box = await lab.page.locator(".drawing-overlay .edges").boundingBox();
+  const box = await eventually(async () => {
+    const edges = await lab.page.locator(".drawing-overlay .edges").boundingBox();
+    assert.ok(edges, "what is chosen is shown");
+    return edges;
+  });
   await drag(lab, [box.x + box.width / 2, box.y + box.height / 2], [4 * cm, 0]);
   await becomes(lab, "block", '<block at="(4 [cm], 0)" size="(14 [cm], 10 [cm])" turn="-90 [deg]"/>');
   // Without the grid, a millimetre is enough.

@@ -20,6 +20,7 @@ pub use narrow::NARROW;
 
 use crate::app::App;
 use crate::scene::SceneNodes;
+use crate::toolbar::Toolbar;
 use crate::views::*;
 use crate::{icons, transport};
 use play::PagePart;
@@ -107,16 +108,19 @@ fn instruments(app: App, has_scene: bool) -> HtmlDiv {
             }
         });
     };
-    let tool = |id: &'static str, name: &'static str, on: Signal<bool>| {
-        button().class("icon").id(id).called(name).attr("aria-pressed", move || on.get().to_string())
+    let bar = Toolbar::new();
+    let tool = |place: usize, id: &'static str, name: &'static str, on: Signal<bool>| {
+        let tool = button().class("icon").id(id).called(name).attr("aria-pressed", move || on.get().to_string());
+        tool.tabindex(move || bar.stop(place)).when(events::focus, move |_| bar.enter(place))
     };
     let take = move |_| watch.update(|shown| *shown = !*shown);
     div()
         .class("instruments")
-        .role("group")
+        .role("toolbar")
         .attr("aria-label", words.instruments)
-        .child(tool("stopwatch", words.stopwatch, watch).when(events::click, take).child(icons::stopwatch()))
-        .maybe(measurable.then(|| tool("ruler", words.ruler, rules).when(events::click, lay).child(icons::ruler())))
+        .when(events::keydown, Toolbar::turn)
+        .child(tool(0, "stopwatch", words.stopwatch, watch).when(events::click, take).child(icons::stopwatch()))
+        .maybe(measurable.then(|| tool(1, "ruler", words.ruler, rules).when(events::click, lay).child(icons::ruler())))
         .child(changing(move || if watch.get() { stopwatch::view(app).into() } else { View::new() }))
 }
 

@@ -349,7 +349,7 @@ impl Play {
 
     /// Updates the columns and the contents of the plots to the front of the run.
     pub(super) fn follow(&mut self) {
-        self.line.follow();
+        self.line.follow(&self.basis);
         self.plots.follow(&mut self.line);
     }
 

@@ -78,9 +78,15 @@ impl Figures<'_> {
         };
         let only = state.measured.iter().filter_map(|measured| measured[0]).reduce(Interval::joined);
         let only = only.filter(|_| independent);
-        let include = independent.then_some(first);
+        let ahead = |axis: usize| {
+            let on_axis = columns.curves.iter().filter(|curve| curve.axis == axis);
+            on_axis.filter_map(|curve| self.line.range_ahead(curve.y)).reduce(Interval::joined)
+        };
+        let across =
+            || columns.curves.iter().filter_map(|curve| self.line.range_ahead(curve.x)).reduce(Interval::joined);
+        let include = if independent { Some(first) } else { across() };
         let y = labels.axes.iter().enumerate();
-        let y = y.map(|(axis, (label, unit))| Axis { label, unit, only: along(axis), ..Axis::default() });
+        let y = y.map(|(axis, (label, unit))| Axis { label, unit, include: ahead(axis), only: along(axis) });
         let y = y.collect();
         Some(Plot {
             title: &labels.title,

@@ -1,5 +1,6 @@
 //! The time line: the run and its clock, the rows for the plots, the runs kept for comparison.
 
+mod ahead;
 pub(crate) mod course;
 mod keeping;
 pub(crate) mod kept;
@@ -16,6 +17,7 @@ pub use transport::{LONGEST_GAP, SPEEDS, Status, WORK_PER_TICK};
 use crate::plots::traces::{Columns, Traces};
 use crate::{Basis, Changes};
 use engine::Setup;
+use figure::Interval;
 use kept::{Ghost, Kept};
 use program::{Model, Speed};
 
@@ -36,6 +38,8 @@ pub struct TimeLine {
     slippage: f64,
     columns: Columns,
     traces: Traces,
+    /// Range of each column in the first part of the run; `None` until it is needed.
+    ahead: Option<Vec<Option<Interval>>>,
     /// Values of the columns at the moment shown, in their units.
     present: Vec<f64>,
     ghost: Option<Ghost>,
@@ -62,6 +66,7 @@ impl TimeLine {
             slippage: 0.0,
             columns,
             traces: Traces::default(),
+            ahead: None,
             present: Vec::new(),
             ghost: None,
             kept: Vec::new(),
@@ -141,12 +146,21 @@ impl TimeLine {
     }
 
     /// Updates the columns to the front of the run.
-    pub(crate) fn follow(&mut self) {
+    pub(crate) fn follow(&mut self, basis: &Basis) {
         self.traces.follow(&self.course, &mut self.columns, &self.present);
+        if self.ahead.is_none() {
+            self.ahead = Some(ahead::ranges(basis, &self.course, &mut self.columns));
+        }
+    }
+
+    /// Range of a column in the first part of the run, in its unit; `None` if it is not known.
+    pub(crate) fn range_ahead(&self, column: usize) -> Option<Interval> {
+        self.ahead.as_ref()?.get(column).copied().flatten()
     }
 
     /// Must be called when the model has changed.
     pub(crate) fn model_changed(&mut self, basis: &Basis) {
+        self.ahead = None;
         self.columns = Columns::new(basis.model(), &basis.program().plots);
     }
 
@@ -160,6 +174,7 @@ impl TimeLine {
     pub(crate) fn replace(&mut self, course: Course) -> Changes {
         self.course = course;
         self.traces = Traces::default();
+        self.ahead = None;
         self.note_rewritten(f64::NEG_INFINITY);
         // Starts from the initial state, so that the number of digits is the same whether the start was shown or a link
         // opened a later moment directly.

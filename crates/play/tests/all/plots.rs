@@ -1,6 +1,6 @@
 //! Plots of a document: several paths in one plot, legends and descriptions.
 
-use crate::support::{go_on, open, set};
+use crate::support::{go_on, open, set, utube};
 use figure::{Point, Settings};
 use play::{Play, PlotId};
 
@@ -252,4 +252,31 @@ fn a_run_that_an_event_ends_has_a_value_there() {
         let range = 40.0 * libm::sin((2.0 * row[0]).to_radians());
         assert!((row[1] - range).abs() < 1e-6, "{row:?}: {range}");
     }
+}
+
+#[test]
+fn axes_have_the_range_of_the_first_part_from_the_beginning() {
+    let settings = Settings::default();
+    let mut play = utube();
+    let limits = |play: &mut Play| -> Vec<[figure::Interval; 2]> {
+        let plots = 0..play.plots().list().len();
+        let of = |plot| {
+            let figure = play.layout_plot(PlotId::at(plot), &settings).unwrap();
+            [figure.x_scale().unwrap().values, figure.y_scales()[0].values]
+        };
+        plots.map(of).collect()
+    };
+    let at_rest = limits(&mut play);
+    assert!(at_rest[0][1].low < 0.0 && at_rest[0][1].high > 0.0, "{at_rest:?}");
+    for _ in 0..3 {
+        go_on(&mut play, [0.4]);
+        assert_eq!(limits(&mut play), at_rest);
+    }
+    // Other parameters, another start, another first part.
+    play.back_to_start();
+    set(&mut play, "g", 1.62);
+    let on_the_moon = limits(&mut play);
+    assert_ne!(on_the_moon, at_rest, "energies differ");
+    go_on(&mut play, [1.0]);
+    assert_eq!(limits(&mut play), on_the_moon);
 }

@@ -20,7 +20,7 @@ use crate::verify::{Copied, Curve, Recomputation, copied, document_has_errors};
 use desk::{OpenedDocuments, TheoryCurve};
 use saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError};
 use std::collections::{BTreeSet, VecDeque};
-use units::{Language, Words};
+use units::{Language, Words, words};
 
 /// A file that was added.
 #[derive(Debug)]
@@ -279,6 +279,17 @@ impl Collection {
     pub fn deliver(&mut self, index: usize, computed: Option<Computed>) {
         if self.ordered.remove(&index) && self.is_waiting(index) {
             self.finish(index, computed);
+        }
+    }
+
+    /// The computation of the hand-in of this index has stopped because of a fault of the program.
+    pub fn fail(&mut self, index: usize) {
+        if self.ordered.remove(&index) && self.is_waiting(index) {
+            self.entries[index].state = State::Unreadable(words(
+                "its computation has stopped because of a fault in the program; verify it alone",
+                "su cálculo se ha detenido por un fallo del programa; compruébala por separado",
+            ));
+            self.uncompared.push_back(index);
         }
     }
 

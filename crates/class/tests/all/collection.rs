@@ -235,6 +235,13 @@ fn what_is_computed_elsewhere_is_what_is_computed_here() {
     collection.add("0.hand-in", HandIn::read(&hand_ins[0].write()));
     let (index, _) = collection.order().unwrap();
     collection.take_back(index);
+    collection.fail(index);
     while collection.advance() {}
-    assert_eq!(collection.works().count(), 1);
+    assert_eq!(collection.works().count(), 1, "what is not ordered does not fail");
+    collection.add("1.hand-in", HandIn::read(&hand_ins[1].write()));
+    let (index, _) = collection.order().unwrap();
+    collection.fail(index);
+    while collection.advance() {}
+    let State::Unreadable(why) = collection.entries()[1].state() else { panic!("it has failed") };
+    assert!(why.english.contains("fault in the program"), "{why:?}");
 }

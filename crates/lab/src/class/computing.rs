@@ -30,10 +30,13 @@ impl Computing {
             match heard {
                 Heard::Answer(bytes) => {
                     let computed: Vec<Option<Computed>> = postcard::from_bytes(&bytes).unwrap_or_default();
-                    let computed = computed.into_iter().chain(std::iter::repeat_with(|| None));
-                    indices.into_iter().zip(computed).for_each(|(index, one)| collection.deliver(index, one));
+                    let mut computed = computed.into_iter();
+                    indices.into_iter().for_each(|index| match computed.next() {
+                        Some(one) => collection.deliver(index, one),
+                        None => collection.fail(index),
+                    });
                 }
-                Heard::Stopped => indices.into_iter().for_each(|index| collection.deliver(index, None)),
+                Heard::Stopped => indices.into_iter().for_each(|index| collection.fail(index)),
                 Heard::Refused => indices.into_iter().for_each(|index| collection.take_back(index)),
             }
         }

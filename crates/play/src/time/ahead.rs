@@ -1,13 +1,12 @@
 //! The first part of a run, computed ahead: plots have its range from the beginning, so that their axes do not jump.
 
 use super::course::Course;
-use super::transport::WORK_PER_TICK;
 use crate::Basis;
 use crate::plots::traces::{Columns, Traces};
 use figure::Interval;
 
-/// Work for the first part; of a longer one, only its beginning counts.
-const WORK: u64 = WORK_PER_TICK / 8;
+/// Work for the first part, an eighth of that of a tick; of a longer part only the beginning counts.
+const WORK: u64 = 125_000;
 
 /// Range of each column in the first part of a run with the settings of this one, in the units of the columns; `None` for a
 /// column without finite values.

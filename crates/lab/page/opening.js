@@ -65,8 +65,10 @@ const parsed = new Promise((done) => {
 // Runs a script of the site.
 const run = (src) =>
   new Promise((onload, onerror) => document.head.append(Object.assign(document.createElement("script"), { src, onload, onerror })));
-// Text of the script with which the laboratory's module runs.
-const written = async () => {
+// Text of the script with which the laboratory's module runs, read once.
+let scriptText;
+const written = () => (scriptText ??= readScript());
+const readScript = async () => {
   const glue = document.querySelector("script#laboratory-glue");
   if (glue.dataset.script) return (await fetch(glue.dataset.script)).text();
   return new TextDecoder().decode(await inflated(glue, "deflate-raw"));

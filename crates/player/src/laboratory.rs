@@ -25,14 +25,7 @@ pub fn open(opening: Opening) {
     let mut shown = None;
     let root = create_root(|| {
         let view = || {
-            // The simulation lives until the laboratory takes it over.
-            let simulation: &'static Simulation = Box::leak(Box::new(Simulation::of_laboratory(embedding)));
-            let app = App::new(simulation, language);
-            shell::prepare(app);
-            let play = simulation::of_page();
-            let runs = play.is_some();
-            simulation.play.replace(play);
-            app.read(|play| play.set_language(language.tag()));
+            let (app, simulation, runs) = simulation::open(Simulation::of_laboratory(embedding), language);
             restore(app, &opening);
             everything::restore(app);
             opening::keep_tab(app);

@@ -23,14 +23,7 @@ pub fn start() {
     let language = shell::language(&embedding);
     place.set_inner_html("");
     let page = move || {
-        // The simulation lives as long as the page.
-        let simulation: &'static Simulation = Box::leak(Box::new(Simulation::new(embedding)));
-        let app = App::new(simulation, language);
-        shell::prepare(app);
-        let play = simulation::of_page();
-        let runs = play.is_some();
-        simulation.play.replace(play);
-        app.read(|play| play.set_language(language.tag()));
+        let (app, simulation, runs) = simulation::open(Simulation::new(embedding), language);
         // Answers in this browser may be those of another student of the course.
         if simulation.course.is_none() {
             answers::restore(app);

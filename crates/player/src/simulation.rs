@@ -5,7 +5,8 @@ use crate::course::Course;
 use play::{Embedding, Play};
 use program::bundle;
 use std::cell::{Cell, OnceCell, RefCell};
-use view::{App, Host};
+use units::Language;
+use view::{App, Host, shell};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// The simulation; `None` until it has been read.
@@ -34,6 +35,19 @@ impl Simulation {
     pub fn of_laboratory(embedding: Embedding) -> Self {
         Self { is_passed_on: true, embedding, ..Self::default() }
     }
+}
+
+/// Opens the simulation of the page, with an `App` for its views. The last value is true if it runs.
+pub fn open(simulation: Simulation, language: Language) -> (App, &'static Simulation, bool) {
+    // It lives as long as the page, or until the laboratory takes it over.
+    let simulation: &'static Simulation = Box::leak(Box::new(simulation));
+    let app = App::new(simulation, language);
+    shell::prepare(app);
+    let play = of_page();
+    let runs = play.is_some();
+    simulation.play.replace(play);
+    app.read(|play| play.set_language(language.tag()));
+    (app, simulation, runs)
 }
 
 impl Host for Simulation {
@@ -68,7 +82,7 @@ impl Host for Simulation {
 }
 
 /// Simulation from the bundle that the page's script has inflated; `None` if there is none or it is damaged.
-pub fn of_page() -> Option<Play> {
+fn of_page() -> Option<Play> {
     let bytes = js_sys::Reflect::get(&js_sys::global(), &JsValue::from_str("bundle")).ok()?;
     let bytes: js_sys::Uint8Array = bytes.dyn_into().ok()?;
     bundle::read(&bytes.to_vec()).ok().map(Play::open)

@@ -16,7 +16,7 @@ pub struct WorkOrder {
     language: String,
 }
 
-/// What follows from the work of a hand-in.
+/// Values, curves and answers that follow from the work of a hand-in.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Computed {
     /// The computed values.
@@ -51,7 +51,7 @@ impl WorkOrder {
 }
 
 impl Computed {
-    /// What follows from a finished recomputation. Curves are computed of theories that are not `known`, by their titles.
+    /// Values, curves and answers of a finished recomputation. Curves are computed of theories that are not `known`, by their titles.
     pub(super) fn of(recomputation: Recomputation, language: &str, known: impl Fn(&str) -> bool) -> Self {
         let refused = recomputation.refused();
         let (desk, facts) = recomputation.finish(language);

@@ -228,7 +228,7 @@ fn what_is_computed_elsewhere_is_what_is_computed_here() {
     while collection.advance() {}
     let [elsewhere, here] = [&collection, &here].map(|all| html(all, &[], Language::English, VERSION, ""));
     assert_eq!(elsewhere, here);
-    // What comes too late is not taken; what is taken back is computed here.
+    // A delivery that comes too late is not taken; a hand-in that is taken back is computed here.
     collection.clear();
     collection.deliver(0, None);
     assert_eq!(collection.entries().len(), 0);

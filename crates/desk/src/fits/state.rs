@@ -45,7 +45,7 @@ pub(crate) struct Running {
 }
 
 impl Running {
-    /// What a worker needs.
+    /// Order for a worker.
     pub fn work(&self) -> FitWork {
         let known = self.job.found.as_ref().map(|found| found.values.clone());
         FitWork::new(self.job.document.program.model.clone(), self.task.clone(), known)

@@ -15,7 +15,7 @@ pub trait Workers {
     /// Accepts a fit and returns its number, which no other fit of these workers has.
     fn begin(&mut self, work: FitWork) -> u32;
 
-    /// What has happened since the last call, in the order of time, with the numbers of the fits. Workers that compute
+    /// News since the last call, in the order of time, with the numbers of the fits. Workers that compute
     /// here make one trial in each call.
     fn news(&mut self) -> Vec<(u32, FitNews)>;
 
@@ -68,7 +68,7 @@ impl FitComputation {
     }
 }
 
-/// What a worker reports of a fit.
+/// Report of a worker about a fit.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum FitNews {
     /// It goes on.

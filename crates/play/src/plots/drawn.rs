@@ -34,7 +34,9 @@ impl Figures<'_> {
         let columns = self.line.columns().plot(index)?;
         let labels = &state.labels;
         let ghosts = self.line.ghost_traces().map(|traces| (traces, Style::Ghost, "")).into_iter();
-        let kept = self.line.kept_traces().zip(&self.runs);
+        let shown = || self.line.kept(self.basis).into_iter().filter(|kept| kept.shown);
+        let names = self.runs.get_or_init(|| shown().map(|kept| kept.name).collect());
+        let kept = self.line.kept_traces().zip(names);
         let kept = kept.map(|((traces, pattern), name)| (traces, Style::Faded(pattern), name.as_str()));
         let points = state.points.iter().filter_map(|points| {
             let axis = columns.curves.get(points.curve)?.axis;

@@ -25,6 +25,7 @@ use histogram::Histogram;
 use members::Snapshot;
 use program::{Drawing, Model, Plot, Program};
 use section::{Moments, Section};
+use std::cell::OnceCell;
 use sweep::Swept;
 use traces::Columns;
 
@@ -43,8 +44,8 @@ pub struct Figures<'a> {
     basis: &'a Basis,
     line: &'a TimeLine,
     plots: &'a Plots,
-    /// Names of the kept runs that are drawn.
-    runs: Vec<String>,
+    /// Names of the kept runs that are drawn, once a plot needs them.
+    runs: OnceCell<Vec<String>>,
 }
 
 impl Plots {
@@ -55,8 +56,7 @@ impl Plots {
 
     /// The plots as they are shown.
     pub(crate) fn seen<'a>(&'a self, basis: &'a Basis, line: &'a TimeLine) -> Figures<'a> {
-        let runs = line.kept(basis).into_iter().filter(|kept| kept.shown).map(|kept| kept.name);
-        Figures { basis, line, plots: self, runs: runs.collect() }
+        Figures { basis, line, plots: self, runs: OnceCell::new() }
     }
 
     /// Must be called when the model has changed.

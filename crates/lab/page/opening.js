@@ -95,7 +95,8 @@ let taken;
 // Starts the laboratory, which takes over what the player shows.
 const takeOver = () => {
   compiled ??= load();
-  taken ??= compiled.then((module) => {
+  taken ??= compiled.then(async (module) => {
+    await firstFrame;
     listening.abort();
     return laboratory({ module_or_path: module });
   });

@@ -59,6 +59,7 @@ const failed = (error) => {
 const start = async () => {
   const parts = ["module", "bundle"].map((id) => document.getElementById(id)).filter(Boolean);
   const [module, bundle] = await Promise.all(parts.map((part) => inflated(part)));
+  await firstFrame;
   globalThis.bundle = bundle && new Uint8Array(bundle);
   await wasm_bindgen({ module_or_path: module });
 };

@@ -231,19 +231,23 @@ visit("two pages keep each other's records, and what one removes is gone", async
   const pages = [lab, second];
   const stored = () => lab.page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("meniscus:record:")).length);
   for (const [place, page] of pages.entries()) {
+    await page.page.bringToFront();
     await drop(page, { name: `film ${place + 1}.csv`, text: film(0.2 + 0.05 * place, place + 1) });
     await eventually(async () => assert.equal(await records(page).count(), 1));
     // They come back in the order in which they were stored.
     await eventually(async () => assert.equal(await stored(), place + 1));
   }
-  for (const page of pages) await page.page.reload();
   for (const page of pages) {
+    await page.page.bringToFront();
+    await page.page.reload();
     await page.tab("Measure");
     await eventually(async () => assert.deepEqual(await records(page).locator("h3").allInnerTexts(), ["film 1.csv", "film 2.csv"]));
   }
+  await lab.page.bringToFront();
   await lab.page.getByRole("button", { name: "Remove the record: film 1.csv" }).click();
   await eventually(async () => assert.equal(await stored(), 1));
   for (const page of [second, lab]) {
+    await page.page.bringToFront();
     await page.page.reload();
     await page.tab("Measure");
     await eventually(async () => assert.deepEqual(await records(page).locator("h3").allInnerTexts(), ["film 2.csv"]));

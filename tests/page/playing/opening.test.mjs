@@ -121,3 +121,40 @@ visit("after a reload the simulation is as it was left, with the tab that was op
   assert.equal(await lab.page.locator("#tab-theory").getAttribute("aria-selected"), "true");
   assert.equal(await lab.number("Damping"), 250);
 });
+
+function exported() {
+  const page = temporary("first-frame.html");
+  meniscus("export", "simulations/utube.md", "--output", page);
+  return page;
+}
+
+// Chromium can cut a page off from what is stored if it reads it earlier.
+for (const [page, options] of [
+  ["the laboratory", { fragment: "" }],
+  ["the laboratory with another document", { fragment: "#1&d=pendulum.md" }],
+  ["an exported page", { file: exported }],
+]) {
+  visit(`nothing stored is read before the first frame: ${page}`, options, async (lab) => {
+    await lab.page.addInitScript(() => {
+      window.reads = { early: [], count: 0 };
+      let hasBegun = false;
+      const frame = window.requestAnimationFrame;
+      window.requestAnimationFrame = (does) =>
+        frame((time) => {
+          if (hasBegun) return does(time);
+          // The first frame comes late, as on a busy computer.
+          setTimeout(() => { hasBegun = true; does(time); }, 400);
+        });
+      const read = Storage.prototype.getItem;
+      Storage.prototype.getItem = function (key) {
+        window.reads.count += 1;
+        if (!hasBegun) window.reads.early.push(key);
+        return read.call(this, key);
+      };
+    });
+    await lab.page.reload();
+    const reads = await lab.page.evaluate(() => window.reads);
+    assert.ok(reads.count > 1);
+    assert.deepEqual(reads.early, []);
+  });
+}

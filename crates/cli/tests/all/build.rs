@@ -3,6 +3,7 @@
 use crate::common::{SPRING, directory_with, meniscus, names};
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::Read;
 use std::path::Path;
 
 const SPANISH: &str =
@@ -115,15 +116,19 @@ fn texts_are_there_compressed_as_well() {
     let directory = documents();
     build(directory.path());
     let files = contents(&directory.path().join("site"));
-    let (packed, plain): (Vec<_>, Vec<_>) = files.iter().partition(|(name, _)| name.ends_with(".gz"));
-    assert!(packed.len() >= 10, "{packed:?}");
-    for (name, content) in packed {
-        let mut text = Vec::new();
-        let mut gzip = flate2::read::GzDecoder::new(content.as_slice());
-        std::io::Read::read_to_end(&mut gzip, &mut text).expect("gzip");
-        assert_eq!(files.get(name.trim_end_matches(".gz")), Some(&text), "{name}");
+    for ending in [".gz", ".br"] {
+        let packed: Vec<_> = files.iter().filter(|(name, _)| name.ends_with(ending)).collect();
+        assert!(packed.len() >= 10, "{packed:?}");
+        for (name, content) in packed {
+            let mut text = Vec::new();
+            match ending {
+                ".gz" => flate2::read::GzDecoder::new(content.as_slice()).read_to_end(&mut text).expect("gzip"),
+                _ => brotli::Decompressor::new(content.as_slice(), 4096).read_to_end(&mut text).expect("Brotli"),
+            };
+            assert_eq!(files.get(name.trim_end_matches(ending)), Some(&text), "{name}");
+        }
     }
-    let module = plain.iter().find(|(name, _)| name.starts_with("assets/player-") && name.ends_with(".bin"));
+    let module = files.iter().find(|(name, _)| name.starts_with("assets/player-") && name.ends_with(".bin"));
     assert_eq!(module.map(|(_, content)| &content[..2]), Some([0x1f, 0x8b].as_slice()), "gzip itself");
 }
 

@@ -14,8 +14,9 @@ const STEPS = 1_000_000;
 const ROUNDS = 5;
 /** Systems of many equal parts, and how many steps are measured at a time. */
 const SYSTEMS = { chain: 10_000, string: 2000, gas: 200 };
-/** How many rows are to be recorded before frames are measured, the model's step, and for how many seconds to measure. */
-const ROWS = 2000;
+/** How many rows of the published simulation are to be recorded before frames are measured, its step, and for how many seconds to measure: in
+    100 s it would pause. */
+const ROWS = 1500;
 const STEP = 0.05;
 const SECONDS = 5;
 const OPENINGS = 9;
@@ -111,7 +112,7 @@ try {
   await measureFrames();
   await measureLongRecord();
   for (const name of ["chain", "string"]) await measureProfile(name);
-  await measurePhone(browser, pathToFileURL(process.env.EXPORTED).href, say);
+  await measurePhone(browser, { laboratory: process.env.PAGE, exported: process.env.EXPORTED, published: process.env.PUBLISHED_PAGE }, say);
 } finally {
   await browser.close();
 }
@@ -139,17 +140,16 @@ async function measureOpening() {
 async function measureFrames() {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, offline: true });
   const page = await context.newPage();
-  await page.goto(address);
+  await page.goto(`${address}#1&d=utube.md`);
   await page.locator("#play").waitFor();
+  const hidden = page.locator(".plots-bar .chip[aria-pressed=false]:visible");
+  while (await hidden.count()) await hidden.first().click();
   // All plots on the screen: what is out of sight might not be drawn.
   const height = await page.evaluate(() => document.documentElement.scrollHeight);
   await page.setViewportSize({ width: 1440, height: Math.max(900, height) });
   await page.locator("#speed").selectOption("8");
   await page.locator("#play").click();
-  const clock = () => page.locator("#clock").textContent();
-  while (parseFloat(await clock()) < ROWS * STEP) {
-    await page.waitForTimeout(250);
-  }
+  while ((await clock(page)) < ROWS * STEP) await page.waitForTimeout(250);
   await page.locator("#speed").selectOption("1");
   const { frames, script, thread } = await framesOf(context, page);
   say("plots", await page.locator("#plots canvas").count());
@@ -158,6 +158,9 @@ async function measureFrames() {
   say("thread-per-frame", thread / frames);
   await context.close();
 }
+
+/** The time that the page shows, in the unit of the model. */
+const clock = async (page) => parseFloat(await page.locator("#clock").textContent());
 
 /** What a playing page does in some seconds: its frames, and milliseconds of script and of the main thread altogether. */
 async function framesOf(context, page) {
@@ -170,9 +173,11 @@ async function framesOf(context, page) {
     return { script: value("ScriptDuration"), thread: value("TaskDuration") };
   };
   await page.waitForTimeout(500);
+  const start = await clock(page);
   const before = await read();
   const frames = await framesIn(page, SECONDS);
   const after = await read();
+  if ((await clock(page)) === start) throw new Error("the simulation does not play while its frames are measured");
   return { frames, script: after.script - before.script, thread: after.thread - before.thread };
 }
 

@@ -1,9 +1,10 @@
-// An exported page on a cheap phone, as far as a computer can play one: a small screen of two pixels to a point, a processor that is
+// The pages on a cheap phone, as far as a computer can play one: a small screen of two pixels to a point, a processor that is
 // slowed down, and a slow connection. For `measure.mjs`.
 
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
-import { fileURLToPath } from "node:url";
+import { basename, dirname, extname, join } from "node:path";
+import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
 import { framesIn, median, usableAfter } from "./timing.mjs";
 
@@ -22,23 +23,51 @@ const PHASES = {
   thread: ["RunTask"],
 };
 
-/** Says how long opening takes and what a frame costs. */
-export async function measurePhone(browser, address, say) {
-  for (const [name, slowed] of [["full", 1], ["quarter", 4], ["sixth", 6]]) {
-    say(`phone-opening-${name}`, await opening(browser, address, { slowed }));
+/** A button of the published page: the first that its script makes. */
+const PUBLISHED_BUTTON = "button, input[type=button]";
+
+/** Says how long the pages `laboratory`, `exported` and, if it is there, `published` take to open, in turns, and what a frame of the exported
+    one costs. The published page has files beside it; the others are one file each. */
+export async function measurePhone(browser, { laboratory, exported, published }, say) {
+  const pages = Object.entries({ laboratory, exported, published }).filter(([, path]) => path);
+  const site = await served(Object.fromEntries(pages.map(([name, path]) => [name, dirname(path)])));
+  const settings = {
+    full: { slowed: 1 },
+    quarter: { slowed: 4 },
+    sixth: { slowed: 6 },
+    "slow-4g": { slowed: 4, network: SLOW_4G },
+  };
+  try {
+    for (const [setting, { slowed, network }] of Object.entries(settings)) {
+      const times = Object.fromEntries(pages.map(([name]) => [name, []]));
+      for (let turn = 0; turn < OPENINGS; turn += 1) {
+        for (const [name, path] of pages) {
+          const address = network ? `${site.address}/${name}/${basename(path)}` : pathToFileURL(path).href;
+          times[name].push(await opening(browser, address, { slowed, network, play: name === "published" ? PUBLISHED_BUTTON : "#play" }));
+        }
+      }
+      for (const [name, taken] of Object.entries(times)) say(`phone-${name}-${setting}`, median(taken));
+    }
+  } finally {
+    site.close();
   }
-  const html = gzipSync(readFileSync(fileURLToPath(address)));
-  const server = createServer((_, response) => {
-    response.writeHead(200, { "Content-Type": "text/html; charset=utf-8", "Content-Encoding": "gzip" }).end(html);
+  await frames(browser, pathToFileURL(exported).href, say);
+}
+
+/** Serves each of these folders, gzipped, at its name. */
+async function served(folders) {
+  const types = { ".html": "text/html", ".xhtml": "application/xhtml+xml", ".js": "text/javascript", ".css": "text/css" };
+  const server = createServer((request, response) => {
+    const [, name, ...rest] = decodeURIComponent(new URL(request.url, "http://localhost").pathname).split("/");
+    const path = join(folders[name] ?? "", ...rest);
+    if (!folders[name] || !existsSync(path)) return response.writeHead(404).end();
+    const type = types[extname(path)];
+    const content = readFileSync(path);
+    if (!type) return response.end(content);
+    response.writeHead(200, { "Content-Type": `${type}; charset=utf-8`, "Content-Encoding": "gzip" }).end(gzipSync(content));
   });
   await new Promise((done) => server.listen(0, "127.0.0.1", done));
-  try {
-    const served = `http://127.0.0.1:${server.address().port}/`;
-    say("phone-opening-slow-4g", await opening(browser, served, { slowed: 4, network: SLOW_4G }));
-  } finally {
-    server.close();
-  }
-  await frames(browser, address, say);
+  return { address: `http://127.0.0.1:${server.address().port}`, close: () => server.close() };
 }
 
 async function phone(browser, slowed) {
@@ -49,19 +78,16 @@ async function phone(browser, slowed) {
   return { context, page, devtools };
 }
 
-/** Milliseconds from the start of the navigation until the play button can be pressed, each time in a fresh context. */
-async function opening(browser, address, { slowed, network }) {
-  const times = [];
-  for (let time = 0; time < OPENINGS; time += 1) {
-    const { context, page, devtools } = await phone(browser, slowed);
-    if (network) {
-      await devtools.send("Network.enable");
-      await devtools.send("Network.emulateNetworkConditions", network);
-    }
-    times.push(await usableAfter(page, address));
-    await context.close();
+/** Milliseconds from the start of the navigation until the play button can be pressed, in a fresh context. */
+async function opening(browser, address, { slowed, network, play }) {
+  const { context, page, devtools } = await phone(browser, slowed);
+  if (network) {
+    await devtools.send("Network.enable");
+    await devtools.send("Network.emulateNetworkConditions", network);
   }
-  return median(times);
+  const time = await usableAfter(page, address, play);
+  await context.close();
+  return time;
 }
 
 /** Frames in a second, and milliseconds of the main thread for each of them by what it does, in processor time at full speed. */

@@ -2,18 +2,18 @@
 
 export const median = (values) => values.toSorted((one, other) => one - other)[Math.floor(values.length / 2)];
 
-/** Opens the page: milliseconds from the start of the navigation until the play button can be pressed. */
-export async function usableAfter(page, address) {
-  await page.addInitScript(() => {
+/** Opens the page: milliseconds from the start of the navigation until the button `play` can be pressed. */
+export async function usableAfter(page, address, play = "#play") {
+  await page.addInitScript((play) => {
     new MutationObserver((_, observer) => {
-      const button = document.getElementById("play");
+      const button = document.querySelector(play);
       if (!button || button.disabled) return;
       observer.disconnect();
       window.usableAfter = performance.now();
     }).observe(document, { childList: true, subtree: true });
-  });
+  }, play);
   await page.goto(address, { timeout: 120_000 });
-  await page.locator("#play").waitFor({ timeout: 120_000 });
+  await page.locator(play).first().waitFor({ timeout: 120_000 });
   return page.evaluate(() => window.usableAfter);
 }
 

@@ -38,6 +38,8 @@ fn teachers_words_find_the_documents() {
         // Labels of a parameter and of a quantity, and a word of the text.
         ("\"Cross-section of the tube\"", "tube utube"),
         ("vida media", "decay-chain"),
+        // An abbreviation, which is not looked for in texts; *masa* begins with it.
+        ("MAS", "chain coupled-oscillators driven-oscillator pendulum ruchardt theories/linear tube utube"),
         ("Verhulst", "logistic-map"),
     ] {
         let found: Vec<&str> =
@@ -45,7 +47,7 @@ fn teachers_words_find_the_documents() {
         for name in expected.split(' ') {
             assert!(found.contains(&name), "{typed}: {name} is not among {found:?}");
         }
-        assert!(found.len() <= expected.split(' ').count() + 6, "{typed}: {found:?}");
+        assert!(found.len() <= expected.split(' ').count() + 7, "{typed}: {found:?}");
     }
     assert!(documents.iter().all(|(_, words)| words.has(" ")));
     assert!(!documents.iter().any(|(_, words)| words.has("xyzzy")));

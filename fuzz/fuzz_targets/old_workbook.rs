@@ -15,7 +15,7 @@ const MOST: usize = 1 << 20;
 const LINE: usize = 1 << 18;
 
 fuzz_target!(|bytes: &[u8]| {
-    if let Ok(mut workbook) = Workbook::open_old(bytes.to_vec(), MOST) {
+    if let Ok(mut workbook) = Workbook::open(bytes.to_vec(), MOST) {
         let mut length = 0;
         loop {
             match workbook.advance(1000) {
@@ -31,5 +31,5 @@ fuzz_target!(|bytes: &[u8]| {
         }
         assert!(length <= MOST + LINE);
     }
-    reads_the_same_in_slices(Reading::of_old_workbook, bytes.to_vec(), MOST);
+    reads_the_same_in_slices(Reading::new, bytes.to_vec(), MOST);
 });

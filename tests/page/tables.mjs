@@ -40,6 +40,21 @@ export function ods() {
   return zip({ mimetype: "", "content.xml": `<office:spreadsheet>${notes}${film}</office:spreadsheet>` });
 }
 
+/** The same as XLS of Excel 5: records of a kind, a length and their content, without a compound file around them. */
+export function xls() {
+  const words = (...values) => Buffer.from(Uint16Array.from(values).buffer);
+  const record = (kind, ...parts) => Buffer.concat([words(kind, Buffer.concat(parts).length), ...parts]);
+  const text = (value) => [words(value.length), Buffer.from(value, "latin1")];
+  const number = (value) => Buffer.from(Float64Array.of(value).buffer);
+  const stream = (kind, ...records) => Buffer.concat([record(0x809, words(0x500, kind, 0, 0)), ...records, record(0x0a)]);
+  const heads = ["t [s]", "y [cm]"].map((head, column) => record(0x204, words(0, column, 0), ...text(head)));
+  const cells = rows().flatMap((row, place) => row.map((value, column) => record(0x203, words(place + 1, column, 0), number(value))));
+  const sheet = (name, start) => record(0x85, words(start & 0xffff, start >> 16, 0), Buffer.from([name.length]), Buffer.from(name));
+  const notes = stream(0x10, record(0x204, words(0, 0, 0), ...text("Filmed in May")));
+  const book = (start) => stream(5, sheet("Notes", start), sheet("Film", start + notes.length));
+  return Buffer.concat([book(book(0).length), notes, stream(0x10, ...heads, ...cells)]);
+}
+
 /** A ZIP archive of compressed files. */
 function zip(files) {
   const parts = [];

@@ -6,7 +6,7 @@ use crate::finding::Finding;
 use crate::import::{self, Import, ImportError, Importer};
 use crate::packed::{self, Archive};
 use crate::tracker::{self, Gathering, Opening, Project, TrackerError};
-use crate::workbook::{Progress, SheetText, Workbook, WorkbookError};
+use crate::workbook::{self, Progress, SheetText, Workbook, WorkbookError};
 use std::borrow::Cow;
 use units::Language::{self, Spanish};
 
@@ -131,21 +131,14 @@ impl Reading {
                     Stage::Sheets(Box::new(Workbook::of_archive(archive, most).map_err(ReadingError::Workbook)?))
                 }
             }
+        } else if workbook::is_old(&bytes) {
+            Stage::Sheets(Box::new(Workbook::open(bytes, most).map_err(ReadingError::Workbook)?))
         } else if tracker::is_project(&bytes) {
             Stage::Project(Box::new(Opening::of_xml(bytes)))
         } else {
             Stage::Bytes(bytes, Source::File)
         };
         Ok(Self { stage, most, passed: None, sets: DataSets::default() })
-    }
-
-    /// Begins to read the sheets of an old workbook (XLS); `most` as in [`Reading::new`].
-    ///
-    /// # Errors
-    /// The workbook cannot be read.
-    pub fn of_old_workbook(bytes: Vec<u8>, most: usize) -> Result<Self, ReadingError> {
-        let workbook = Workbook::open_old(bytes, most).map_err(ReadingError::Workbook)?;
-        Ok(Self { stage: Stage::Sheets(Box::new(workbook)), most, passed: None, sets: DataSets::default() })
     }
 
     /// Begins to read the project in a partly read archive; `most` as in [`Reading::new`]. `None` without a project.

@@ -8,7 +8,7 @@ use analysis::finding::Finding;
 use analysis::import::{self, Format};
 use analysis::inspection::{Derived, doubtful_times, inspect};
 use analysis::origin::UnitOrigin;
-use analysis::reading::{Reading, ReadingError};
+use analysis::reading::{self, ReadingError};
 use analysis::table::Table;
 use analysis::{tracker, workbook};
 use std::fs::File;
@@ -56,8 +56,7 @@ pub fn read(path: &Path, stated: Stated) -> Result<Measured, Failure> {
         (path.display().to_string(), bounded(&mut File::open(path).map_err(failure)?, path)?)
     };
     let kept = (bytes.len() <= MOST_CARRIED).then(|| bytes.clone());
-    let begin = if workbook::is_old_workbook(&bytes) { Reading::of_old_workbook } else { Reading::new };
-    let contents = begin(bytes, MOST_BYTES as usize).and_then(Reading::complete);
+    let contents = reading::read(bytes, MOST_BYTES as usize);
     let import = contents.map_err(|error| refused(&name, &error))?.import;
     let mut table = import.table;
     state_units(&name, &mut table, stated.units)?;
@@ -89,8 +88,7 @@ fn bounded(source: &mut dyn Read, path: &Path) -> Result<Vec<u8>, Failure> {
     let failure = |error: std::io::Error| Failure::file("read", path, &error);
     let mut bytes = Vec::new();
     source.take(8192).read_to_end(&mut bytes).map_err(failure)?;
-    let is_workbook = workbook::is_old_workbook(&bytes) || workbook::is_workbook(&bytes);
-    if !is_workbook && !tracker::is_project(&bytes) {
+    if !workbook::is_workbook(&bytes) && !tracker::is_project(&bytes) {
         let refused = |error| refused(&path.display().to_string(), &ReadingError::Text(error));
         import::look(&bytes).map_err(refused)?;
     }

@@ -20,7 +20,7 @@ table_of_words! {
     drop_what: "A simulation document, an exported page, a film of an experiment, a table from a sensor, or a hand-in or report to be verified", "Un documento de simulación, una página exportada, un vídeo de un experimento, una tabla de un sensor, o una entrega o un informe para comprobarlos";
 
     // Measurements.
-    measurements_intro: "Open a film of an experiment and click what moves, or bring a record: a table of times and values as text, XLSX or ODS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Abre un vídeo de un experimento y haz clic en lo que se mueve, o trae un registro: una tabla de tiempos y valores como texto, XLSX u ODS, tal como la escribió el programa de seguimiento o la hoja de cálculo. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
+    measurements_intro: "Open a film of an experiment and click what moves, or bring a record: a table of times and values as text, XLSX, ODS or XLS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Abre un vídeo de un experimento y haz clic en lo que se mueve, o trae un registro: una tabla de tiempos y valores como texto, XLSX, ODS o XLS, tal como la escribió el programa de seguimiento o la hoja de cálculo. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
     records: "Records", "Registros";
     choose_record: "Choose a file", "Elegir un archivo";
     paste_record: "Paste a table", "Pegar una tabla";

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { drop, eventually, sight, visit } from "../lab.mjs";
-import { film, ods, xlsx } from "../tables.mjs";
+import { film, ods, xls, xlsx } from "../tables.mjs";
 
 /** Lets a file of so many rows fall on the page: a damped oscillation with noise, made in the page. */
 async function dropRows(lab, name, rows) {
@@ -60,7 +60,7 @@ visit("a long record can be given up, and another one read", async (lab) => {
 
 visit("workbooks are read by the page as by the program", async (lab) => {
   const { page } = lab;
-  for (const [name, bytes] of [["film.xlsx", xlsx()], ["film.ods", ods()]]) {
+  for (const [name, bytes] of [["film.xlsx", xlsx()], ["film.ods", ods()], ["old.xls", xls()]]) {
     await drop(lab, { name, text: bytes });
     const record = page.locator(".record", { hasText: name });
     await eventually(async () => assert.match(await sight(record), /60 rows/), 30);

@@ -1,5 +1,5 @@
 //! Workbooks of other programs as text: XLSX (Office Open XML), ODS (OpenDocument) and XLS (Excel 5 to 2003). Page and
-//! command line share this reader; the page does not read XLS yet.
+//! command line share this reader.
 //!
 //! A workbook is read in slices and as a stream: only the lines of one sheet are in memory. The expanded size is bounded
 //! before anything is expanded, and the position of a cell is checked before anything is written.
@@ -46,13 +46,13 @@ struct Xlsx {
     most: usize,
 }
 
-/// True if a file begins like a workbook in an archive: XLSX or ODS.
+/// True if a file begins like a workbook: XLSX, ODS or XLS.
 pub fn is_workbook(start: &[u8]) -> bool {
-    packed::is_archive(start)
+    packed::is_archive(start) || is_old(start)
 }
 
 /// True if a file begins like an old workbook: XLS.
-pub fn is_old_workbook(start: &[u8]) -> bool {
+pub(crate) fn is_old(start: &[u8]) -> bool {
     xls::begins(start)
 }
 
@@ -60,18 +60,12 @@ impl Workbook {
     /// Begins to read a workbook; each sheet may become at most `most` bytes of text.
     ///
     /// # Errors
-    /// The file is not a workbook, needs a password or would expand too much.
+    /// The file is not a workbook, is damaged or too old, needs a password or would expand too much.
     pub fn open(bytes: Vec<u8>, most: usize) -> Result<Self, WorkbookError> {
+        if is_old(&bytes) {
+            return Ok(Self { sheets: Box::new(xls::Sheets::open(bytes, most)?) });
+        }
         Self::of_archive(Archive::open(bytes)?, most)
-    }
-
-    /// Begins to read an old workbook (XLS); `most` as in [`Workbook::open`]. A program that does not call this function
-    /// does not contain the reader.
-    ///
-    /// # Errors
-    /// The file is damaged, too large or too old, needs a password, or is not a workbook.
-    pub fn open_old(bytes: Vec<u8>, most: usize) -> Result<Self, WorkbookError> {
-        Ok(Self { sheets: Box::new(xls::Sheets::open(bytes, most)?) })
     }
 
     /// Begins to read a workbook in an archive, or an archive of text files.

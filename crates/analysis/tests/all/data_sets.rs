@@ -209,7 +209,7 @@ fn a_workbook_of_phyphox_has_the_same_sets() {
         ],
         ..OldWorkbook::default()
     };
-    let contents = Reading::of_old_workbook(book.bytes(), MOST).and_then(Reading::complete).expect("data sets");
+    let contents = Reading::new(book.bytes(), MOST).and_then(Reading::complete).expect("data sets");
     let names: Vec<String> = contents.import.table.runs().into_iter().map(|(name, _)| name).collect();
     assert_eq!(names, ["Accelerometer", "Gyroscope"]);
     assert!(remarks(&contents).contains(&Remark::Device { version: "1.2".to_owned(), phone: String::new() }));

@@ -13,11 +13,11 @@ use units::split_mix::SplitMix64;
 const MOST: usize = 1 << 20;
 
 fn sheets(bytes: Vec<u8>, budget: u64) -> Result<Vec<SheetText>, WorkbookError> {
-    all_sheets(Workbook::open_old(bytes, MOST)?, budget)
+    all_sheets(Workbook::open(bytes, MOST)?, budget)
 }
 
 fn read(bytes: Vec<u8>, budget: usize) -> Result<Contents, ReadingError> {
-    let mut reading = Reading::of_old_workbook(bytes, MOST)?;
+    let mut reading = Reading::new(bytes, MOST)?;
     while !reading.advance(budget)? {
         assert!((0.0..=1.0).contains(&reading.progress()), "{}", reading.progress());
     }
@@ -159,11 +159,14 @@ fn what_is_no_old_workbook_is_refused_in_words() {
     assert_eq!(refused(compound("EncryptedPackage", &[0; 5000])), WorkbookError::Protected);
     assert_eq!(refused(compound("WordDocument", &[0; 5000])), WorkbookError::NoCells);
     for old in [[9, 0, 4, 0, 2, 0, 0x10, 0], [9, 2, 6, 0, 0, 0, 0x10, 0], [9, 4, 6, 0, 0, 0, 0x10, 0]] {
-        assert!(workbook::is_old_workbook(&old));
+        assert!(workbook::is_workbook(&old));
         assert_eq!(refused(old.to_vec()), WorkbookError::TooOld);
         assert_eq!(refused(compound("Book", &old)), WorkbookError::TooOld);
     }
-    assert_eq!(refused(vec![0; (32 << 20) + 1]), WorkbookError::TooLarge { most: 32 });
+    assert_eq!(
+        refused([b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", &[0; 32 << 20][..]].concat()),
+        WorkbookError::TooLarge { most: 32 }
+    );
     assert!(matches!(refused(one(vec![(0, 256, Cell::Number(1.0))]).bytes()), WorkbookError::Place { .. }));
     // Sheets that share their cells would be read repeatedly.
     let mut bytes = table(20, 1).stream();
@@ -185,7 +188,7 @@ fn text_that_cells_repeat_is_bounded() {
     let long: &'static str = "x".repeat(8000).leak();
     let cells = (0..20_000).map(|index| (index / 200, index % 200, Cell::Shared(0))).collect();
     let book = OldWorkbook { texts: vec![vec![(long, false)]], ..one(cells) };
-    let mut workbook = Workbook::open_old(book.bytes(), 256 << 20).expect("a workbook");
+    let mut workbook = Workbook::open(book.bytes(), 256 << 20).expect("a workbook");
     let refused = loop {
         match workbook.advance(u64::MAX) {
             Ok(Progress::More) => {}

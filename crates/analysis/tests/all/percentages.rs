@@ -44,11 +44,8 @@ fn files(heading: &str, cells: &[(f64, bool)]) -> [Vec<u8>; 3] {
 
 /// Second column in SI, from the file and from its text read again.
 fn values(form: usize, bytes: Vec<u8>) -> (Vec<f64>, Vec<f64>) {
-    let contents = if form == 2 {
-        Reading::of_old_workbook(bytes, MOST).and_then(Reading::complete)
-    } else {
-        reading::read(bytes, MOST)
-    };
+    let contents =
+        if form == 2 { Reading::new(bytes, MOST).and_then(Reading::complete) } else { reading::read(bytes, MOST) };
     let contents = contents.expect("a table");
     let again = import::text(contents.text.as_bytes()).expect("a table").table;
     (contents.import.table.columns[1].si(None), again.columns[1].si(None))

@@ -123,8 +123,9 @@ fn no_oscillation_has_no_cycles() {
 }
 
 #[test]
+#[ignore = "needs the measured records in ../shared/data/utube"]
 fn a_measured_record_shows_its_cycles() {
-    let Some(table) = utube("U3") else { return };
+    let table = utube("U3");
     let found = cycles(&table[0], &table[1]).expect("it oscillates");
     for cycle in found.cycles.iter().filter(|cycle| cycle.time.value < 5.0) {
         let frequency = cycle.angular_frequency;

@@ -10,6 +10,7 @@ use analysis::stencil::{Stencil, differentiate, recognise};
 use units::Language;
 
 #[test]
+#[ignore = "needs the measured records in ../shared/data/utube"]
 fn measured_records_say_what_they_hide() {
     let step =
         "the time step 0.033333 s looks like 1/30 s rounded: times are too short by 0.001 %, frequencies too high";
@@ -21,7 +22,7 @@ fn measured_records_say_what_they_hide() {
         ("U3", Some("6 frames are missing: 16 to 21 (between 0.499995 s and 0.733326 s)"), "1.7 %", "3.7 %"),
         ("U4", None, "1.7 %", "3.7 %"),
     ] {
-        let Some(bytes) = utube_bytes(name) else { continue };
+        let bytes = utube_bytes(name);
         let found = inspect(&import::text(&bytes).expect("a table").table);
         let texts: Vec<String> = found.findings.iter().map(|finding| finding.text(Language::English)).collect();
         let mut expected: Vec<String> = gap.iter().map(|gap| (*gap).to_owned()).collect();

@@ -91,6 +91,7 @@ fn nothing_is_estimated_where_nothing_moves() {
 }
 
 #[test]
+#[ignore = "needs the measured records in ../shared/data/utube"]
 fn measured_records_are_near_their_published_fits() {
     for (name, frequency, damping, offset) in [
         ("U1", 10.553, 0.564, -3.61e-3),
@@ -98,7 +99,7 @@ fn measured_records_are_near_their_published_fits() {
         ("U3", 9.609, 0.387, -2.69e-3),
         ("U4", 9.622, 0.383, -3.31e-3),
     ] {
-        let Some(table) = utube(name) else { continue };
+        let table = utube(name);
         let found = estimate(&table[0], &table[1]).expect("there is an oscillation");
         assert!((found.angular_frequency - frequency).abs() < 0.02, "{name}: {found:?}");
         assert!((found.damping - damping).abs() < 0.02, "{name}: {found:?}");

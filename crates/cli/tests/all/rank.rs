@@ -4,14 +4,11 @@ use crate::common::meniscus;
 use crate::fit::{object, word};
 
 /// Theories of friction for the measured column: their AICc, their errors before and after 6 s, and their predictions
-/// after 6 s. The reference data are beside the project; without them the test prints a message and ends.
+/// after 6 s.
 #[test]
+#[ignore = "needs the measured records in ../shared/data/utube"]
 fn the_theories_of_the_measured_column_are_ranked() {
     let data = crate::common::root().join("../shared/data/utube");
-    if !data.is_dir() {
-        eprintln!("skipped: {} is not there", data.display());
-        return;
-    }
     let theories =
         ["linear", "quadratic", "dry-friction", "linear-contact-line", "quadratic-contact-line", "power-law"];
     for name in ["U1", "U2", "U3", "U4"] {

@@ -23,10 +23,11 @@ fn dry(model: &Model, times: &[f64], values: &[f64]) -> Task {
 
 /// From the first crossing of the rest level after 1 s, without starting values.
 #[test]
+#[ignore = "needs the measured records in ../shared/data/utube"]
 fn dry_friction_is_found_in_measured_columns() {
     let model = theory("dry-friction");
     for (name, from, most) in [("U1", 1.3, 0.594e-3), ("U2", 1.2, 0.888e-3)] {
-        let Some(columns) = utube(name) else { return };
+        let columns = utube(name);
         let outcome = fitted(&model, Task { from: Some(from), ..dry(&model, &columns[0], &columns[1]) });
         assert!(outcome.rmse <= most, "{name}: {:e}", outcome.rmse);
         assert!(outcome.starts > 4, "{}", outcome.starts);

@@ -130,10 +130,11 @@ x'(0) = v_0
 }
 
 #[test]
+#[ignore = "needs the measured records in ../shared/data/utube"]
 fn measured_columns_are_fitted_as_if_the_rows_before_were_not_there() {
     let model = model(QUADRATIC);
     for (name, from) in [("U1", 1.0), ("U2", 1.3), ("U3", 2.0), ("U4", 1.3)] {
-        let Some(columns) = utube(name) else { return };
+        let columns = utube(name);
         let film = (columns[0].clone(), columns[1].clone());
         let outcome = fitted(&model, part(&model, &film, Some(from)));
         let alone = fitted(&model, part(&model, &cut(&film, from), None));

@@ -63,10 +63,11 @@ fn same(found: &[f64], published: &[f64], tolerance: f64, what: &str) {
 }
 
 #[test]
+#[ignore = "needs the measured records in ../shared/data/utube"]
 fn the_closed_forms_reach_the_published_parameters_from_any_start() {
     let (position, velocity) = (model(POSITION), model(VELOCITY));
     for (name, of_position, of_velocity) in PUBLISHED {
-        let Some(columns) = utube(name) else { return };
+        let columns = utube(name);
         for scale in [1.0, 0.01, 7.0, 60.0] {
             let mut task_y = task(
                 &position,
@@ -92,6 +93,7 @@ fn the_closed_forms_reach_the_published_parameters_from_any_start() {
 }
 
 #[test]
+#[ignore = "needs the measured records in ../shared/data/utube"]
 fn the_equation_of_motion_gives_the_same_curve_as_its_closed_form() {
     let motion = model(
         "
@@ -108,7 +110,7 @@ y = x + c
     );
     let closed = model(POSITION);
     for (name, published, _) in PUBLISHED {
-        let Some(columns) = utube(name) else { return };
+        let columns = utube(name);
         let of_motion = fitted(
             &motion,
             task(

@@ -31,26 +31,22 @@ impl Noise {
 }
 
 /// Bytes of one of the measured records in `../shared/data/utube`, relative to the root of the project. They are not part
-/// of it; without them a message is printed, and the test does nothing.
-pub fn utube_bytes(name: &str) -> Option<Vec<u8>> {
+/// of it: tests that need them are ignored unless asked for.
+pub fn utube_bytes(name: &str) -> Vec<u8> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/utube").join(format!("{name}.txt"));
-    let bytes = std::fs::read(&path).ok();
-    if bytes.is_none() {
-        eprintln!("skipped: {} is not there", path.display());
-    }
-    bytes
+    std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 /// The columns time, position, velocity and acceleration of a measured record.
-pub fn utube(name: &str) -> Option<Vec<Vec<f64>>> {
-    let text = String::from_utf8(utube_bytes(name)?).expect("UTF-8");
+pub fn utube(name: &str) -> Vec<Vec<f64>> {
+    let text = String::from_utf8(utube_bytes(name)).expect("UTF-8");
     let mut columns = vec![Vec::new(); 4];
     for line in text.lines() {
         for (column, cell) in columns.iter_mut().zip(line.split(' ')) {
             column.push(cell.parse().expect("a number"));
         }
     }
-    Some(columns)
+    columns
 }
 
 /// All sheets of a workbook, read in slices of this many bytes.

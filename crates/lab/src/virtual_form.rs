@@ -4,8 +4,8 @@ use crate::app::App;
 use desk::{MEASUREMENT_FIELDS, MeasurementForm};
 use view::views::*;
 
-/// The form, initially closed.
-pub fn view(app: App) -> HtmlDetails {
+/// The form; its settings are folded.
+pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     let form = create_signal(app.read_desk(|desk| desk.measurement_form()));
     let refusal = create_signal(None::<(usize, String)>);
@@ -43,14 +43,18 @@ pub fn view(app: App) -> HtmlDetails {
         .class("form")
         .child(quantity)
         .each(labels.into_iter().enumerate(), |(index, label)| field(form, refusal, index, label, units));
-    details()
+    let settings = details()
+        .class("more")
+        .child(summary().child(words.virtual_settings))
+        .child(fields)
+        .child(note(words.virtual_seed_hint));
+    div()
         .class("virtual card")
         .id("virtual")
-        .child(summary().child(h3().child(words.virtual_measurement)))
+        .child(h3().child(words.virtual_measurement))
         .child(note(words.virtual_intro))
-        .child(fields)
-        .child(note(words.virtual_seed_hint))
         .child(button().class("primary").id("measure").when(events::click, measure).child(words.virtual_measure))
+        .child(settings)
 }
 
 fn field(

@@ -48,6 +48,7 @@ table_of_words! {
     findings: "Data quality", "Calidad de los datos";
     virtual_measurement: "Virtual measurement", "Medición virtual";
     virtual_intro: "A camera films the simulation as it is set now. What it reads has errors: random ones, and one that no repetition shows.", "Una cámara filma la simulación tal como está ajustada ahora. Lo que lee tiene errores: unos al azar, y uno que ninguna repetición delata.";
+    virtual_settings: "Camera and errors", "Cámara y errores";
     virtual_quantity: "Filmed", "Se filma";
     virtual_rate: "Frames per second", "Imágenes por segundo";
     virtual_duration: "Duration", "Duración";

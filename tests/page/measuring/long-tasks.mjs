@@ -1,0 +1,174 @@
+// A measure, not a part of the tests: for each situation the longest task of the main thread and the number of tasks above 50 ms,
+// as the Long Tasks API counts them, and the processor time of the tasks, which depends less on what else the machine does.
+//
+//     CHROME=.. PAGE=.. node --test measuring/long-tasks.mjs
+//
+// Each situation is repeated TIMES times (3), and the smallest of the longest counts: other programs make tasks longer, never shorter.
+// ONLY="opening, fit" chooses situations. With TRACE=1 each long animation frame tells its scripts, and a profile is written to /tmp.
+// A situation that did not take place fails.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { test } from "node:test";
+import { Lab, eventually, temporary } from "../lab.mjs";
+import { records } from "../measured.mjs";
+
+const TIMES = Number(process.env.TIMES ?? 3);
+const ROWS = 1_000_000;
+const PARTS = 50;
+const LONG_TASK = 50;
+const only = process.env.ONLY?.split(",").map((name) => name.trim());
+
+/** Document of about 2,000 lines, as `crates/probe/src/long.rs` makes it. */
+function longDocument() {
+  const part = readFileSync(new URL("../../../crates/probe/systems/oscillator.md", import.meta.url), "utf8");
+  const parts = Array.from({ length: PARTS }, (_, index) => part.replaceAll("@", String(index + 1)));
+  return `---\ntitle: Fifty oscillators\nmethod: dormand-prince\nstep: 0.05 [s]\nuntil: 10 [s]\n---\n${parts.join("")}`;
+}
+
+/** A level in centimetres at 1,000 frames a second. */
+function longRecord() {
+  const rows = ["t [s],y [cm]"];
+  for (let row = 0; row < ROWS; row += 1) rows.push(`${(row / 1000).toFixed(3)},${(5 * Math.exp(-row / 3e5) * Math.cos(row / 100)).toFixed(5)}`);
+  return rows.join("\n");
+}
+
+/** Notes every long task of the page from its beginning, and with LoAF the scripts in it. */
+function watch() {
+  const noted = { tasks: [], frames: [] };
+  window.noted = noted;
+  const observe = (type, take) => new PerformanceObserver((list) => list.getEntries().forEach(take)).observe({ type, buffered: true });
+  observe("longtask", ({ startTime, duration }) => noted.tasks.push([startTime, duration]));
+  observe("long-animation-frame", ({ startTime, duration, scripts, styleAndLayoutStart }) => {
+    const script = ({ invoker, duration, forcedStyleAndLayoutDuration }) => `${invoker} ${Math.round(duration)} (layout ${Math.round(forcedStyleAndLayoutDuration)})`;
+    const layout = styleAndLayoutStart ? Math.round(startTime + duration - styleAndLayoutStart) : 0;
+    noted.frames.push(`${Math.round(startTime)}: ${Math.round(duration)}, layout ${layout}; ${scripts.map(script).join(", ")}`);
+  });
+}
+
+/** Chooses a file with the button of the header. */
+const choose = (lab, path) => lab.page.locator("input[type=file]").first().setInputFiles(path);
+
+async function openLong(lab) {
+  const path = temporary("fifty.md");
+  writeFileSync(path, longDocument());
+  await choose(lab, path);
+  await lab.page.getByRole("heading", { level: 1, name: "Fifty oscillators" }).waitFor({ timeout: 60_000 });
+}
+
+/** Takes the sample of the laboratory's tube. */
+async function sample(lab) {
+  await lab.tab("Measure");
+  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+  await records(lab).waitFor();
+}
+
+const results = (lab) => lab.page.locator(".fits tbody tr").count();
+const hasEnded = (lab, count) =>
+  eventually(async () => {
+    assert.ok((await results(lab)) >= count, "fits have arrived");
+    assert.equal(await lab.page.locator("#cancel-fit").count(), 0);
+  }, 300);
+
+/** Situations: what comes before, and what is measured. Each measured part sees that it took place. */
+const situations = {
+  opening: [() => {}, (lab) => lab.page.reload()],
+  typing: [
+    async (lab) => {
+      await openLong(lab);
+      await lab.tab("Write");
+      await lab.page.locator(".cm-content").waitFor();
+      await lab.page.waitForTimeout(2000);
+    },
+    async (lab) => {
+      const line = lab.page.locator(".cm-line").filter({ hasText: /^parameter|= / }).first();
+      await line.click();
+      await lab.page.keyboard.press("End");
+      await lab.page.keyboard.type(" # the first of fifty", { delay: 60 });
+      await lab.page.keyboard.press("Enter");
+      await lab.page.keyboard.type("wrong +", { delay: 60 });
+      await lab.page.locator(".cm-lintRange, .cm-lint-marker").first().waitFor({ timeout: 20_000 });
+      for (let key = 0; key < 7; key += 1) await lab.page.keyboard.press("Backspace", { delay: 60 });
+      await eventually(async () => assert.equal(await lab.page.locator(".cm-lint-marker-error").count(), 0), 20);
+    },
+  ],
+  fit: [
+    sample,
+    async (lab) => {
+      await lab.page.locator("#fit").click();
+      await hasEnded(lab, 1);
+    },
+  ],
+  ranking: [
+    sample,
+    async (lab) => {
+      await lab.page.locator("#rank").click();
+      await hasEnded(lab, 5);
+    },
+  ],
+  import: [
+    async () => writeFileSync(temporary("million.csv"), longRecord()),
+    async (lab) => {
+      await choose(lab, temporary("million.csv"));
+      await records(lab).waitFor({ timeout: 120_000 });
+    },
+  ],
+  document: [() => {}, openLong],
+};
+
+/** Processor time in milliseconds of the tasks of the page's main thread in a trace, the longest first. */
+function ownTasks(trace) {
+  const { traceEvents: events } = JSON.parse(trace.toString("utf8"));
+  const place = ({ pid, tid }) => `${pid} ${tid}`;
+  const mains = new Set(events.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain").map(place));
+  const tasks = events.filter((event) => event.name.endsWith("RunTask") && event.tdur && mains.has(place(event)));
+  return tasks.map(({ tdur }) => Math.round(tdur / 1000)).toSorted((one, other) => other - one);
+}
+
+/** One visit: its long tasks and the processor time of its tasks, in milliseconds, the longest first. */
+async function once(name) {
+  const [before, measured] = situations[name];
+  const lab = await Lab.open({ fragment: "" });
+  const browser = lab.context.browser();
+  try {
+    await lab.page.addInitScript(watch);
+    if (name !== "opening") {
+      await lab.page.reload();
+      await before(lab);
+      await lab.page.waitForTimeout(1500);
+    }
+    const begun = await lab.page.evaluate(() => performance.now());
+    await browser.startTracing(lab.page, { categories: ["toplevel", "disabled-by-default-devtools.timeline", "__metadata", ...(process.env.TRACE ? ["disabled-by-default-v8.cpu_profiler"] : [])] });
+    await measured(lab);
+    // What follows in further tasks belongs to it.
+    await lab.page.waitForTimeout(1500);
+    const trace = await browser.stopTracing();
+    const { tasks, frames } = await lab.page.evaluate(() => window.noted);
+    const since = name === "opening" ? 0 : begun;
+    if (process.env.TRACE) {
+      frames.filter((frame) => parseInt(frame) >= since).forEach((frame) => console.log(`  ${name}, at ${frame}`));
+      writeFileSync(`/tmp/long-tasks-${name}.json`, trace);
+    }
+    lab.wasQuiet();
+    const own = tasks.filter(([start]) => start >= since).map(([, duration]) => Math.round(duration));
+    return { tasks: own.toSorted((one, other) => other - one), processor: ownTasks(trace) };
+  } finally {
+    await lab.context.close();
+  }
+}
+
+/** The list of the visit whose longest task is the shortest. */
+const best = (lists) => lists.toSorted(([one = 0], [other = 0]) => one - other)[0];
+const told = (list) => {
+  const above = list.filter((duration) => duration > LONG_TASK);
+  return `${list[0] ?? "below 50"} ms, ${above.length} above 50 ms${above.length > 1 ? ` (${above.slice(0, 8).join(", ")})` : ""}`;
+};
+
+for (const name of Object.keys(situations).filter((name) => only?.includes(name) ?? true)) {
+  test(name, async () => {
+    const visits = [];
+    for (let time = 0; time < TIMES; time += 1) visits.push(await once(name));
+    const [tasks, processor] = ["tasks", "processor"].map((list) => best(visits.map((visit) => visit[list])));
+    console.log(`${name}: longest task ${told(tasks)}; processor time of a task ${told(processor)}`);
+  });
+}

@@ -44,6 +44,8 @@ fn steps(app: App) -> View {
     let chosen = create_signal(None::<u32>);
     // Result shown unless the user chooses: the best one after a ranking, otherwise the last one.
     let ranked = create_signal(true);
+    // Number of fits that were started or cancelled, so that a ranking that is not the last wish is dropped.
+    let presses = create_signal(0);
     let suitability = theories::Suitability::new(app);
     let begin = move |rank: bool| {
         if let Some(reason) = suitability.objection().filter(|_| !rank) {
@@ -51,15 +53,12 @@ fn steps(app: App) -> View {
         }
         ranked.set(rank);
         chosen.set(None);
+        presses.update(|count| *count += 1);
+        if rank {
+            return wasm_bindgen_futures::spawn_local(rank_theories(app, presses, refusal));
+        }
         let file = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
-        refusal.set(app.attempt_on_desk(|desk| {
-            if !rank {
-                return desk.begin_fit(&file);
-            }
-            let theories = library::theories();
-            let theories = theories.into_iter().filter_map(|entry| Some((entry.file().to_owned(), entry.open()?)));
-            desk.begin_ranking(theories.collect())
-        }));
+        refusal.set(app.attempt_on_desk(|desk| desk.begin_fit(&file)));
         go_on(app);
     };
     let busy = memo(move || app.fit_progress.with(Option::is_some));
@@ -70,7 +69,7 @@ fn steps(app: App) -> View {
         .class("intake")
         .child(begins(false).class("primary").id("fit").child(words.fit_begin))
         .child(begins(true).class("quiet").id("rank").title(words.fit_rank_title).child(words.fit_rank))
-        .child(changing(move || if busy.get() { running(app) } else { View::new() }));
+        .child(changing(move || if busy.get() { running(app, presses) } else { View::new() }));
     let record = step("record-step", "1", words.fit_step_record).child(setup::record(app, refusal));
     let theory = step("theory-step", "2", words.fit_step_theory)
         .child(theories::view(app, suitability))
@@ -90,6 +89,28 @@ fn steps(app: App) -> View {
         .into()
 }
 
+/// Opens the theories, one in each task of the browser, and starts their fits unless something else was started or cancelled
+/// meanwhile.
+async fn rank_theories(app: App, presses: Signal<u32>, refusal: Signal<Option<String>>) {
+    let press = presses.get_untracked();
+    let mut theories = Vec::new();
+    for entry in library::theories() {
+        browser::breathe().await;
+        theories.extend(entry.open().map(|document| (entry.file().to_owned(), document)));
+    }
+    browser::breathe().await;
+    // The views may have been built again for another document, whose records are the same.
+    let is_shown = presses.is_alive();
+    if is_shown && presses.get_untracked() != press {
+        return;
+    }
+    let refused = app.attempt_on_desk(|desk| desk.begin_ranking(theories));
+    if is_shown {
+        refusal.set(refused);
+    }
+    go_on(app);
+}
+
 /// A card with its step number.
 fn step(id: &'static str, number: &'static str, title: &'static str) -> HtmlSection {
     let heading = format!("{id}-title");
@@ -102,7 +123,7 @@ fn step(id: &'static str, number: &'static str, title: &'static str) -> HtmlSect
 }
 
 /// Progress bar with a cancel button, while a fit is running.
-fn running(app: App) -> View {
+fn running(app: App, presses: Signal<u32>) -> View {
     let words = app.words();
     let progress = app.fit_progress;
     let finished = move || progress.with(|now| now.as_ref().map_or((0, 1), |now| now.finished));
@@ -119,6 +140,7 @@ fn running(app: App) -> View {
         (all > 1).then(|| done.to_string())
     };
     let cancel = move |_| {
+        presses.update(|count| *count += 1);
         app.act_on_desk(Desk::cancel_fit);
         go_on(app);
         progress.set(None);

@@ -15,6 +15,7 @@ mod zero;
 
 pub use choices::{ChoiceView, FitRecordView, KnownView};
 pub use queue::FitProgress;
+pub use ranges::{PeriodComparison, PeriodQuestion};
 pub use reporting::{Export, ExportKind, Imprint};
 pub use results::{EstimateView, FitDetail, FitView, MOST_FITS};
 pub use workers::{Finding, FitComputation, FitNews, FitWork, InProcess, Workers};

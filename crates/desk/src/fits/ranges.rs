@@ -2,7 +2,6 @@
 
 use crate::records::measurement::{recorded, value_at};
 use crate::records::recognise::observed;
-use crate::records::record::Record;
 use crate::{Desk, number};
 use analysis::cycles::{NoCycles, cycles};
 use engine::{Method, Setup};
@@ -22,18 +21,78 @@ const UNCHANGED: f64 = 0.05;
 /// Ratio of periods up to which a fit can find the one from the other: the ends of the ranges are tried, and not what lies between.
 const NEAR: f64 = 1.3;
 
+/// Everything on which the answer of a comparison depends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodQuestion {
+    /// Id of the record and index of its fitted column.
+    series: (u32, usize),
+    quantity: NodeId,
+    /// Counter of the changes of records and programs.
+    records: u64,
+    /// Values of the parameters, SI.
+    values: Vec<f64>,
+    /// One per parameter: true if it is varied.
+    varied: Vec<bool>,
+}
+
+/// Comparison of the period of a record with the periods that the document has at the present values and with each varied
+/// parameter at either end of its range. It is computed in portions of some milliseconds.
+#[derive(Debug)]
+pub struct PeriodComparison {
+    question: PeriodQuestion,
+    model: Model,
+    /// Index and range of each varied parameter.
+    ranges: Vec<(usize, (f64, f64))>,
+    /// Times and values of the record, SI.
+    series: (Vec<f64>, Vec<f64>),
+    /// Period of the record, SI, once it is known.
+    own: Option<f64>,
+    /// Periods so far: at the present values, then at the lower and the upper end of each range. `None` without oscillation.
+    found: Vec<Option<f64>>,
+    ended: bool,
+}
+
 impl Desk {
-    /// Reason why the open document cannot hold the chosen record: the record oscillates, and all periods that the document
-    /// has at the ends of the range of each varied parameter are much longer or all much shorter. `None` if it can, or if
-    /// that is not known.
-    pub fn cannot_hold(&self) -> Option<String> {
+    /// Question whether the open document can hold the chosen record; `None` if no column is fitted.
+    pub fn period_question(&self) -> Option<PeriodQuestion> {
         let record = self.record(self.chosen_record()?)?;
         let column = record.uses.iter().position(|used| used.fitted)?;
-        let own = self.period_of(record, column)?;
-        let quantity = observed(self.play.model(), &record.uses.get(column)?.meaning.quantity)?;
-        let periods = self.periods_within_ranges(quantity.node, own)?;
-        let (shortest, longest) =
-            periods.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), one| (low.min(*one), high.max(*one)));
+        let observed = observed(self.play.model(), &record.uses.get(column)?.meaning.quantity)?;
+        Some(PeriodQuestion {
+            series: (record.id, column),
+            quantity: observed.node,
+            records: self.revision.records,
+            values: self.play.course().parameters().to_vec(),
+            varied: self.fits.setup.varied.clone(),
+        })
+    }
+
+    /// Begins a comparison. `None` if a varied parameter has no range, or the record no rows.
+    pub fn compare_periods(&self, question: PeriodQuestion) -> Option<PeriodComparison> {
+        let model = self.play.model();
+        let (record, column) = question.series;
+        let (mut times, mut values) = self.record(record)?.series(column, &model.independent.name)?;
+        times.truncate(MOST_ROWS);
+        values.truncate(MOST_ROWS);
+        let varied = question.varied.iter().zip(&model.parameters).enumerate();
+        let varied = varied.filter(|(_, (varied, parameter))| **varied && parameter.is_shown());
+        let ranges: Option<Vec<_>> = varied.map(|(index, (_, parameter))| Some((index, parameter.range?))).collect();
+        Some(PeriodComparison {
+            question,
+            model: model.clone(),
+            ranges: ranges?,
+            series: (times, values),
+            own: None,
+            found: Vec::new(),
+            ended: false,
+        })
+    }
+
+    /// Reason why the open document cannot hold the record of a finished comparison: the record oscillates, and all periods that
+    /// the document has are much longer or all much shorter. `None` if it can, or if that is not known.
+    pub fn cannot_hold(&self, comparison: &PeriodComparison) -> Option<String> {
+        let own = comparison.own.filter(|_| comparison.ended)?;
+        let (shortest, longest) = comparison.periods()?;
         if shortest <= own * NEAR && longest >= own / NEAR {
             return None;
         }
@@ -60,37 +119,48 @@ impl Desk {
             ),
         ))
     }
+}
 
-    /// Period of a column of a record, SI. `None` if it does not oscillate.
-    fn period_of(&self, record: &Record, column: usize) -> Option<f64> {
-        let (mut times, mut values) = record.series(column, &self.play.model().independent.name)?;
-        times.truncate(MOST_ROWS);
-        values.truncate(MOST_ROWS);
-        period(&times, &values).filter(|period| *period > 0.0 && period.is_finite())
+impl PeriodComparison {
+    /// The question that it answers.
+    pub fn question(&self) -> &PeriodQuestion {
+        &self.question
     }
 
-    /// Periods of a quantity, SI, at the present values and with each varied parameter at either end of its range.
-    /// `own`: period of the record. `None` if a period is not known: a varied parameter has no range, or it changes the period
-    /// and there is no oscillation at one of its ends within [`PERIODS`] periods of the record.
-    fn periods_within_ranges(&self, quantity: NodeId, own: f64) -> Option<Vec<f64>> {
-        let (model, values) = (self.play.model(), self.play.course().parameters());
-        let varied = self.fits.setup.varied.iter().zip(&model.parameters).enumerate();
-        let varied = varied.filter(|(_, (varied, parameter))| **varied && parameter.is_shown());
-        let ranges: Option<Vec<_>> = varied.map(|(index, (_, parameter))| Some((index, parameter.range?))).collect();
-        let ranges = ranges?;
-        let most_work = MOST_WORK / (1 + 2 * ranges.len() as u64);
-        let present = period_at(model, quantity, values, own, most_work)?;
-        let mut found = vec![present];
-        for (index, (low, high)) in ranges {
-            let at = |end: f64| {
-                let mut changed = values.to_vec();
-                changed.iter_mut().skip(index).take(1).for_each(|value| *value = end);
-                period_at(model, quantity, &changed, own, most_work)
-            };
-            match (at(low), at(high)) {
-                (Some(one), Some(other)) => found.extend([one, other]),
+    /// Computes one period more. Returns true at the end.
+    pub fn advance(&mut self) -> bool {
+        if self.ended {
+            return true;
+        }
+        let Some(own) = self.own else {
+            self.own = period(&self.series.0, &self.series.1).filter(|period| *period > 0.0 && period.is_finite());
+            self.ended = self.own.is_none();
+            return self.ended;
+        };
+        let mut values = self.question.values.clone();
+        if let Some(end) = self.found.len().checked_sub(1)
+            && let Some(&(index, (low, high))) = self.ranges.get(end / 2)
+            && let Some(value) = values.get_mut(index)
+        {
+            *value = if end.is_multiple_of(2) { low } else { high };
+        }
+        let all = 1 + 2 * self.ranges.len();
+        self.found.push(period_at(&self.model, self.question.quantity, &values, own, MOST_WORK / all as u64));
+        self.ended = self.found.len() == all || self.found.first() == Some(&None);
+        self.ended
+    }
+
+    /// Shortest and longest period, SI. `None` if one is not known: a varied parameter changes it, and there is no oscillation at
+    /// one of the ends within [`PERIODS`] periods of the record.
+    fn periods(&self) -> Option<(f64, f64)> {
+        let (present, ends) = self.found.split_first()?;
+        let present = (*present)?;
+        let mut found = (present, present);
+        for pair in ends.chunks(2) {
+            match pair {
+                [Some(low), Some(high)] => found = (found.0.min(*low).min(*high), found.1.max(*low).max(*high)),
                 // Damping, for example: strong damping ends the oscillation.
-                (Some(one), None) | (None, Some(one)) if (one / present - 1.0).abs() < UNCHANGED => {}
+                [Some(one), None] | [None, Some(one)] if (one / present - 1.0).abs() < UNCHANGED => {}
                 _ => return None,
             }
         }

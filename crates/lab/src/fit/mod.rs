@@ -3,14 +3,16 @@
 mod report;
 mod results;
 mod setup;
+mod starting;
 mod theories;
 mod work;
 
 pub use work::go_on;
 
 use crate::app::App;
-use crate::library;
 use desk::{Desk, FitProgress};
+use starting::Starting;
+use theories::Suitability;
 use view::views::*;
 use view::{browser, everything};
 
@@ -40,26 +42,13 @@ fn title(app: App) -> HtmlH3 {
 
 fn steps(app: App) -> View {
     let words = app.words();
-    let refusal = create_signal(None::<String>);
-    let chosen = create_signal(None::<u32>);
-    // Result shown unless the user chooses: the best one after a ranking, otherwise the last one.
-    let ranked = create_signal(true);
-    // Number of fits that were started or cancelled, so that a ranking that is not the last wish is dropped.
-    let presses = create_signal(0);
-    let suitability = theories::Suitability::new(app);
+    let starting = Starting::new();
+    let Starting { refusal, chosen, ranked, .. } = starting;
+    let suitability = Suitability::new(app);
     let begin = move |rank: bool| {
-        if let Some(reason) = suitability.objection().filter(|_| !rank) {
-            return refusal.set(Some(reason));
-        }
-        ranked.set(rank);
-        chosen.set(None);
-        presses.update(|count| *count += 1);
-        if rank {
-            return wasm_bindgen_futures::spawn_local(rank_theories(app, presses, refusal));
-        }
-        let file = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
-        refusal.set(app.attempt_on_desk(|desk| desk.begin_fit(&file)));
-        go_on(app);
+        wasm_bindgen_futures::spawn_local(async move {
+            if rank { starting.rank(app).await } else { starting.fit(app, suitability).await }
+        });
     };
     let busy = memo(move || app.fit_progress.with(Option::is_some));
     let begins = move |rank: bool| {
@@ -69,7 +58,7 @@ fn steps(app: App) -> View {
         .class("intake")
         .child(begins(false).class("primary").id("fit").child(words.fit_begin))
         .child(begins(true).class("quiet").id("rank").title(words.fit_rank_title).child(words.fit_rank))
-        .child(changing(move || if busy.get() { running(app, presses) } else { View::new() }));
+        .child(changing(move || if busy.get() { running(app, starting) } else { View::new() }));
     let record = step("record-step", "1", words.fit_step_record).child(setup::record(app, refusal));
     let theory = step("theory-step", "2", words.fit_step_theory)
         .child(theories::view(app, suitability))
@@ -89,28 +78,6 @@ fn steps(app: App) -> View {
         .into()
 }
 
-/// Opens the theories, one in each task of the browser, and starts their fits unless something else was started or cancelled
-/// meanwhile.
-async fn rank_theories(app: App, presses: Signal<u32>, refusal: Signal<Option<String>>) {
-    let press = presses.get_untracked();
-    let mut theories = Vec::new();
-    for entry in library::theories() {
-        browser::breathe().await;
-        theories.extend(entry.open().map(|document| (entry.file().to_owned(), document)));
-    }
-    browser::breathe().await;
-    // The views may have been built again for another document, whose records are the same.
-    let is_shown = presses.is_alive();
-    if is_shown && presses.get_untracked() != press {
-        return;
-    }
-    let refused = app.attempt_on_desk(|desk| desk.begin_ranking(theories));
-    if is_shown {
-        refusal.set(refused);
-    }
-    go_on(app);
-}
-
 /// A card with its step number.
 fn step(id: &'static str, number: &'static str, title: &'static str) -> HtmlSection {
     let heading = format!("{id}-title");
@@ -123,7 +90,7 @@ fn step(id: &'static str, number: &'static str, title: &'static str) -> HtmlSect
 }
 
 /// Progress bar with a cancel button, while a fit is running.
-fn running(app: App, presses: Signal<u32>) -> View {
+fn running(app: App, starting: Starting) -> View {
     let words = app.words();
     let progress = app.fit_progress;
     let finished = move || progress.with(|now| now.as_ref().map_or((0, 1), |now| now.finished));
@@ -140,7 +107,7 @@ fn running(app: App, presses: Signal<u32>) -> View {
         (all > 1).then(|| done.to_string())
     };
     let cancel = move |_| {
-        presses.update(|count| *count += 1);
+        starting.press();
         app.act_on_desk(Desk::cancel_fit);
         go_on(app);
         progress.set(None);

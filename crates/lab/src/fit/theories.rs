@@ -3,6 +3,7 @@
 
 use crate::app::App;
 use crate::{library, opening};
+use desk::{PeriodComparison, PeriodQuestion};
 use document::Document;
 use view::browser;
 use view::views::*;
@@ -19,8 +20,12 @@ struct Theory {
 /// Choice of the open document as the theory of the next fit. One that cannot hold the record is not preselected.
 #[derive(Clone, Copy)]
 pub struct Suitability {
-    /// Reason why the open document cannot hold the record, if any.
-    reason: ReadSignal<Option<String>>,
+    /// Question that was asked last.
+    asked: Signal<Option<PeriodQuestion>>,
+    /// True while its answer is being computed.
+    waits: Signal<bool>,
+    /// Reason why the open document cannot hold the record, if any: the last answer.
+    reason: Signal<Option<String>>,
     /// True if the user has chosen the open document in spite of the reason.
     insists: Signal<bool>,
 }
@@ -28,12 +33,63 @@ pub struct Suitability {
 impl Suitability {
     /// Suitability of the open document for the chosen record.
     pub fn new(app: App) -> Self {
-        let reason = memo(move || {
+        let suitability = Self {
+            asked: create_signal(None),
+            waits: create_signal(false),
+            reason: create_signal(None),
+            insists: create_signal(false),
+        };
+        effect(move || {
             app.records.track();
             app.fits.track();
-            app.read_desk(|desk| desk.cannot_hold())
+            suitability.ask(app);
         });
-        Self { reason, insists: create_signal(false) }
+        suitability
+    }
+
+    /// Asks again if anything has changed on which the answer depends.
+    fn ask(self, app: App) {
+        let question = app.read_desk(|desk| desk.period_question());
+        if self.asked.with_untracked(|asked| *asked == question) {
+            return;
+        }
+        self.asked.set(question.clone());
+        let comparison = question.and_then(|question| app.read_desk(|desk| desk.compare_periods(question)));
+        self.waits.set(comparison.is_some());
+        match comparison {
+            Some(comparison) => wasm_bindgen_futures::spawn_local(self.compute(app, comparison)),
+            None => self.answer(None),
+        }
+    }
+
+    /// Computes the answer, one period in each task of the browser, unless something else is asked meanwhile.
+    async fn compute(self, app: App, mut comparison: PeriodComparison) {
+        loop {
+            browser::breathe().await;
+            let is_asked = |asked: &Option<PeriodQuestion>| asked.as_ref() == Some(comparison.question());
+            if !self.asked.is_alive() || !self.asked.with_untracked(is_asked) {
+                return;
+            }
+            if comparison.advance() {
+                break;
+            }
+        }
+        self.waits.set(false);
+        self.answer(app.read_desk(|desk| desk.cannot_hold(&comparison)));
+    }
+
+    fn answer(self, reason: Option<String>) {
+        if self.reason.with_untracked(|before| *before != reason) {
+            self.reason.set(reason);
+        }
+    }
+
+    /// Waits for the answer. Returns false if the views are gone meanwhile.
+    pub async fn known(self) -> bool {
+        while self.waits.is_alive() && self.waits.get_untracked() {
+            browser::breathe().await;
+        }
+        self.waits.is_alive()
     }
 
     /// Reason why the open document is not the theory of the next fit, if any.

@@ -45,6 +45,8 @@ pub struct Lab {
     pub findings: Findings,
     /// State of the browser's storage.
     pub saved: Saved,
+    /// Number of documents that have been asked for: only the last one is shown.
+    pub asked_for: u32,
     /// A file that a link needs (its name), and the state to be restored with it.
     pub awaited: Option<(String, String)>,
     /// True once the equations of the theories have been requested.
@@ -77,6 +79,12 @@ pub struct Lab {
 }
 
 impl Lab {
+    /// Counts a document that is asked for. Returns its number.
+    pub fn ask_for_document(&mut self) -> u32 {
+        self.asked_for += 1;
+        self.asked_for
+    }
+
     /// Texts in the editor with their diagnostics.
     pub fn writing(&self) -> &Writing {
         self.desk.as_ref().map_or(&self.faulty, Desk::writing)

@@ -92,7 +92,7 @@ pub fn open(app: App, files: &FileList) {
         let name = sources.first().map(|source| source.name.clone());
         let awaited = app.with(|lab| lab.awaited.take_if(|(awaited, _)| Some(&*awaited) == name.as_ref()));
         let state = awaited.flatten().map(|(_, state)| state).unwrap_or_default();
-        opening::go_to(app, sources, &state);
+        opening::go_to_in_portions(app, sources, &state).await;
         intake::read(app, records);
         browser::focus_later(if app.read(|_| true) { "play" } else { "apparatus" }.to_owned());
     });

@@ -6,8 +6,8 @@ use crate::stored::VersionTimes;
 use crate::visited::Visited;
 use crate::{fit, library, saved, visited, write};
 use desk::{Desk, Writing};
-use document::Document;
 use document::page::Source;
+use document::{Document, Opened};
 use view::opening::Handed;
 use view::{browser, messages};
 use web_sys::Event;
@@ -46,7 +46,8 @@ pub fn take_over(app: App, handed: &mut Handed) {
     handed.prepare(app.page);
     let visited = visited::present().filter(|visited| visited.sources == library::home());
     let visited = visited.unwrap_or_else(|| Visited { sources: library::home(), draft: None });
-    place_visited(app, visited, |desk, _| {
+    let opened = opened(&visited.sources);
+    place_visited(app, visited, opened, |desk, _| {
         handed.continue_in(desk.play_mut());
         None
     });
@@ -55,27 +56,39 @@ pub fn take_over(app: App, handed: &mut Handed) {
 
 /// Opens a document of a history entry, with its draft.
 fn open_visited(app: App, visited: Visited, state: &str) {
-    place_visited(app, visited, |desk, left| {
+    let opened = opened(&visited.sources);
+    place_opened(app, visited, opened, state);
+}
+
+/// Reads and checks the texts of a document.
+fn opened(sources: &[Source]) -> Opened {
+    let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
+    match texts.split_first() {
+        Some((source, translations)) => document::open(source, translations),
+        None => Opened { document: None, diagnostics: Vec::new() },
+    }
+}
+
+fn place_opened(app: App, visited: Visited, opened: Opened, state: &str) {
+    place_visited(app, visited, opened, |desk, left| {
         let state = if state.is_empty() { left } else { state };
         if state.is_empty() { None } else { restored(desk, state).1 }
     });
 }
 
-/// Opens a document. `restore` gets the state of the last visit, and returns the text of the refusal, if any.
-fn place_visited(app: App, visited: Visited, restore: impl FnOnce(&mut Desk, &str) -> Option<String>) {
+/// Places a document that has been opened from the sources of `visited`. `restore` gets the state of the last visit, and returns the text of the refusal, if any.
+fn place_visited(
+    app: App,
+    visited: Visited,
+    Opened { document, diagnostics: findings }: Opened,
+    restore: impl FnOnce(&mut Desk, &str) -> Option<String>,
+) {
+    app.with(Lab::ask_for_document);
     let (sources, written_as) = (visited.sources.clone(), write::kept::find(&visited));
-    let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
-    let (desk, findings) = match texts.split_first() {
-        Some((source, translations)) => {
-            let opened = document::open(source, translations);
-            let mut desk = opened.document.map(Desk::open);
-            if let Some(desk) = &mut desk {
-                desk.set_language(app.language.get_untracked().tag());
-            }
-            (desk, opened.diagnostics)
-        }
-        None => (None, Vec::new()),
-    };
+    let mut desk = document.map(Desk::open);
+    if let Some(desk) = &mut desk {
+        desk.set_language(app.language.get_untracked().tag());
+    }
     let closed = app.with(|lab| {
         // If the new document does not run, a button leads back to the last one that did.
         if desk.is_some() {
@@ -171,6 +184,21 @@ pub fn open_sources(app: App, sources: Vec<Source>) {
 /// Opens a document as a new history entry. `state` may be empty.
 pub fn go_to(app: App, sources: Vec<Source>, state: &str) {
     go_to_visited(app, Visited { sources, draft: None }, state);
+}
+
+/// [`go_to`] in several tasks of the browser, for a document of any length. If another one is opened meanwhile, that one stays.
+pub async fn go_to_in_portions(app: App, sources: Vec<Source>, state: &str) {
+    let Some(own) = app.with(Lab::ask_for_document) else { return };
+    browser::breathe().await;
+    let opened = opened(&sources);
+    browser::breathe().await;
+    if app.with(|lab| lab.asked_for) != Some(own) {
+        return;
+    }
+    leave(app);
+    place_opened(app, Visited { sources, draft: None }, opened, state);
+    visited::step(app);
+    browser::scroll_to(0.0);
 }
 
 fn go_to_visited(app: App, visited: Visited, state: &str) {

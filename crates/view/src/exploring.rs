@@ -19,20 +19,32 @@ pub fn view(app: App) -> HtmlDiv {
         .child(more(app, adjusts, reads))
 }
 
-/// What is needed less often, folded. It stays open when the page is rebuilt in another language.
+/// What is needed less often, folded, and built when it is first unfolded: a long document has hundreds of parameters. It stays
+/// open when the page is rebuilt in another language.
 fn more(app: App, adjusts: bool, reads: bool) -> HtmlDetails {
     let mut details = details();
     let node: HtmlDetailsElement = details.node();
     let open = app.more_open;
+    let mut is_needed = false;
+    let is_needed = memo(move || {
+        is_needed |= open.get();
+        is_needed
+    });
+    let content = move || {
+        View::from((
+            adjusts.then(|| {
+                View::from((controls::further(app), controls::lockable(app, controls::state_and_method(app).into())))
+            }),
+            reads.then(|| View::from(recorded(app))),
+        ))
+    };
     details
         .class("more")
         .id("more")
         .open(open.get_untracked())
         .when(events::toggle, move |_| open.set(node.open()))
         .child(summary().child(app.words().more))
-        .maybe(adjusts.then(|| controls::further(app)))
-        .maybe(adjusts.then(|| controls::lockable(app, controls::state_and_method(app).into())))
-        .maybe(reads.then(|| recorded(app)))
+        .child(changing(move || if is_needed.get() { content() } else { View::new() }))
 }
 
 /// The recorded values. While folded, they are not updated.

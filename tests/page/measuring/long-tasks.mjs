@@ -78,12 +78,11 @@ const situations = {
       await openLong(lab);
       await lab.tab("Write");
       await lab.page.locator(".cm-content").waitFor();
-      await lab.page.waitForTimeout(2000);
-    },
-    async (lab) => {
-      const line = lab.page.locator(".cm-line").filter({ hasText: /^parameter|= / }).first();
+      const line = lab.page.locator(".cm-line").filter({ hasText: /^parameter/ }).first();
       await line.click();
       await lab.page.keyboard.press("End");
+    },
+    async (lab) => {
       await lab.page.keyboard.type(" # the first of fifty", { delay: 60 });
       await lab.page.keyboard.press("Enter");
       await lab.page.keyboard.type("wrong +", { delay: 60 });
@@ -121,7 +120,7 @@ function ownTasks(trace) {
   const { traceEvents: events } = JSON.parse(trace.toString("utf8"));
   const place = ({ pid, tid }) => `${pid} ${tid}`;
   const mains = new Set(events.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain").map(place));
-  const tasks = events.filter((event) => event.name.endsWith("RunTask") && event.tdur && mains.has(place(event)));
+  const tasks = events.filter((event) => event.name === "RunTask" && event.tdur && mains.has(place(event)));
   return tasks.map(({ tdur }) => Math.round(tdur / 1000)).toSorted((one, other) => other - one);
 }
 

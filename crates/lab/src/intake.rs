@@ -10,8 +10,8 @@ use view::views::*;
 use view::{browser, messages};
 use web_sys::File;
 
-/// Duration of a slice, in milliseconds.
-const SLICE: f64 = 20.0;
+/// Duration of a slice, in milliseconds: half a frame, because its last part can take longer.
+const SLICE: f64 = 8.0;
 /// Number of bytes read at once; a slice consists of several such reads.
 const BUDGET: usize = 64 << 10;
 
@@ -107,12 +107,15 @@ async fn read_file(app: App, file: &File, earlier: Option<&[Message]>) -> Option
         browser::breathe().await;
         let end = js_sys::Date::now() + SLICE;
         refusal = app.read_desk(|desk| {
-            while js_sys::Date::now() < end && desk.record_progress().is_some() {
+            loop {
                 if let Err(refusal) = desk.advance_record(BUDGET) {
                     return Some(desk.refusal_text(&refusal));
                 }
+                // To add a long record takes a slice of its own.
+                if desk.record_progress().is_none() || desk.record_is_read() || js_sys::Date::now() >= end {
+                    return None;
+                }
             }
-            None
         });
         let progress = app.read_desk(|desk| desk.record_progress());
         if progress.is_some() {

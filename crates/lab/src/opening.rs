@@ -198,6 +198,8 @@ pub async fn go_to_in_portions(app: App, sources: Vec<Source>, state: &str) {
     leave(app);
     place_opened(app, Visited { sources, draft: None }, opened, state);
     visited::step(app);
+    // Scrolling has the browser lay the page out.
+    browser::breathe().await;
     browser::scroll_to(0.0);
 }
 

@@ -211,6 +211,11 @@ impl Desk {
         Some(RecordProgress { name: name.clone(), part })
     }
 
+    /// True if the file has been read and inspected, and the next call of [`Desk::advance_record`] adds its record.
+    pub fn record_is_read(&self) -> bool {
+        self.intake.as_ref().is_some_and(|intake| matches!(intake.stage, Stage::Known(..)))
+    }
+
     /// Cancels the file that is being read.
     pub fn cancel_record(&mut self) {
         if let Some(Intake { name, .. }) = self.intake.take() {

@@ -4,7 +4,6 @@ use super::go_on;
 use super::theories::Suitability;
 use crate::app::App;
 use crate::library;
-use sycamore_reactive::untrack;
 use view::browser;
 use view::views::*;
 
@@ -44,7 +43,7 @@ impl Starting {
         if !suitability.known().await || self.presses.get_untracked() != press {
             return;
         }
-        let objection = untrack(|| suitability.objection());
+        let objection = suitability.objection();
         if objection.is_some() {
             return self.refusal.set(objection);
         }

@@ -110,6 +110,22 @@ export async function eventually(check, seconds = 10) {
   }
 }
 
+/** Holds what the page puts off to a later task (`setTimeout` without a time); it is done in its order once `release` is called. */
+export async function hold(lab) {
+  await lab.page.evaluate(() => {
+    const { setTimeout } = window;
+    window.held = [];
+    window.setTimeout = (does, time, ...rest) => (time ? setTimeout(does, time, ...rest) : window.held.push(does));
+    window.release = async () => {
+      window.setTimeout = setTimeout;
+      for (const does of window.held.splice(0)) setTimeout(does);
+      // What is done goes on in further tasks.
+      for (let task = 0; task < 20; task += 1) await new Promise((done) => setTimeout(done));
+    };
+  });
+  return { begun: () => lab.page.waitForFunction(() => window.held.length), release: () => lab.page.evaluate(() => window.release()) };
+}
+
 /** The text of an element that may be out of sight: what the page does not draw there (`content-visibility`) has none until one scrolls to it. */
 export async function sight(element) {
   await element.scrollIntoViewIfNeeded();

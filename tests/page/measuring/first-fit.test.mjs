@@ -1,7 +1,8 @@
 // The first fit that somebody makes: the opening document fits a sample, and one that cannot is not preselected.
 
 import assert from "node:assert/strict";
-import { eventually, visit } from "../lab.mjs";
+import { eventually, hold, visit } from "../lab.mjs";
+import { openTheory } from "../measured.mjs";
 
 for (const [language, tab, sample] of [["en-GB", "Measure", "Column of 18 cm"], ["es-ES", "Medir", "Columna de 18 cm"]]) {
   visit(`the first fit from a sample takes three actions: ${language}`, { language, fragment: "" }, async (lab) => {
@@ -27,4 +28,59 @@ visit("a document that cannot hold the record is no theory until it is chosen", 
   assert.equal(await lab.page.locator(".theory-chip[aria-pressed=true]").count(), 1);
   await lab.page.locator("#fit").click();
   await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /does not describe these data/), 60);
+});
+
+visit("Fit pressed as soon as the record is there waits until it is known whether the document can hold it", async (lab) => {
+  await lab.tab("Measure");
+  await lab.page.evaluate(() => {
+    new MutationObserver((_, observer) => {
+      const fit = document.getElementById("fit");
+      if (!fit) return;
+      observer.disconnect();
+      fit.click();
+    }).observe(document.body, { childList: true, subtree: true });
+  });
+  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+  await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /cannot hold this record/), 30);
+  assert.equal(await lab.page.locator(".fits tbody tr").count(), 0);
+});
+
+for (const [first, second, fits] of [["rank", "fit", 1], ["fit", "rank", 2]]) {
+  visit(`of ${first} and ${second}, pressed one after the other, the second is done`, { fragment: "" }, async (lab) => {
+    await lab.tab("Measure");
+    await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+    await lab.page.locator("#fit").waitFor();
+    await lab.page.evaluate((buttons) => buttons.forEach((id) => document.getElementById(id).click()), [first, second]);
+    await eventually(async () => assert.ok((await lab.page.locator(".fits tbody tr").count()) >= fits), 120);
+    if (second === "fit") {
+      await eventually(async () => assert.equal(await lab.page.locator("#cancel-fit").count(), 0), 60);
+      assert.equal(await lab.page.locator(".fits tbody tr").count(), 1);
+    }
+  });
+}
+
+visit("a ranking whose record is removed before it begins does not take place", { fragment: "" }, async (lab) => {
+  await lab.tab("Measure");
+  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+  await lab.page.locator("#rank").waitFor();
+  const held = await hold(lab);
+  await lab.page.locator("#rank").click();
+  await held.begun();
+  await lab.page.locator(".record").getByRole("button", { name: /^Remove/ }).first().click();
+  await eventually(async () => assert.equal(await lab.page.locator(".record").count(), 0));
+  await held.release();
+  assert.equal(await lab.page.locator("#fit-step, #cancel-fit, .fits").count(), 0);
+});
+
+visit("a ranking takes place even if another document is opened before it begins", { fragment: "" }, async (lab) => {
+  await lab.tab("Measure");
+  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+  await lab.page.locator("#rank").waitFor();
+  const held = await hold(lab);
+  await lab.page.locator("#rank").click();
+  await held.begun();
+  await openTheory(lab, "Linear damping");
+  await held.release();
+  await lab.tab("Measure");
+  await eventually(async () => assert.ok((await lab.page.locator(".fits tbody tr").count()) >= 2), 120);
 });

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
-import { STILL, eventually, visit } from "../lab.mjs";
+import { STILL, beside, drop, eventually, hold, visit } from "../lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const PHONE = { width: 390, height: 844, touch: true };
@@ -249,3 +249,18 @@ for (const language of ["en-GB", "es-ES"]) {
     }
   }
 }
+
+visit("a document that is still being opened does not replace one that was opened after it", async (lab) => {
+  const text = readFileSync(beside("kicked.md"), "utf8");
+  const held = await hold(lab);
+  await drop(lab, { name: "kicked.md", text });
+  await held.begun();
+  await openLibrary(lab);
+  await card(lab, "Linear damping").getByRole("link").first().click();
+  await eventually(async () => assert.equal(await heading(lab), "Linear damping"));
+  await held.release();
+  assert.equal(await heading(lab), "Linear damping");
+  // Dropped once more, it is opened.
+  await drop(lab, { name: "kicked.md", text });
+  await eventually(async () => assert.notEqual(await heading(lab), "Linear damping"));
+});

@@ -18,7 +18,10 @@ fn read(desk: &mut Desk, name: &str, bytes: &[u8], budget: usize) -> Result<(u32
             assert!(progress.part >= part, "{} after {part}", progress.part);
             part = progress.part;
         }
-        if let Some(id) = desk.advance_record(budget)? {
+        let is_read = desk.record_is_read();
+        let added = desk.advance_record(budget)?;
+        assert_eq!(added.is_some(), is_read, "a read record is added by one call, and no other");
+        if let Some(id) = added {
             assert_eq!(desk.record_progress(), None);
             return Ok((id, part));
         }

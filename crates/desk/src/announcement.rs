@@ -1,5 +1,6 @@
 //! Announcements of events for screen readers and the status line.
 
+use crate::fits::NothingFound;
 use play::Prominence;
 use std::collections::VecDeque;
 
@@ -26,7 +27,7 @@ pub enum Announcement {
     /// Theories that could not be fitted, each with the reason, in one text.
     TheoriesLeftOut(String),
     /// The fit ended without a result.
-    FitFailed,
+    FitFailed(NothingFound),
     /// The fit was cancelled.
     FitCancelled,
     /// The fitted values were set on the sliders. After a fit of several records: the name of the record whose values
@@ -39,7 +40,7 @@ impl Announcement {
     pub fn prominence(&self) -> Prominence {
         match self {
             Self::Play(announcement) => announcement.prominence(),
-            Self::FitFailed | Self::TheoriesLeftOut(_) => Prominence::Error,
+            Self::FitFailed(_) | Self::TheoriesLeftOut(_) => Prominence::Error,
             _ => Prominence::Shown,
         }
     }

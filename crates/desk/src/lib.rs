@@ -49,8 +49,8 @@ pub use films::{
 };
 pub use fits::{
     ChoiceView, EstimateView, Export, ExportKind, Finding, FitComputation, FitDetail, FitNews, FitProgress,
-    FitRecordView, FitView, FitWork, Imprint, InProcess, KnownView, MOST_FITS, PeriodComparison, PeriodQuestion,
-    Workers,
+    FitRecordView, FitView, FitWork, Imprint, InProcess, KnownView, MOST_FITS, NothingFound, PeriodComparison,
+    PeriodQuestion, Workers,
 };
 pub use measured::{CurveAxis, FittedCurve, MeasuredCurve, TheoryCurve};
 pub use opened::OpenedDocuments;

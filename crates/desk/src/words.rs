@@ -1,5 +1,6 @@
 //! Texts about measuring and fitting in every language.
 
+use crate::fits::NothingFound;
 use crate::{Announcement, Desk, Refusal};
 use analysis::fit::FitError;
 use units::Language;
@@ -234,9 +235,15 @@ impl Desk {
                 doubt,
             ),
             Announcement::TheoriesLeftOut(which) => with("Not fitted: {}", "Sin ajustar: {}", which),
-            Announcement::FitFailed => say(
+            Announcement::FitFailed(NothingFound::NoCurve) => say(
                 "The model has no finite curve at any start: nothing was found",
                 "El modelo no tiene una curva finita desde ningún comienzo: no se encontró nada",
+            ),
+            Announcement::FitFailed(NothingFound::TooManySteps) => say(
+                "Wherever it was tried, the model needs too many steps for this record: nothing was found. Fit a shorter part, or \
+                 narrow the ranges of the parameters",
+                "Donde se probó, el modelo necesita demasiados pasos para este registro: no se encontró nada. Ajusta una parte más \
+                 corta o estrecha los intervalos de los parámetros",
             ),
             Announcement::FitCancelled => say("Fit cancelled", "Ajuste cancelado"),
             Announcement::FitApplied(record) if record.is_empty() => {

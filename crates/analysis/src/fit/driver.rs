@@ -135,6 +135,11 @@ impl Fit {
         self.trials
     }
 
+    /// True if trials were given up because they needed more computation than a trial may take.
+    pub fn gave_up(&self) -> bool {
+        self.problem.curve.gave_up()
+    }
+
     /// Coefficient of determination of the best search so far, 1 where nothing is left unexplained; 0 before there is one.
     pub fn explained(&self) -> f64 {
         match (&self.best, self.refinement.reweighting().least_squares()) {

@@ -34,6 +34,8 @@ pub struct Outcome {
     pub rival: Option<Rival>,
     /// Number of times a profile found a lower sum of squares, so that the fit was restarted there.
     pub improved: usize,
+    /// True if trials were given up because they needed more computation than a trial may take.
+    pub gave_up: bool,
     /// Number of independent fitted values: a column computed from another one does not count.
     pub n: usize,
     /// Degrees of freedom: `n` minus the number of values that the data determine. A number at a bound of its range does
@@ -176,6 +178,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
         starts: course.starts,
         rival: course.rival.clone(),
         improved: course.improved,
+        gave_up: problem.curve.gave_up(),
         n: values as usize,
         dof: covariance.dof.max(0.0) as usize,
         chi2,
@@ -269,6 +272,6 @@ fn observations(problem: &mut Problem, best: &Search, finished: bool) -> Vec<Obs
 fn residuals_of(problem: &mut Problem, record: usize, plan: &Plan, x: &[f64]) -> Vec<f64> {
     let mut residuals = vec![f64::NAN; plan.points.len()];
     let mut jacobian = Jacobian::new(residuals.len(), x.len());
-    problem.record_residuals(record, plan, x, 0, &mut residuals, &mut jacobian);
+    problem.record_residuals(record, plan, x, &mut residuals, &mut jacobian);
     residuals
 }

@@ -59,6 +59,6 @@ pub(super) fn values_at(
     let plan = Plan { times: times.to_vec(), points, expressions: plan.expressions.clone(), origin: plan.origin };
     let mut values = vec![f64::NAN; times.len()];
     let mut slopes = Jacobian::new(times.len(), x.len());
-    problem.record_residuals(record, &plan, x, 0, &mut values, &mut slopes);
+    problem.record_residuals(record, &plan, x, &mut values, &mut slopes);
     (values, slopes)
 }

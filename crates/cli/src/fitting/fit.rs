@@ -89,6 +89,12 @@ pub fn complete(theory: Theory, task: Task, with_profiles: bool) -> Result<Fitte
     }
     let Some(mut outcome) = fit.outcome() else {
         progress.finish_and_clear();
+        if fit.gave_up() {
+            return Err(Failure::with_hint(
+                "the model needs too many steps of the integration wherever it was tried",
+                "give values from which it runs with --start NAME=VALUE, narrower ranges with --bounds NAME=LO..HI, or fit a shorter part of the record",
+            ));
+        }
         return Err(Failure::with_hint(
             "the model has no finite curve anywhere it was tried",
             "give values from which it runs with --start NAME=VALUE, and ranges with --bounds NAME=LO..HI",

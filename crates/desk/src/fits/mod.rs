@@ -18,4 +18,4 @@ pub use queue::FitProgress;
 pub use ranges::{PeriodComparison, PeriodQuestion};
 pub use reporting::{Export, ExportKind, Imprint};
 pub use results::{EstimateView, FitDetail, FitView, MOST_FITS};
-pub use workers::{Finding, FitComputation, FitNews, FitWork, InProcess, Workers};
+pub use workers::{Finding, FitComputation, FitNews, FitWork, InProcess, NothingFound, Workers};

@@ -2,7 +2,7 @@
 
 use crate::fits::fit::{Definition, Job, Waiting};
 use crate::fits::state::Running;
-use crate::fits::workers::{Finding, FitNews, Workers};
+use crate::fits::workers::{Finding, FitNews, NothingFound, Workers};
 use crate::words::fit_error;
 use crate::{Announcement, Desk, Refusal};
 use analysis::fit::{Fit, FitError, Varied};
@@ -206,17 +206,17 @@ impl Desk {
 
     /// Takes the result of a finished fit; the reason to doubt it is returned.
     fn settle(&mut self, Running { job, task, found, .. }: Running) -> Option<String> {
-        match found.flatten() {
-            Some(finding) => {
+        match found.unwrap_or(Err(NothingFound::NoCurve)) {
+            Ok(finding) => {
                 let Finding { mut outcome, traces } = *finding;
                 if let Some(found) = &job.found {
                     found.complete(&mut outcome);
                 }
                 self.take_outcome(job, task, outcome, traces)
             }
-            None => {
+            Err(nothing) => {
                 if job.found.is_none() {
-                    self.announce(Announcement::FitFailed);
+                    self.announce(Announcement::FitFailed(nothing));
                 }
                 None
             }

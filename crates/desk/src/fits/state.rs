@@ -2,7 +2,7 @@
 
 use crate::fits::fit::{Fitted, Job, Waiting};
 use crate::fits::setup::Setup;
-use crate::fits::workers::{Finding, FitWork, InProcess};
+use crate::fits::workers::{Finding, FitWork, InProcess, NothingFound};
 use analysis::fit::Task;
 use std::collections::VecDeque;
 use units::Words;
@@ -40,8 +40,8 @@ pub(crate) struct Running {
     pub number: Option<u32>,
     /// Number of trials so far, and coefficient of determination of the best one.
     pub progress: (usize, f64),
-    /// Its result, if it is finished. The inner `None`: nothing was found.
-    pub found: Option<Option<Box<Finding>>>,
+    /// Its result, if it is finished.
+    pub found: Option<Result<Box<Finding>, NothingFound>>,
 }
 
 impl Running {

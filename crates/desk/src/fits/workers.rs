@@ -58,11 +58,12 @@ pub struct FitComputation {
 impl FitComputation {
     /// Makes one trial.
     pub fn advance(&mut self) -> FitNews {
-        let Some(fit) = &mut self.fit else { return FitNews::Found(None) };
+        let Some(fit) = &mut self.fit else { return FitNews::Found(Err(NothingFound::NoCurve)) };
         if fit.advance() {
             let outcome = fit.outcome();
+            let nothing = if fit.gave_up() { NothingFound::TooManySteps } else { NothingFound::NoCurve };
             let finding = |outcome| Box::new(Finding { outcome, traces: fit.traces(POINTS_OF_A_CURVE) });
-            return FitNews::Found(outcome.map(finding));
+            return FitNews::Found(outcome.map(finding).ok_or(nothing));
         }
         FitNews::Trial { trials: fit.trials(), explained: fit.explained() }
     }
@@ -80,8 +81,17 @@ pub enum FitNews {
     },
     /// The worker has ended; the fit is handed out again.
     Lost,
-    /// It is finished; `None` if the model has no finite curve at any start.
-    Found(Option<Box<Finding>>),
+    /// It is finished.
+    Found(Result<Box<Finding>, NothingFound>),
+}
+
+/// Reason why a fit has found nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum NothingFound {
+    /// The model has no finite curve at any start.
+    NoCurve,
+    /// Wherever it was tried, the model needs more computation than a trial may take.
+    TooManySteps,
 }
 
 /// Result of a fit.

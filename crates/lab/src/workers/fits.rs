@@ -2,7 +2,7 @@
 
 use super::order::Order;
 use super::pool::{Heard, Pool};
-use desk::{FitNews, FitWork, InProcess, Workers};
+use desk::{FitNews, FitWork, InProcess, NothingFound, Workers};
 
 /// Computes the fits of a desk in workers, or here if the browser has none.
 #[derive(Default)]
@@ -24,8 +24,8 @@ impl FitWorkers {
 
     fn read(&mut self, number: u32, heard: Heard) -> FitNews {
         let news = match heard {
-            Heard::Answer(bytes) => postcard::from_bytes(&bytes).unwrap_or(FitNews::Found(None)),
-            Heard::Stopped => FitNews::Found(None),
+            Heard::Answer(bytes) => postcard::from_bytes(&bytes).unwrap_or(FitNews::Found(Err(NothingFound::NoCurve))),
+            Heard::Stopped => FitNews::Found(Err(NothingFound::NoCurve)),
             Heard::Refused => FitNews::Lost,
         };
         if matches!(news, FitNews::Found(_)) {

@@ -98,7 +98,7 @@ impl Outcome {
 }
 
 impl Outcome {
-    /// Sentences about the number of starts, if more than one, and about a lower minimum found by a profile.
+    /// Sentences about the number of starts, if more than one, a lower minimum found by a profile, and trials that were given up.
     pub fn search_texts(&self, language: Language) -> Vec<String> {
         let mut texts = Vec::new();
         if self.starts > 1 {
@@ -117,6 +117,17 @@ impl Outcome {
             let text = match language {
                 English => "The profile of a parameter met a lower chi-square: the fit was made again from there.",
                 Spanish => "El perfil de un parámetro encontró un chi cuadrado menor: el ajuste se repitió desde ahí.",
+            };
+            texts.push(text.to_owned());
+        }
+        if self.gave_up {
+            let text = match language {
+                English => {
+                    "Some trials needed too many steps of the integration and were given up: the search did not look there."
+                }
+                Spanish => {
+                    "Algunas pruebas necesitaban demasiados pasos de integración y se abandonaron: la búsqueda no miró ahí."
+                }
             };
             texts.push(text.to_owned());
         }

@@ -10,6 +10,8 @@ use units::{Words, words};
 pub(crate) const TOLERANCES: [f64; 3] = [1e-6, 1e-8, 1e-10];
 /// Upper bound of the evaluations of the equations for one solution.
 const MOST_EVALUATIONS: u64 = 2_000_000;
+/// Upper bound of the work for the solutions of all records in one trial, in floating-point operations: some seconds.
+const MOST_WORK: u64 = 5_000_000_000;
 
 /// Copy of a model without tables, buttons, texts and sizes.
 pub(crate) fn bare(model: &Model) -> Model {
@@ -44,6 +46,10 @@ pub(crate) struct Curve {
     routine: Routine,
     initial: Routine,
     stepper: Option<Stepper>,
+    /// Work of the present trial, in floating-point operations.
+    spent: u64,
+    /// True once a solution was given up because of one of the upper bounds.
+    gave_up: bool,
     start: Vec<f64>,
     zeros: Vec<f64>,
     values: Vec<f64>,
@@ -125,6 +131,8 @@ impl Curve {
             linear,
             observed: observed.len(),
             stepper,
+            spent: 0,
+            gave_up: false,
             start: vec![0.0; all],
             zeros: vec![0.0; all],
             values: Vec::new(),
@@ -163,6 +171,16 @@ impl Curve {
         self.states > 0
     }
 
+    /// Begins a trial: its solutions together are bounded.
+    pub fn begin_trial(&mut self) {
+        self.spent = 0;
+    }
+
+    /// True if a solution took more computation than is allowed, and was given up.
+    pub fn gave_up(&self) -> bool {
+        self.gave_up
+    }
+
     /// Computes the observed expressions, [`Curve::stride`] columns for each, into [`Curve::values`]. `times` are those of
     /// the model, SI, ascending and not before 0 for equations of motion. Returns the number of rows that the solution
     /// reaches.
@@ -181,12 +199,18 @@ impl Curve {
         }
         self.routine.prepare(parameters, &self.start);
         stepper.begin(parameters.to_vec(), &self.start);
-        let before = stepper.evaluations();
+        let (evaluations, work) = (stepper.evaluations(), stepper.work());
+        let spent = self.spent;
         for (row, &time) in times.iter().enumerate() {
-            if time > stepper.time()
-                && (stepper.advance_to(time).is_err() || stepper.evaluations() - before > MOST_EVALUATIONS)
-            {
-                return row;
+            if time > stepper.time() {
+                if stepper.advance_to(time).is_err() {
+                    return row;
+                }
+                self.spent = spent + (stepper.work() - work);
+                if stepper.evaluations() - evaluations > MOST_EVALUATIONS || self.spent > MOST_WORK {
+                    self.gave_up = true;
+                    return row;
+                }
             }
             self.routine.evaluate(time, stepper.state(), &mut self.row);
             for (column, value) in self.values.chunks_mut(rows).zip(&self.row) {

@@ -207,9 +207,10 @@ impl Problem {
     /// Residuals of all points of `plans`, (model minus measured) times weight, and below them one for the prior of each
     /// scale, with their derivatives. Returns false if the curve does not reach all points or a residual is not finite.
     pub fn residuals(&mut self, plans: &[Plan], x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
+        self.curve.begin_trial();
         let mut base = 0;
         for (record, plan) in plans.iter().enumerate() {
-            if !self.record_residuals(record, plan, x, base, residuals, jacobian) {
+            if !self.residuals_from(base, (record, plan), x, residuals, jacobian) {
                 return false;
             }
             base += plan.points.len();
@@ -218,14 +219,26 @@ impl Problem {
         residuals.iter().all(|value| value.is_finite())
     }
 
-    /// Residuals and derivatives of one record, from row `base` on. Returns false if the solution does not reach all
-    /// points; then only the rows that it reaches are set.
+    /// Residuals and derivatives of one record. Returns false if the solution does not reach all points; then only the rows that
+    /// it reaches are set.
     pub fn record_residuals(
         &mut self,
         record: usize,
         plan: &Plan,
         x: &[f64],
+        residuals: &mut [f64],
+        jacobian: &mut Jacobian,
+    ) -> bool {
+        self.curve.begin_trial();
+        self.residuals_from(0, (record, plan), x, residuals, jacobian)
+    }
+
+    /// [`Problem::record_residuals`] as a part of a trial, from row `base` on.
+    fn residuals_from(
+        &mut self,
         base: usize,
+        (record, plan): (usize, &Plan),
+        x: &[f64],
         residuals: &mut [f64],
         jacobian: &mut Jacobian,
     ) -> bool {

@@ -171,7 +171,7 @@ fn complete(
     let at = |problem: &mut Problem, x: &[f64]| {
         let mut residuals = vec![0.0; rows];
         let mut jacobian = Jacobian::new(rows, x.len());
-        problem.record_residuals(record, plan, x, 0, &mut residuals, &mut jacobian).then_some((residuals, jacobian))
+        problem.record_residuals(record, plan, x, &mut residuals, &mut jacobian).then_some((residuals, jacobian))
     };
     // With the linear part at zero, the residuals are what the linear part has to explain.
     let mut bare = trial.to_vec();

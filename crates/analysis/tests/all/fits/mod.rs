@@ -1,4 +1,5 @@
 //! Fits of models to data with known results.
+mod bounded;
 mod classic;
 mod coverage;
 mod elsewhere;

@@ -26,7 +26,11 @@ for (const language of ["en-GB", "es-ES"]) {
         // As a student sees them, then as an author.
         for (const tab of ["explore", "questions", "measure", "theory", "everything", "explore", "theory", "class", "write"].map((id) => lab.page.locator(id === "everything" ? "#everything" : `#tab-${id}`))) {
           await tab.click();
-          await lab.page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
+          // What is folded inside is built when its outside is unfolded.
+          for (let depth = 0; depth < 2; depth += 1) {
+            await lab.page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
+            await lab.drawn();
+          }
           found.push(...(await faults(lab, await tab.innerText(), "#panel")));
         }
         await lab.page.locator("#tab-explore").click();

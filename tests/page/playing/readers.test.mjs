@@ -110,6 +110,7 @@ visit("a teacher's link chooses tabs, hidden values and fixed controls", { fragm
   assert.deepEqual(await shown(lab), ["Explore", "Questions", "Theory"]);
   assert.equal(await lab.page.locator("#readouts").count(), 0);
   assert.equal(await lab.page.locator("#panel-explore fieldset.locked").first().evaluate((set) => set.disabled), true);
+  await lab.openMore();
   assert.equal(await lab.page.locator("#parameter-0").isDisabled(), true);
   assert.equal(await lab.page.locator("[role=slider][part~=handle]").count(), 0, "the liquid is not dragged");
   await lab.button("Play").click();

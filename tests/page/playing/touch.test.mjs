@@ -115,6 +115,8 @@ for (const [title, name] of [
 ]) {
   visit(`a finger that misses a handle by a little drags it all the same: ${title}`, PHONE, async (lab) => {
     await openTheory(lab, title);
+    // Its fields of the state are built when they are unfolded.
+    await lab.page.locator("#more").evaluate((more) => (more.open = true));
     await watch(lab);
     const state = () => lab.page.locator("#state-0").inputValue();
     const at = await grip(lab, handles(lab).first());

@@ -151,6 +151,7 @@ visit("a frame has its language, its parts, fixed values and the height of its c
   assert.deepEqual(await inside.getByRole("tab").filter({ visible: true }).count(), 2);
   assert.equal(await inside.locator(".plots").isVisible(), false);
   assert.equal(await inside.locator("#tab-theory").count(), 0);
+  await inside.locator("#more > summary").click();
   assert.equal(await inside.locator("#parameter-0").isDisabled(), true);
   assert.equal(await inside.locator("[part~=handle]").count(), 0, "nothing in the drawing can be dragged");
   await inside.getByRole("tab", { name: "Preguntas" }).click();
@@ -199,6 +200,7 @@ for (const [theme, width] of [["light", 390], ["dark", 800]]) {
     meniscus("export", "simulations/utube.md", "--output", file);
     for (const query of ["?lock&height=content&language=es", "?hide=head,scene&lock"]) {
       await lab.page.goto(pathToFileURL(file).href + query);
+      await lab.page.locator("#more").evaluate((more) => (more.open = true));
       await lab.page.locator("#parameter-0").waitFor({ state: "attached" });
       await lab.page.evaluate(axe);
       const { violations } = await lab.page.evaluate(() => window.axe.run("html"));

@@ -163,8 +163,13 @@ impl Stepper {
         let (equations, time) = (&mut self.equations, self.time);
         let expected = self.surfaces.timetable.next(time, target, &self.state);
         let end = expected.map_or(target, |expected| expected.high);
-        let size = if self.on_grid && expected.is_none() { self.step } else { end - time };
-        method.step(equations, time, size, &self.state, &mut self.next);
+        let whole = self.on_grid && expected.is_none();
+        let size = if whole { self.step } else { end - time };
+        // Steps in advance need a future without surfaces.
+        let ahead = whole && self.surfaces.is_empty();
+        if !(ahead && method.step_on_grid(equations, self.index, self.step, &self.state, &mut self.next)) {
+            method.step(equations, time, size, &self.state, &mut self.next);
+        }
         if !self.next.iter().all(|value| value.is_finite()) {
             let cause = not_finite(&self.next, equations.singular(), self.method);
             return Err(self.error(cause));

@@ -28,6 +28,16 @@ impl Function {
         }
     }
 
+    /// The function, if it has no data of its own.
+    pub fn plain(self) -> Option<Plain> {
+        match self {
+            Self::Unary(function) => Some(Plain::One(one(function))),
+            Self::Binary(function) => Some(Plain::Two(two(function))),
+            Self::Binomial => Some(Plain::Three(program::binomial)),
+            Self::Piece(_) | Self::Interpolated(_) => None,
+        }
+    }
+
     /// Value at `operands`, of which those beyond [`Function::operands`] are not read. `interpolations` are those of the
     /// listing.
     pub fn value(self, operands: [f64; 3], interpolations: &[Arc<Interpolation>]) -> f64 {
@@ -43,4 +53,42 @@ impl Function {
             Self::Binomial => program::binomial(a, b, c),
         }
     }
+}
+
+/// Pointer to a function, for hosts that import functions by their address.
+#[derive(Clone, Copy, Debug)]
+pub enum Plain {
+    /// A function of one operand.
+    One(fn(f64) -> f64),
+    /// A function of two operands.
+    Two(fn(f64, f64) -> f64),
+    /// A function of three operands.
+    Three(fn(f64, f64, f64) -> f64),
+}
+
+fn one(function: Unary) -> fn(f64) -> f64 {
+    macro_rules! pointers {
+        ($($name:ident)*) => {
+            match function {
+                $(Unary::$name => |x| Unary::$name.evaluate(x),)*
+            }
+        };
+    }
+    pointers!(
+        Negate Not Absolute Sign SquareRoot CubeRoot Exp Ln Log10 Sin Cos Tan Asin Acos Atan Sinh Cosh Tanh Asinh Acosh
+        Atanh Floor Ceil Round Uniform Normal Exponential
+    )
+}
+
+fn two(function: Binary) -> fn(f64, f64) -> f64 {
+    macro_rules! pointers {
+        ($($name:ident)*) => {
+            match function {
+                $(Binary::$name => |a, b| Binary::$name.evaluate(a, b),)*
+            }
+        };
+    }
+    pointers!(
+        Add Subtract Multiply Divide Power Atan2 Minimum Maximum Less LessOrEqual Equal NotEqual And Or Stream Poisson
+    )
 }

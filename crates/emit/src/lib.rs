@@ -11,7 +11,7 @@ mod function;
 mod methods;
 mod sink;
 
-pub use function::Function;
+pub use function::{Function, Plain};
 
 use engine::Listing;
 use sink::Sink;

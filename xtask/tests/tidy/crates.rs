@@ -4,13 +4,14 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 19] = [
+const ARROWS: [(&str, &[&str]); 20] = [
     ("units", &[]),
     ("program", &["units"]),
     ("model", &["program", "units"]),
     ("figure", &["units"]),
     ("engine", &["program", "units"]),
     ("emit", &["engine", "program"]),
+    ("host", &["emit", "engine", "program"]),
     ("film", &["units"]),
     ("document", &["model", "program", "units"]),
     ("analysis", &["engine", "program", "units"]),
@@ -22,7 +23,7 @@ const ARROWS: [(&str, &[&str]); 19] = [
         &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "saved", "units"],
     ),
     ("class", &["analysis", "desk", "document", "figure", "play", "program", "report", "saved", "units"]),
-    ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
+    ("probe", &["analysis", "document", "engine", "figure", "host", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
     ("lab", &["class", "desk", "document", "figure", "film", "model", "play", "program", "units", "view"]),

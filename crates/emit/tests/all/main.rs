@@ -2,5 +2,8 @@
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 
+mod arbitrary;
+mod compare;
 mod documents;
 mod host;
+mod programs;

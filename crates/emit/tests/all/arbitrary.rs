@@ -22,11 +22,11 @@ fn arbitrary_programs_have_the_same_bits_in_emitted_code() {
         };
         for method in METHODS {
             let setup = Setup { method, ..Setup::defaults(&model) };
-            match compare(&model, setup, 40) {
+            match compare(&model, setup, 20) {
                 Compared::Rows(rows) => { compared.fetch_add(rows, Ordering::Relaxed); }
                 Compared::Interpreted(reason) => prop_assert!(false, "{reason}\n{text}"),
             }
         }
     });
-    assert!(compared.into_inner() > 5000, "the programs make steps");
+    assert!(compared.into_inner() > 2000, "the programs make steps");
 }

@@ -69,6 +69,11 @@ impl Stepper {
     /// As [`Stepper::advance`].
     pub fn advance_within(&mut self, work: u64, record: &mut impl Record) -> Result<Progress, RunError> {
         let target = (self.index + 1) as f64 * self.step;
+        if self.takes_row(target) {
+            record.row(target, &self.state, false);
+            self.index += 1;
+            return Ok(Progress::Row { events: 0 });
+        }
         let arrived = self.try_until(target, work, record)?;
         if !arrived {
             return Ok(Progress::Partial);
@@ -163,13 +168,8 @@ impl Stepper {
         let (equations, time) = (&mut self.equations, self.time);
         let expected = self.surfaces.timetable.next(time, target, &self.state);
         let end = expected.map_or(target, |expected| expected.high);
-        let whole = self.on_grid && expected.is_none();
-        let size = if whole { self.step } else { end - time };
-        // Steps in advance need a future without surfaces.
-        let ahead = whole && self.surfaces.is_empty();
-        if !(ahead && method.step_on_grid(equations, self.index, self.step, &self.state, &mut self.next)) {
-            method.step(equations, time, size, &self.state, &mut self.next);
-        }
+        let size = if self.on_grid && expected.is_none() { self.step } else { end - time };
+        method.step(equations, time, size, &self.state, &mut self.next);
         if !self.next.iter().all(|value| value.is_finite()) {
             let cause = not_finite(&self.next, equations.singular(), self.method);
             return Err(self.error(cause));

@@ -7,6 +7,23 @@ use crate::compiled::listing::{Interpreted, Listing};
 use std::rc::Rc;
 
 impl Stepper {
+    /// Moves to the next grid point, at `target`, if compiled code makes the steps from grid point to grid point in
+    /// advance: nothing can interrupt them. False if not, or if the state is not finite there.
+    #[inline]
+    pub(super) fn takes_row(&mut self, target: f64) -> bool {
+        let Solver::Fixed(method) = &self.solver else { return false };
+        let free = self.on_grid && self.stopped.is_none() && !self.counts && self.presses.next().is_none();
+        if !free
+            || !self.surfaces.is_smooth()
+            || !method.step_on_grid(&mut self.equations, self.index, self.step, &self.state, &mut self.next)
+        {
+            return false;
+        }
+        std::mem::swap(&mut self.state, &mut self.next);
+        self.time = target;
+        true
+    }
+
     /// The steps of this stepper for a compiler.
     ///
     /// # Errors

@@ -14,7 +14,7 @@ use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
     let text = programs::text(bytes);
-    let Some(checked) = model::compile(&text, &[0..text.len()]).0 else { return };
+    let Some(checked) = model::compile(&text, std::slice::from_ref(&(0..text.len()))).0 else { return };
     let model = checked.model;
     for method in Method::ALL {
         compare::compare(&model, Setup { method, ..Setup::defaults(&model) }, 20);

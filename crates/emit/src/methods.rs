@@ -3,7 +3,7 @@
 
 use crate::body::Body;
 use crate::sink::{Local, Sink};
-use engine::tableau::{ERROR_WEIGHTS, NODES, STAGE_WEIGHTS, STAGES};
+use engine::tableau::{DENSE_WEIGHTS, ERROR_WEIGHTS, NODES, STAGE_WEIGHTS, STAGES};
 use engine::{Listing, Method};
 
 /// Number of operations of a step, about.
@@ -13,7 +13,7 @@ pub(crate) fn operations(listing: &Listing) -> usize {
         Method::EulerRichardson => (2, 4),
         Method::VelocityVerlet => (2, 8),
         Method::RungeKutta4 => (4, 14),
-        Method::DormandPrince | Method::Rosenbrock => (STAGES - 1, 64),
+        Method::DormandPrince | Method::Rosenbrock => (STAGES - 1, 84),
     };
     stages * listing.lines.len() + sums * listing.states.len()
 }
@@ -151,11 +151,12 @@ impl Step<'_> {
         }
     }
 
-    /// One attempt; the rates of the first stage are given in the block, the others and the error are stored there.
+    /// One attempt; the rates of the first stage are given in the block, those of the last one, the error and the
+    /// coefficients of the continuous solution are stored there.
     fn dormand_prince(&self, sink: &mut Sink, listing: &Listing) {
         let layout = listing.layout;
         for (k, &rate) in self.rates[0].iter().enumerate() {
-            sink.load(layout.rates(0) + k);
+            sink.load(layout.first_rates() + k);
             sink.set(rate);
         }
         for stage in 1..STAGES {
@@ -172,20 +173,35 @@ impl Step<'_> {
             sink.add();
             sink.set(self.body.time());
             self.body.evaluate(sink, &self.rates[stage]);
-            for (k, &rate) in self.rates[stage].iter().enumerate() {
-                sink.store(layout.rates(stage) + k, rate);
-            }
         }
-        let error = sink.local();
+        let [result, change, bend] = std::array::from_fn(|_| sink.local());
         for (k, &state) in self.states.iter().enumerate() {
-            // The last stage is evaluated at the result.
-            sink.get(self.body.state(k));
-            sink.set(state);
+            let [first, last] = [self.rates[0][k], self.rates[STAGES - 1][k]];
+            sink.store(layout.last_rates() + k, last);
             self.weighted(sink, &ERROR_WEIGHTS, k);
             sink.get(self.size);
             sink.multiply();
-            sink.set(error);
-            sink.store(layout.error() + k, error);
+            sink.set(result);
+            sink.store(layout.error() + k, result);
+            sink.store(layout.dense(0) + k, state);
+            // The last stage is evaluated at the result.
+            let to = self.body.state(k);
+            sink.instructions().local_get(to).local_get(state).f64_sub().local_set(change);
+            sink.store(layout.dense(1) + k, change);
+            sink.instructions().local_get(self.size).local_get(first).f64_mul().local_get(change).f64_sub();
+            sink.set(bend);
+            sink.store(layout.dense(2) + k, bend);
+            // change - size * last - bend
+            sink.instructions().local_get(change).local_get(self.size).local_get(last).f64_mul().f64_sub();
+            sink.instructions().local_get(bend).f64_sub().local_set(result);
+            sink.store(layout.dense(3) + k, result);
+            self.weighted(sink, &DENSE_WEIGHTS, k);
+            sink.get(self.size);
+            sink.multiply();
+            sink.set(result);
+            sink.store(layout.dense(4) + k, result);
+            sink.get(to);
+            sink.set(state);
         }
     }
 

@@ -14,7 +14,7 @@ fn arbitrary_programs_have_the_same_bits_in_emitted_code() {
     let compared = AtomicUsize::new(0);
     proptest!(|(bytes in proptest::collection::vec(any::<u8>(), 0..200))| {
         let text = programs::text(&bytes);
-        let (model, diagnostics) = model::compile(&text, &[0..text.len()]);
+        let (model, diagnostics) = model::compile(&text, std::slice::from_ref(&(0..text.len())));
         let Some(model) = model.map(|checked| checked.model) else {
             // Constants that are not finite, or a domain that is left everywhere.
             prop_assert!(model::has_errors(&diagnostics));

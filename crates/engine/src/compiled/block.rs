@@ -2,7 +2,6 @@
 
 use super::Compiled;
 use super::layout::Layout;
-use crate::methods::tableau::STAGES;
 use std::rc::Rc;
 
 /// Compiled code with its block of numbers, and the rows that it has computed in advance.
@@ -60,7 +59,8 @@ impl Block {
         true
     }
 
-    /// Makes an attempt of a step of the Dormand-Prince method; the rates of the first stage are given.
+    /// Makes an attempt of a step of the Dormand-Prince method; the rates of the first stage are given
+    /// (`first`), those of the last one are a result (`last`).
     pub fn attempt(
         &mut self,
         time: f64,
@@ -68,15 +68,20 @@ impl Block {
         from: &[f64],
         to: &mut [f64],
         error: &mut [f64],
-        rates: &mut [Vec<f64>; STAGES],
+        [first, last]: [&mut [f64]; 2],
     ) {
         let layout = self.layout;
-        self.numbers[layout.rates(0)..layout.rates(1)].copy_from_slice(&rates[0]);
+        self.numbers[layout.first_rates()..layout.last_rates()].copy_from_slice(first);
         self.run([time, 1.0, size], from, 1);
         to.copy_from_slice(self.states(layout.row(0)));
         error.copy_from_slice(self.states(layout.error()));
-        for (stage, rates) in rates.iter_mut().enumerate().skip(1) {
-            rates.copy_from_slice(self.states(layout.rates(stage)));
+        last.copy_from_slice(self.states(layout.last_rates()));
+    }
+
+    /// Coefficients of the continuous solution over the step of the last attempt.
+    pub fn dense(&self, coefficients: &mut [Vec<f64>; 5]) {
+        for (degree, coefficients) in coefficients.iter_mut().enumerate() {
+            coefficients.copy_from_slice(self.states(self.layout.dense(degree)));
         }
     }
 

@@ -1,7 +1,5 @@
 //! Places of the numbers that compiled code reads and writes.
 
-use crate::methods::tableau::STAGES;
-
 /// Indices into the block of numbers that compiled code shares with the engine. All values are in SI units; lists of states
 /// and rates are in the order of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,13 +44,23 @@ impl Layout {
         self.row(1)
     }
 
-    /// Dormand-Prince: first rate of a stage. The rates of stage 0 are given.
-    pub const fn rates(self, stage: usize) -> usize {
-        self.row(2 + stage)
+    /// Dormand-Prince: first rate of the first stage, which is given.
+    pub const fn first_rates(self) -> usize {
+        self.row(2)
+    }
+
+    /// Dormand-Prince: first rate of the last stage.
+    pub const fn last_rates(self) -> usize {
+        self.row(3)
+    }
+
+    /// Dormand-Prince: first coefficient of degree `degree`, 0 to 4, of the continuous solution.
+    pub const fn dense(self, degree: usize) -> usize {
+        self.row(4 + degree)
     }
 
     /// Length of the block.
     pub(super) fn len(self) -> usize {
-        self.row(self.rows).max(self.rates(STAGES))
+        self.row(self.rows).max(self.dense(5))
     }
 }

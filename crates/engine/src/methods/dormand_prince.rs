@@ -3,18 +3,7 @@
 //! Differential Equations I, table II.5.2 and section II.6; last coefficients of the dense output as in their code DOPRI5).
 
 use super::equations::Equations;
-use super::tableau::{ERROR_WEIGHTS, NODES, STAGE_WEIGHTS, STAGES};
-
-/// Weights of the term of degree 4 in the dense output.
-const DENSE_WEIGHTS: [f64; STAGES] = [
-    -12_715_105_075.0 / 11_282_082_432.0,
-    0.0,
-    87_487_479_700.0 / 32_700_410_799.0,
-    -10_690_763_975.0 / 1_880_347_072.0,
-    701_980_252_875.0 / 199_316_789_632.0,
-    -1_453_857_185.0 / 822_651_844.0,
-    69_997_945.0 / 29_380_423.0,
-];
+use super::tableau::{DENSE_WEIGHTS, ERROR_WEIGHTS, NODES, STAGE_WEIGHTS, STAGES};
 
 /// Working storage of the method.
 #[derive(Clone, Debug)]
@@ -50,7 +39,8 @@ impl DormandPrince {
             equations.rates(time, from, &mut self.rates[0]);
             self.first_known = true;
         }
-        if equations.attempt_compiled(time, size, from, to, error, &mut self.rates) {
+        let [first, .., last] = &mut self.rates;
+        if equations.attempt_compiled(time, size, from, to, error, [first, last]) {
             return;
         }
         for stage in 1..STAGES {

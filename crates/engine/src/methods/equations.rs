@@ -156,8 +156,8 @@ impl Equations {
         made
     }
 
-    /// Makes an attempt of a step of the Dormand-Prince method in compiled form. `rates`: those of the first stage are
-    /// given. False if there is no compiled form.
+    /// Makes an attempt of a step of the Dormand-Prince method in compiled form. `rates`: those of the first stage,
+    /// which are given, and those of the last one. False if there is no compiled form.
     #[inline]
     pub fn attempt_compiled(
         &mut self,
@@ -166,11 +166,20 @@ impl Equations {
         from: &[f64],
         to: &mut [f64],
         error: &mut [f64],
-        rates: &mut [Vec<f64>; STAGES],
+        rates: [&mut [f64]; 2],
     ) -> bool {
         let Some(block) = &mut self.compiled else { return false };
         self.evaluations += STAGES as u64 - 1;
         block.attempt(time, size, from, to, error, rates);
+        true
+    }
+
+    /// Coefficients of the continuous solution over the step of the last attempt in compiled form. False if there is no
+    /// compiled form.
+    #[inline]
+    pub fn dense_compiled(&self, coefficients: &mut [Vec<f64>; 5]) -> bool {
+        let Some(block) = &self.compiled else { return false };
+        block.dense(coefficients);
         true
     }
 

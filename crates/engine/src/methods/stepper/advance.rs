@@ -72,7 +72,7 @@ impl Stepper {
         if self.takes_row(target) {
             record.row(target, &self.state, false);
             self.index += 1;
-            return Ok(Progress::Row { events: 0 });
+            return Ok(Progress::Row { events: std::mem::take(&mut self.row).events });
         }
         let arrived = self.try_until(target, work, record)?;
         if !arrived {

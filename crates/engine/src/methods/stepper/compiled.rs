@@ -7,17 +7,26 @@ use crate::compiled::listing::{Interpreted, Listing};
 use std::rc::Rc;
 
 impl Stepper {
-    /// Moves to the next grid point, at `target`, if compiled code makes the steps from grid point to grid point in
-    /// advance: nothing can interrupt them. False if not, or if the state is not finite there.
+    /// Moves to the next grid point, at `target`, if its state is computed already or in advance and nothing can happen on
+    /// the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, or
+    /// if the state is not finite there.
     #[inline]
     pub(super) fn takes_row(&mut self, target: f64) -> bool {
-        let Solver::Fixed(method) = &self.solver else { return false };
         let free = self.on_grid && self.stopped.is_none() && !self.counts && self.presses.next().is_none();
-        if !free
-            || !self.surfaces.is_smooth()
-            || !method.step_on_grid(&mut self.equations, self.index, self.step, &self.state, &mut self.next)
-        {
+        if !free || !self.surfaces.is_smooth() {
             return false;
+        }
+        match &self.solver {
+            Solver::Fixed(method) => {
+                let (index, step) = (self.index, self.step);
+                if !method.step_on_grid(&mut self.equations, index, step, &self.state, &mut self.next) {
+                    return false;
+                }
+            }
+            Solver::Adaptive(method) if target < method.end() => {
+                method.dense(target - method.start(), &mut self.next);
+            }
+            Solver::Adaptive(_) => return false,
         }
         std::mem::swap(&mut self.state, &mut self.next);
         self.time = target;

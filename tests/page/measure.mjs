@@ -90,7 +90,7 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
       return performance.now() - start;
     };
     let rows = 200;
-    while (rows < 100_000 && time(machine, rows) < 5) rows *= 2;
+    while (rows < 1_000_000 && time(machine, rows) < 10) rows *= 2;
     const least = [Infinity, Infinity];
     for (let round = 0; round < rounds; round += 1) {
       least[0] = Math.min(least[0], time(machine, rows));

@@ -42,18 +42,18 @@ impl Block {
         to.copy_from_slice(self.states(self.layout.row(0)));
     }
 
-    /// Makes the step of a fixed-step method from grid point `index` to the next one. Several steps are computed at once;
-    /// the next calls take their rows. False if the state is not finite at its end.
-    pub fn step_on_grid(&mut self, index: u64, step: f64, from: &[f64], to: &mut [f64]) -> bool {
-        let known = self.ahead.index == index && self.ahead.taken < self.ahead.count;
-        if !known {
-            let rows = self.layout.rows;
-            self.ahead = Ahead { index, taken: 0, count: self.run([index as f64, step, step], from, rows as u32) };
+    /// Moves the state from grid point `index` to the next one by a fixed-step method. Several steps are computed at once;
+    /// the next calls take their rows. False if the state would not be finite; it is then unchanged.
+    #[inline]
+    pub fn step_on_grid(&mut self, index: u64, step: f64, state: &mut [f64]) -> bool {
+        if self.ahead.index != index || self.ahead.taken >= self.ahead.count {
+            let rows = self.layout.rows as u32;
+            self.ahead = Ahead { index, taken: 0, count: self.run([index as f64, step, step], state, rows) };
             if self.ahead.count == 0 {
                 return false;
             }
         }
-        to.copy_from_slice(self.states(self.layout.row(self.ahead.taken)));
+        state.copy_from_slice(self.states(self.layout.row(self.ahead.taken)));
         self.ahead.index += 1;
         self.ahead.taken += 1;
         true

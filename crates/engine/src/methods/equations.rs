@@ -146,12 +146,12 @@ impl Equations {
         true
     }
 
-    /// [`Equations::step_compiled`] from grid point `index` to the next one; the steps after it are computed at the same
-    /// time. False if there is no compiled form, or if the state is not finite at the end.
+    /// Moves the state from grid point `index` to the next one in compiled form, see [`Block::step_on_grid`]. False if there
+    /// is none, or if the state would not be finite.
     #[inline]
-    pub fn step_on_grid_compiled(&mut self, stages: u64, index: u64, step: f64, from: &[f64], to: &mut [f64]) -> bool {
+    pub fn step_on_grid_compiled(&mut self, stages: u64, index: u64, step: f64, state: &mut [f64]) -> bool {
         let Some(block) = &mut self.compiled else { return false };
-        let made = block.step_on_grid(index, step, from, to);
+        let made = block.step_on_grid(index, step, state);
         self.evaluations += if made { stages } else { 0 };
         made
     }

@@ -47,11 +47,11 @@ impl Fixed {
         self.ends = [start, end];
     }
 
-    /// Makes the step from grid point `index` to the next one, together with steps after it, if it is in compiled form. False
-    /// if it is not, or if the state is not finite at its end.
+    /// Moves the state from grid point `index` to the next one if steps are in compiled form; several are made at once.
+    /// False if they are not, or if the state would not be finite; it is then unchanged.
     #[inline]
-    pub fn step_on_grid(&self, equations: &mut Equations, index: u64, step: f64, from: &[f64], to: &mut [f64]) -> bool {
-        equations.step_on_grid_compiled(self.stages(), index, step, from, to)
+    pub fn step_on_grid(&self, equations: &mut Equations, index: u64, step: f64, state: &mut [f64]) -> bool {
+        equations.step_on_grid_compiled(self.stages(), index, step, state)
     }
 
     /// Indices of each position and its velocity, for velocity Verlet; `order` as in [`Equations::order`].

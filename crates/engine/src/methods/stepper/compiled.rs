@@ -18,17 +18,15 @@ impl Stepper {
         }
         match &self.solver {
             Solver::Fixed(method) => {
-                let (index, step) = (self.index, self.step);
-                if !method.step_on_grid(&mut self.equations, index, step, &self.state, &mut self.next) {
+                if !method.step_on_grid(&mut self.equations, self.index, self.step, &mut self.state) {
                     return false;
                 }
             }
             Solver::Adaptive(method) if target < method.end() => {
-                method.dense(target - method.start(), &mut self.next);
+                method.dense(target - method.start(), &mut self.state);
             }
             Solver::Adaptive(_) => return false,
         }
-        std::mem::swap(&mut self.state, &mut self.next);
         self.time = target;
         true
     }

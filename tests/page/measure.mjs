@@ -3,9 +3,9 @@
 // a page that `meniscus export` has made; PROFILES, the directory with the exported pages `chain.html`, of 200 masses, and
 // `string.html`, of 1,000 points; and CHROME, without which the pace is that of Node and nothing is said about the page.
 
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
-import { pathToFileURL } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import vm from "node:vm";
 import { measurePhone } from "./phone.mjs";
 import { framesIn, median, usableAfter } from "./timing.mjs";
@@ -29,12 +29,14 @@ const module = readFileSync(join(process.env.PROBE, "probe_bg.wasm"));
 
 const say = (name, value) => console.log(name, value.toFixed(3));
 
-/** Million steps in a second in the virtual machine and by hand, in turns, the best of each. */
-async function pace({ bytes, steps, systems, rounds, record }) {
+/** Million steps in a second in the virtual machine, in emitted code and by hand, in turns, the best of each. */
+async function pace({ bytes, steps, systems, rounds, record, shipped }) {
   const { probe } = globalThis;
   await probe({ module_or_path: Uint8Array.from(atob(bytes), (character) => character.charCodeAt(0)) });
   const tube = new probe.Pace();
-  const best = { machine: 0, hand: 0 };
+  const emitted = new probe.Pace();
+  emitted.emit();
+  const best = { machine: 0, emitted: 0, hand: 0, best: 0 };
   const measure = (name, work) => {
     const start = performance.now();
     work();
@@ -42,7 +44,9 @@ async function pace({ bytes, steps, systems, rounds, record }) {
   };
   for (let round = 0; round < rounds; round += 1) {
     measure("machine", () => tube.machine(steps));
+    measure("emitted", () => emitted.machine(steps));
     measure("hand", () => tube.by_hand(steps));
+    measure("best", () => tube.best_by_hand(steps));
   }
   // A damped cosine at 30 frames a second, as the native measurement makes it without the measured record.
   const times = Float64Array.from({ length: 207 }, (_, frame) => frame / 30);
@@ -70,6 +74,30 @@ async function pace({ bytes, steps, systems, rounds, record }) {
       least(`${name}-hand`, count / 1000, () => system.by_hand(count));
     }
   }
+  // Each document with its own method: how many times as fast it is in emitted code, or why it is interpreted.
+  best.shipped = {};
+  for (const [name, text] of Object.entries(shipped)) {
+    const [machine, emitted] = [new probe.Shipped(text), new probe.Shipped(text)];
+    try {
+      emitted.emit();
+    } catch (reason) {
+      best.shipped[name] = reason;
+      continue;
+    }
+    const time = (document, rows) => {
+      const start = performance.now();
+      document.rows(rows);
+      return performance.now() - start;
+    };
+    let rows = 200;
+    while (rows < 1_000_000 && time(machine, rows) < 10) rows *= 2;
+    const least = [Infinity, Infinity];
+    for (let round = 0; round < rounds; round += 1) {
+      least[0] = Math.min(least[0], time(machine, rows));
+      least[1] = Math.min(least[1], time(emitted, rows));
+    }
+    best.shipped[name] = least[0] / least[1];
+  }
   const text = probe.long_document();
   for (let round = 0; round < rounds; round += 1) least("check-lines", 3, () => probe.check(text, 3));
   return best;
@@ -83,11 +111,31 @@ function measured() {
   return { times: rows.map((row) => row[0]), level: rows.map((row) => row[1]) };
 }
 
-const task = { bytes: module.toString("base64"), steps: STEPS, systems: SYSTEMS, rounds: ROUNDS, record: measured() };
+/** Texts of the documents that ship, by name. */
+function shipped() {
+  const folder = fileURLToPath(new URL("../../simulations/", import.meta.url));
+  const names = readdirSync(folder).filter((name) => name.endsWith(".md") && !name.endsWith(".es.md"));
+  return Object.fromEntries(names.map((name) => [name.slice(0, -3), readFileSync(join(folder, name), "utf8")]));
+}
+
+const task = {
+  bytes: module.toString("base64"),
+  steps: STEPS,
+  systems: SYSTEMS,
+  rounds: ROUNDS,
+  record: measured(),
+  shipped: shipped(),
+};
 
 function sayPace(best) {
   say("wasm-machine", best.machine);
+  say("wasm-emitted", best.emitted);
   say("wasm-hand", best.hand);
+  say("wasm-best", best.best);
+  for (const [name, times] of Object.entries(best.shipped)) {
+    if (typeof times === "number") say(`shipped-${name}`, times);
+    else console.log(`interpreted: ${name}: ${times}`);
+  }
   say("fit-formula", best.formula);
   say("fit-motion", best.motion);
   for (const [name, value] of Object.entries(best.systems)) say(name, value);

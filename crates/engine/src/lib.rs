@@ -3,6 +3,7 @@
 
 pub mod checks;
 mod code;
+mod compiled;
 mod error;
 mod events;
 mod methods;
@@ -12,10 +13,16 @@ mod run;
 mod setup;
 mod start;
 
+pub use code::instruction::{Operation, Register};
+pub use code::lines::Line;
 pub use code::routine::Routine;
+pub use compiled::Compiled;
+pub use compiled::layout::Layout;
+pub use compiled::listing::{Interpreted, Listing};
 pub use error::{Cause, RunError, Subject};
 pub use events::press::Press;
 pub use methods::stepper::{Progress, ROUNDING, Stepper};
+pub use methods::tableau;
 pub use notice::{Notice, NoticeKind};
 pub use program::Method;
 pub use record::history::History;

@@ -4,8 +4,11 @@ use crate::methods::stability::Stability;
 use crate::methods::stepper::grid_index;
 use crate::record::checkpoints::Checkpoints;
 use crate::record::ranges::Ranges;
-use crate::{History, Notice, NoticeKind, Press, Progress, Readings, RunError, Setup, Stepper};
+use crate::{
+    Compiled, History, Interpreted, Listing, Notice, NoticeKind, Press, Progress, Readings, RunError, Setup, Stepper,
+};
 use program::{Model, NodeId};
+use std::rc::Rc;
 
 /// Maximum size of a history in bytes (64 MiB); a run that reaches it pauses.
 pub const CAPACITY: usize = 64 << 20;
@@ -114,6 +117,19 @@ impl Run {
         let outcome = self.stepper.finish(end, &mut self.history);
         self.last_on_grid = self.history.len() - 1;
         outcome
+    }
+
+    /// The steps of the run for a compiler ([`Stepper::listing`]).
+    ///
+    /// # Errors
+    /// The reason why they can only be interpreted.
+    pub fn listing(&self) -> Result<Listing, Interpreted> {
+        self.stepper.listing()
+    }
+
+    /// Makes all later steps with compiled code ([`Stepper::use_compiled`]).
+    pub fn use_compiled(&mut self, code: Rc<dyn Compiled>) {
+        self.stepper.use_compiled(code);
     }
 
     /// Approximate number of floating-point operations so far.

@@ -5,10 +5,12 @@ mod fits;
 mod golden;
 mod long;
 mod pace;
+mod shipped;
 mod systems;
 
 pub use fits::Fits;
 pub use golden::{fingerprint, golden};
 pub use long::{check, long_document};
 pub use pace::Pace;
+pub use shipped::Shipped;
 pub use systems::System;

@@ -1,4 +1,4 @@
-//! Speed of the steps of the U-tube in the engine's virtual machine and in a hand-written loop.
+//! Speed of the steps of the U-tube in the engine's virtual machine, in emitted code and in hand-written loops.
 
 use engine::{Method, Stepper};
 use std::hint::black_box;
@@ -76,6 +76,25 @@ impl Pace {
         Ok(last)
     }
 
+    /// Makes the steps of [`Pace::machine`] in emitted code from now on; in WebAssembly only.
+    ///
+    /// # Errors
+    /// The reason why they are interpreted.
+    pub fn emit(&mut self) -> Result<(), String> {
+        let code = host::compile(self.stepper.listing()).map_err(|reason| format!("{reason:?}"))?;
+        self.stepper.use_compiled(code);
+        Ok(())
+    }
+
+    /// [`Pace::by_hand`] with coefficients that are computed beforehand.
+    pub fn best_by_hand(&self, steps: u32) -> f64 {
+        let mut last = 0.0;
+        for run in runs(steps) {
+            last = best_by_hand(black_box(self.tube), run);
+        }
+        last
+    }
+
     /// Computes `steps` steps in a hand-written loop whose parameters are known only at run time. Returns the last
     /// displacement, SI.
     pub fn by_hand(&self, steps: u32) -> f64 {
@@ -108,6 +127,25 @@ fn by_hand(tube: Tube, steps: u32) -> f64 {
         let (y4, v4) = (v + h * v3, acceleration(y + h * y3, v + h * v3));
         y += h / 6.0 * (y1 + 2.0 * y2 + 2.0 * y3 + y4);
         v += h / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
+    }
+    y
+}
+
+/// [`by_hand`] with coefficients that are computed beforehand.
+#[inline(never)]
+fn best_by_hand(tube: Tube, steps: u32) -> f64 {
+    let Tube { rho, area, length, damping, gravity, start: [mut y, mut v], step: h } = tube;
+    let mass = rho * area * length;
+    let (stiffness, damping) = (-2.0 * rho * area * gravity / mass, -damping / mass);
+    let (half, sixth) = (0.5 * h, h / 6.0);
+    let acceleration = |y: f64, v: f64| stiffness * y + damping * v;
+    for _ in 0..steps {
+        let (y1, v1) = (v, acceleration(y, v));
+        let (y2, v2) = (v + half * v1, acceleration(y + half * y1, v + half * v1));
+        let (y3, v3) = (v + half * v2, acceleration(y + half * y2, v + half * v2));
+        let (y4, v4) = (v + h * v3, acceleration(y + h * y3, v + h * v3));
+        y += sixth * (y1 + 2.0 * (y2 + y3) + y4);
+        v += sixth * (v1 + 2.0 * (v2 + v3) + v4);
     }
     y
 }

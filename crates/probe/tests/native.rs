@@ -1,6 +1,6 @@
 //! Native tests of the probe: the golden runs, and agreement of the loops whose speed is compared.
 
-use probe::{Pace, System, check, fingerprint, golden, long_document};
+use probe::{Pace, Shipped, System, check, fingerprint, golden, long_document};
 
 #[test]
 fn golden_runs_have_the_bits_in_the_repository() {
@@ -66,4 +66,12 @@ fn the_long_document_is_long_and_without_errors() {
     assert!(text.lines().count() > 2000, "{}", text.lines().count());
     assert_eq!(document::open(&text, &[]).diagnostics, []);
     assert_eq!(check(&text, 1), Ok(100));
+}
+
+#[test]
+fn an_interpreted_document_says_why_and_its_rows_repeat() {
+    let mut stiff = Shipped::new(include_str!("../../../simulations/van-der-pol.md")).unwrap();
+    assert_eq!(stiff.emit(), Err("Interpreted(Method(Rosenbrock))".to_owned()));
+    assert_eq!(stiff.rows(3000), stiff.rows(3000));
+    assert_ne!(stiff.rows(3000), stiff.rows(2999));
 }

@@ -4,12 +4,14 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 18] = [
+const ARROWS: [(&str, &[&str]); 20] = [
     ("units", &[]),
     ("program", &["units"]),
     ("model", &["program", "units"]),
     ("figure", &["units"]),
     ("engine", &["program", "units"]),
+    ("emit", &["engine", "program"]),
+    ("host", &["emit", "engine", "program"]),
     ("film", &["units"]),
     ("document", &["model", "program", "units"]),
     ("analysis", &["engine", "program", "units"]),
@@ -21,7 +23,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
         &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "saved", "units"],
     ),
     ("class", &["analysis", "desk", "document", "figure", "play", "program", "report", "saved", "units"]),
-    ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
+    ("probe", &["analysis", "document", "engine", "figure", "host", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
     ("lab", &["class", "desk", "document", "figure", "film", "model", "play", "program", "units", "view"]),
@@ -32,9 +34,9 @@ const ARROWS: [(&str, &[&str]); 18] = [
 ];
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
-const CORE: [&str; 13] = [
-    "units", "program", "model", "document", "engine", "analysis", "film", "figure", "report", "play", "saved", "desk",
-    "class",
+const CORE: [&str; 14] = [
+    "units", "program", "model", "document", "engine", "emit", "analysis", "film", "figure", "report", "play", "saved",
+    "desk", "class",
 ];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];

@@ -50,7 +50,7 @@ impl Operand {
     }
 
     /// Register of one element.
-    fn register(&self, element: usize) -> Register {
+    pub fn register(&self, element: usize) -> Register {
         match self {
             Self::Same(register) => *register,
             Self::Next(first) => first + element as Register,

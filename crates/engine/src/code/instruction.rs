@@ -4,7 +4,7 @@ use crate::methods::sparse::Sparse;
 use program::{Binary, Unary};
 
 /// Index of a register.
-pub(crate) type Register = u32;
+pub type Register = u32;
 
 /// One instruction; the first register is the target. A product and the sum that uses it are one instruction (with both
 /// roundings) because dispatch costs more than arithmetic. Functions that cost more than dispatch share a variant.
@@ -37,28 +37,42 @@ pub(crate) enum Instruction {
     Column(u32),
 }
 
-/// Operation of an instruction or a column; operands as in [`Instruction`].
+/// Operation of the register machine on its operands a, b and c.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Operation {
+pub enum Operation {
+    /// a + b
     Add,
+    /// a - b
     Subtract,
+    /// a * b
     Multiply,
+    /// a / b
     Divide,
+    /// -a
     Negate,
+    /// a * b + c, with both roundings.
     MultiplyAdd,
+    /// a * b - c, with both roundings.
     MultiplySubtract,
+    /// c - a * b, with both roundings.
     SubtractProduct,
+    /// b if the condition a is not 0, else c.
     Select,
+    /// Sample of a binomial distribution: trials, probability, random stream.
     Binomial,
+    /// A function of a.
     Unary(Unary),
+    /// A function of a and b.
     Binary(Binary),
+    /// Index of the piece of an interpolation (its index) in which a lies.
     Piece(u32),
+    /// Value at a of an interpolation (its index) in the piece b.
     Interpolated(u32),
 }
 
 impl Operation {
     /// The instruction with this target and these operands; surplus operands are ignored.
-    pub fn instruction(self, to: Register, [a, b, c]: [Register; 3]) -> Instruction {
+    pub(crate) fn instruction(self, to: Register, [a, b, c]: [Register; 3]) -> Instruction {
         match self {
             Self::Add => Instruction::Add(to, a, b),
             Self::Subtract => Instruction::Subtract(to, a, b),
@@ -78,7 +92,7 @@ impl Operation {
     }
 
     /// Unique key of the operation, for sorting.
-    pub fn number(self) -> (u8, u32) {
+    pub(crate) fn number(self) -> (u8, u32) {
         match self {
             Self::Add => (0, 0),
             Self::Subtract => (1, 0),

@@ -7,7 +7,8 @@ pub(crate) mod routine;
 mod column;
 mod columns;
 mod compile;
-mod instruction;
+pub(crate) mod instruction;
+pub(crate) mod lines;
 
 use column::Column;
 use instruction::{Elimination, Instruction, Register, each};

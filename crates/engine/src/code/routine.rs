@@ -1,8 +1,10 @@
 //! Compiles expressions of a model to register code and evaluates them.
 
 use super::compile::compile;
-use crate::code::{Code, run};
-use program::{Graph, Model, NodeId};
+use crate::code::lines::{Line, lines};
+use crate::code::{Code, Register, run};
+use program::{Graph, Interpolation, Model, NodeId};
+use std::sync::Arc;
 
 /// Number of rows computed at once.
 const ROWS: usize = 16;
@@ -99,6 +101,26 @@ impl Routine {
                 column[chunk * ROWS..][..some.len()].copy_from_slice(values);
             }
         }
+    }
+
+    /// The operations of an evaluation; `None` if it solves linear systems.
+    pub(crate) fn lines(&self) -> Option<Vec<Line>> {
+        lines(&self.code.body, &self.code.columns)
+    }
+
+    /// Values of the registers, those of constants, parameters and initial values prepared.
+    pub(crate) fn registers(&self) -> &[f64] {
+        &self.code.registers
+    }
+
+    /// Registers of the roots.
+    pub(crate) fn roots(&self) -> &[Register] {
+        &self.code.roots
+    }
+
+    /// Interpolations of the code.
+    pub(crate) fn interpolations(&self) -> &[Arc<Interpolation>] {
+        &self.code.interpolations
     }
 
     /// Number of roots.

@@ -37,6 +37,11 @@ impl Surfaces {
         self.events.is_empty() && self.switches.is_empty()
     }
 
+    /// True if nothing can end a step early.
+    pub fn is_smooth(&self) -> bool {
+        self.is_empty() && self.timetable.is_empty()
+    }
+
     /// Sets parameters and initial values, SI units, in the order of the model.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.events.prepare(parameters, initial);

@@ -48,6 +48,11 @@ impl Timetable {
         }
     }
 
+    /// True if nothing depends on the independent variable alone.
+    pub fn is_empty(&self) -> bool {
+        self.routine.is_empty()
+    }
+
     /// First moment from which on a change may have been missed.
     pub fn doubt(&self) -> Option<f64> {
         self.doubt

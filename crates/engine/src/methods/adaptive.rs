@@ -192,7 +192,7 @@ impl Adaptive {
                 let growth = growth.clamp(0.2, if rejected { 1.0 } else { 10.0 });
                 self.last.error = error.max(1e-4);
                 let on_row = lands && !rejected;
-                self.accept(time, size, if on_row { row } else { time + size });
+                self.accept(equations, time, size, if on_row { row } else { time + size });
                 // A step cut short to reach a row is no reason to reduce the proposed size.
                 self.last.proposed = if on_row { wanted.max(size * growth) } else { size * growth };
                 return Ok(());
@@ -267,7 +267,7 @@ impl Adaptive {
         }
     }
 
-    fn accept(&mut self, time: f64, size: f64, end: f64) {
+    fn accept(&mut self, equations: &Equations, time: f64, size: f64, end: f64) {
         let last = &mut self.last;
         std::mem::swap(&mut last.from, &mut last.to);
         last.to.copy_from_slice(&self.attempt);
@@ -276,7 +276,9 @@ impl Adaptive {
         last.end = end;
         match &mut self.pair {
             Pair::DormandPrince(pair) => {
-                pair.dense(size, &last.from, &last.to, &mut last.dense);
+                if !equations.dense_compiled(&mut last.dense) {
+                    pair.dense(size, &last.from, &last.to, &mut last.dense);
+                }
                 pair.accept();
             }
             Pair::Rosenbrock(pair) => {

@@ -1,7 +1,14 @@
 //! The right-hand side f of the first-order system y' = f(t, y) of a model, and its derivatives.
 
-use crate::Routine;
+use super::tableau::STAGES;
+use crate::code::instruction::Register;
+use crate::compiled::Compiled;
+use crate::compiled::block::Block;
+use crate::compiled::layout::Layout;
+use crate::compiled::listing::{Interpreted, Listing};
+use crate::{Method, Routine};
 use program::{Model, NodeId};
+use std::rc::Rc;
 use units::order::sort_by_key;
 
 /// The function f and, for stiff methods, its Jacobian; counts evaluations.
@@ -15,6 +22,8 @@ pub(crate) struct Equations {
     order: Option<Order>,
     /// Parameters, then the held values of the switches.
     inputs: Vec<f64>,
+    /// Steps in compiled form, if there are any.
+    compiled: Option<Block>,
     /// Number of evaluations of f.
     pub evaluations: u64,
     /// Number of evaluations of the derivatives of f.
@@ -33,7 +42,16 @@ impl Equations {
             }
             None => Routine::compile(model, &nodes),
         };
-        Self { rates, order, slopes: None, pattern: Vec::new(), inputs: Vec::new(), evaluations: 0, jacobians: 0 }
+        Self {
+            rates,
+            order,
+            slopes: None,
+            pattern: Vec::new(),
+            inputs: Vec::new(),
+            compiled: None,
+            evaluations: 0,
+            jacobians: 0,
+        }
     }
 
     /// The function f with exact derivatives with respect to the states and the independent variable; `None` if there are
@@ -52,6 +70,9 @@ impl Equations {
         self.inputs.clear();
         self.inputs.extend(parameters.iter().chain(held));
         self.rates.prepare(&self.inputs, initial);
+        if let Some(block) = &mut self.compiled {
+            block.load(self.rates.registers());
+        }
         if let Some(slopes) = &mut self.slopes {
             slopes.prepare(&self.inputs, initial);
         }
@@ -83,6 +104,85 @@ impl Equations {
         self.order.as_ref().map(|order| order.states.as_slice())
     }
 
+    /// The right-hand side for a compiler, with the pairs of states of velocity Verlet.
+    pub fn listing(&self, method: Method, pairs: Vec<(usize, usize)>) -> Result<Listing, Interpreted> {
+        let lines = self.rates.lines().ok_or(Interpreted::LinearSystem)?;
+        let count = self.rates.len();
+        let (mut states, mut rates): (Vec<Register>, Vec<Register>) = ((1..).take(count).collect(), Vec::new());
+        match &self.order {
+            Some(Order { states: order, .. }) => {
+                rates.resize(count, 0);
+                for (place, &state) in order.iter().enumerate() {
+                    states[state as usize] = 1 + place as Register;
+                    rates[state as usize] = self.rates.roots()[place];
+                }
+            }
+            None => rates.extend(self.rates.roots()),
+        }
+        let interpolations = self.rates.interpolations().to_vec();
+        let layout = self.layout(method);
+        Ok(Listing { method, lines, states, rates, pairs, interpolations, layout })
+    }
+
+    fn layout(&self, method: Method) -> Layout {
+        let most = if method == Method::DormandPrince { 1 } else { MOST_ROWS };
+        let rows = (WORK_AHEAD / self.rates.work().max(1)).clamp(1, most) as usize;
+        Layout { registers: self.rates.registers().len(), states: self.rates.len(), rows }
+    }
+
+    /// Makes steps with code compiled from the listing for `method` from now on.
+    pub fn use_compiled(&mut self, code: Rc<dyn Compiled>, method: Method) {
+        let mut block = Block::new(code, self.layout(method));
+        block.load(self.rates.registers());
+        self.compiled = Some(block);
+    }
+
+    /// Makes one step of a fixed-step method with `stages` evaluations of f in compiled form. False if there is none.
+    #[inline]
+    pub fn step_compiled(&mut self, stages: u64, time: f64, size: f64, from: &[f64], to: &mut [f64]) -> bool {
+        let Some(block) = &mut self.compiled else { return false };
+        self.evaluations += stages;
+        block.step(time, size, from, to);
+        true
+    }
+
+    /// Moves the state from grid point `index` to the next one in compiled form, see [`Block::step_on_grid`]. False if there
+    /// is none, or if the state would not be finite.
+    #[inline]
+    pub fn step_on_grid_compiled(&mut self, stages: u64, index: u64, step: f64, state: &mut [f64]) -> bool {
+        let Some(block) = &mut self.compiled else { return false };
+        let made = block.step_on_grid(index, step, state);
+        self.evaluations += if made { stages } else { 0 };
+        made
+    }
+
+    /// Makes an attempt of a step of the Dormand-Prince method in compiled form. `rates`: those of the first stage,
+    /// which are given, and those of the last one. False if there is no compiled form.
+    #[inline]
+    pub fn attempt_compiled(
+        &mut self,
+        time: f64,
+        size: f64,
+        from: &[f64],
+        to: &mut [f64],
+        error: &mut [f64],
+        rates: [&mut [f64]; 2],
+    ) -> bool {
+        let Some(block) = &mut self.compiled else { return false };
+        self.evaluations += STAGES as u64 - 1;
+        block.attempt(time, size, from, to, error, rates);
+        true
+    }
+
+    /// Coefficients of the continuous solution over the step of the last attempt in compiled form. False if there is no
+    /// compiled form.
+    #[inline]
+    pub fn dense_compiled(&self, coefficients: &mut [Vec<f64>; 5]) -> bool {
+        let Some(block) = &self.compiled else { return false };
+        block.dense(coefficients);
+        true
+    }
+
     /// Sparsity pattern of the Jacobian: index of the rate and index of the state per entry.
     pub fn pattern(&self) -> &[(usize, usize)] {
         &self.pattern
@@ -109,6 +209,12 @@ impl Equations {
         self.rates.singular()
     }
 }
+
+/// Maximum number of steps that compiled code computes in advance.
+const MOST_ROWS: u64 = 64;
+/// Maximum number of floating-point operations of the right-hand side in these steps, counted once per step: a change of a
+/// parameter discards them.
+const WORK_AHEAD: u64 = 20_000;
 
 /// A permutation of the states.
 #[derive(Clone, Debug)]

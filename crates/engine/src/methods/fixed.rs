@@ -34,6 +34,9 @@ impl Fixed {
     /// Makes one step of `size` from the state `from` at `time`; one value per state, SI units.
     #[inline]
     pub fn step(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
+        if equations.step_compiled(self.stages(), time, size, from, to) {
+            return;
+        }
         if equations.order().is_none() {
             return self.ordered_step(equations, time, size, from, to);
         }
@@ -42,6 +45,28 @@ impl Fixed {
         self.ordered_step(equations, time, size, &start, &mut end);
         scatter(to, equations.order().unwrap_or_default(), &end);
         self.ends = [start, end];
+    }
+
+    /// Moves the state from grid point `index` to the next one if steps are in compiled form; several are made at once.
+    /// False if they are not, or if the state would not be finite; it is then unchanged.
+    #[inline]
+    pub fn step_on_grid(&self, equations: &mut Equations, index: u64, step: f64, state: &mut [f64]) -> bool {
+        equations.step_on_grid_compiled(self.stages(), index, step, state)
+    }
+
+    /// Indices of each position and its velocity, for velocity Verlet; `order` as in [`Equations::order`].
+    pub fn pairs(&self, order: Option<&[u32]>) -> Vec<(usize, usize)> {
+        let state = |place: usize| order.map_or(place, |order| order[place] as usize);
+        self.pairs.iter().map(|&(position, velocity)| (state(position), state(velocity))).collect()
+    }
+
+    /// Number of evaluations of the equations per step.
+    fn stages(&self) -> u64 {
+        match self.method {
+            Method::Euler => 1,
+            Method::EulerRichardson | Method::VelocityVerlet => 2,
+            Method::RungeKutta4 | Method::DormandPrince | Method::Rosenbrock => 4,
+        }
     }
 
     /// One step with the states in the order of the equations.

@@ -14,3 +14,4 @@ pub(crate) mod rosenbrock;
 pub(crate) mod sparse;
 pub(crate) mod stability;
 pub(crate) mod stepper;
+pub mod tableau;

@@ -1,6 +1,7 @@
 //! Integration of a model along the grid, without recorded history.
 
 mod advance;
+mod compiled;
 mod count;
 mod finish;
 mod moment;

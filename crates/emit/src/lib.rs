@@ -1,0 +1,69 @@
+//! WebAssembly for the steps of a model: whole steps of a method as straight code, without registers in memory and without
+//! dispatch.
+//!
+//! A module imports a memory, `block.memory`, with the block of numbers that [`engine::Layout`] describes, and the functions
+//! of [`Module::functions`], `function.0` and so on. It exports `run`, which takes the address of the block in bytes and
+//! the greatest number of steps, and returns the number of steps that [`engine::Compiled::run`] returns. All operations are
+//! done in the order of the interpreter and none is fused, so that the results have the same bits.
+
+mod body;
+mod function;
+mod methods;
+mod sink;
+
+pub use function::{Function, Plain};
+
+use engine::Listing;
+use sink::Sink;
+use wasm_encoder::{
+    CodeSection, EntityType, ExportKind, ExportSection, FunctionSection, ImportSection, MemoryType, TypeSection,
+    ValType,
+};
+
+/// A module in the binary format of WebAssembly.
+#[derive(Clone, Debug)]
+pub struct Module {
+    /// The module.
+    pub bytes: Vec<u8>,
+    /// Functions that it imports, in the order of their numbers.
+    pub functions: Vec<Function>,
+}
+
+/// Number of operations that are too many for straight code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooManyOperations(pub usize);
+
+/// Maximum number of operations of a step: the evaluations of the right-hand side and the sums of the method.
+const MOST_OPERATIONS: usize = 6000;
+
+/// Emits the steps of a listing.
+///
+/// # Errors
+/// The step has too many operations.
+pub fn module(listing: &Listing) -> Result<Module, TooManyOperations> {
+    let operations = methods::operations(listing);
+    if operations > MOST_OPERATIONS {
+        return Err(TooManyOperations(operations));
+    }
+    let mut sink = Sink::default();
+    methods::steps(listing, &mut sink);
+    let (run, functions) = sink.finish();
+
+    let (mut types, mut imports) = (TypeSection::new(), ImportSection::new());
+    for operands in 1..=3 {
+        types.ty().function(std::iter::repeat_n(ValType::F64, operands), [ValType::F64]);
+    }
+    types.ty().function([ValType::I32, ValType::I32], [ValType::I32]);
+    let memory = MemoryType { minimum: 0, maximum: None, memory64: false, shared: false, page_size_log2: None };
+    imports.import("block", "memory", memory);
+    for (number, function) in functions.iter().enumerate() {
+        imports.import("function", &number.to_string(), EntityType::Function(function.operands() as u32 - 1));
+    }
+    let (mut own, mut exports, mut code) = (FunctionSection::new(), ExportSection::new(), CodeSection::new());
+    own.function(3);
+    exports.export("run", ExportKind::Func, functions.len() as u32);
+    code.function(&run);
+    let mut module = wasm_encoder::Module::new();
+    module.section(&types).section(&imports).section(&own).section(&exports).section(&code);
+    Ok(Module { bytes: module.finish(), functions })
+}

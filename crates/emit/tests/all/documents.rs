@@ -1,0 +1,66 @@
+//! The documents that ship, with their own method and with all others.
+
+use crate::compare::{Compared, compare};
+use engine::{Method, Setup};
+use std::path::PathBuf;
+
+/// Rows of each run.
+const ROWS: usize = 300;
+
+/// Texts of all documents by name.
+fn documents() -> Vec<(String, String)> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../simulations");
+    let mut found = Vec::new();
+    for folder in [folder.clone(), folder.join("theories")] {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            if name.ends_with(".md") && !name.ends_with(".es.md") {
+                found.push((name, std::fs::read_to_string(path).expect("a text")));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+fn compare_document(text: &str, method: Option<Method>) -> Compared {
+    let document = document::open(text, &[]).document.expect("a document without errors");
+    let mut setup = Setup::of(&document.program);
+    setup.method = method.unwrap_or(setup.method);
+    compare(&document.program.model, setup, ROWS)
+}
+
+#[test]
+fn the_documents_run_with_the_same_bits_in_emitted_code() {
+    let mut interpreted = Vec::new();
+    for (name, text) in documents() {
+        println!("{name}");
+        match compare_document(&text, None) {
+            Compared::Rows(rows) => assert!(rows > 100, "{name}: {rows} rows"),
+            Compared::Interpreted(reason) => interpreted.push(format!("{name}: {reason}")),
+        }
+    }
+    let expected = [
+        "double-pendulum.md: LinearSystem",
+        "gas.md: TooManyOperations(20356)",
+        "logistic-map.md: Counting",
+        "string.md: TooManyOperations(14934)",
+        "van-der-pol.md: Method(Rosenbrock)",
+    ];
+    assert_eq!(interpreted, expected);
+}
+
+#[test]
+fn each_method_has_the_same_bits_in_emitted_code() {
+    let documents = documents();
+    let text = |name: &str| &documents.iter().find(|(known, _)| known == name).expect("a document").1;
+    for name in ["utube.md", "pendulum.md", "bouncing-ball.md"] {
+        for method in Method::ALL.into_iter().filter(|&method| method != Method::Rosenbrock) {
+            println!("{name}, {method:?}");
+            assert!(matches!(compare_document(text(name), Some(method)), Compared::Rows(rows) if rows > ROWS / 2));
+        }
+    }
+    let stiff = compare_document(text("utube.md"), Some(Method::Rosenbrock));
+    assert_eq!(stiff, Compared::Interpreted("Method(Rosenbrock)".to_owned()));
+}

@@ -1,0 +1,9 @@
+//! Emitted code gives the bits of the interpreter.
+
+#![allow(clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod arbitrary;
+mod compare;
+mod documents;
+mod host;
+mod programs;

@@ -1,0 +1,98 @@
+//! Compiled code with the numbers that it works on.
+
+use super::Compiled;
+use super::layout::Layout;
+use std::rc::Rc;
+
+/// Compiled code with its block of numbers, and the rows that it has computed in advance.
+#[derive(Clone, Debug)]
+pub(crate) struct Block {
+    code: Rc<dyn Compiled>,
+    layout: Layout,
+    numbers: Vec<f64>,
+    ahead: Ahead,
+}
+
+/// Rows of the grid in the block, computed from the state and the registers in force.
+#[derive(Clone, Copy, Debug, Default)]
+struct Ahead {
+    /// Index of the grid point at which the next of them begins.
+    index: u64,
+    /// Number of rows already taken.
+    taken: usize,
+    /// Number of rows.
+    count: usize,
+}
+
+impl Block {
+    pub fn new(code: Rc<dyn Compiled>, layout: Layout) -> Self {
+        Self { code, layout, numbers: vec![0.0; layout.len()], ahead: Ahead::default() }
+    }
+
+    /// Takes over the registers after a change of parameters, held values or initial values.
+    pub fn load(&mut self, registers: &[f64]) {
+        self.numbers[..registers.len()].copy_from_slice(registers);
+        self.ahead = Ahead::default();
+    }
+
+    /// Makes one step of a fixed-step method.
+    pub fn step(&mut self, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
+        self.ahead = Ahead::default();
+        self.run([time, 1.0, size], from, 1);
+        to.copy_from_slice(self.states(self.layout.row(0)));
+    }
+
+    /// Moves the state from grid point `index` to the next one by a fixed-step method. Several steps are computed at once;
+    /// the next calls take their rows. False if the state would not be finite; it is then unchanged.
+    #[inline]
+    pub fn step_on_grid(&mut self, index: u64, step: f64, state: &mut [f64]) -> bool {
+        if self.ahead.index != index || self.ahead.taken >= self.ahead.count {
+            let rows = self.layout.rows as u32;
+            self.ahead = Ahead { index, taken: 0, count: self.run([index as f64, step, step], state, rows) };
+            if self.ahead.count == 0 {
+                return false;
+            }
+        }
+        state.copy_from_slice(self.states(self.layout.row(self.ahead.taken)));
+        self.ahead.index += 1;
+        self.ahead.taken += 1;
+        true
+    }
+
+    /// Makes an attempt of a step of the Dormand-Prince method; the rates of the first stage are given
+    /// (`first`), those of the last one are a result (`last`).
+    pub fn attempt(
+        &mut self,
+        time: f64,
+        size: f64,
+        from: &[f64],
+        to: &mut [f64],
+        error: &mut [f64],
+        [first, last]: [&mut [f64]; 2],
+    ) {
+        let layout = self.layout;
+        self.numbers[layout.first_rates()..layout.last_rates()].copy_from_slice(first);
+        self.run([time, 1.0, size], from, 1);
+        to.copy_from_slice(self.states(layout.row(0)));
+        error.copy_from_slice(self.states(layout.error()));
+        last.copy_from_slice(self.states(layout.last_rates()));
+    }
+
+    /// Coefficients of the continuous solution over the step of the last attempt.
+    pub fn dense(&self, coefficients: &mut [Vec<f64>; 5]) {
+        for (degree, coefficients) in coefficients.iter_mut().enumerate() {
+            coefficients.copy_from_slice(self.states(self.layout.dense(degree)));
+        }
+    }
+
+    fn run(&mut self, settings: [f64; 3], from: &[f64], count: u32) -> usize {
+        let layout = self.layout;
+        self.numbers[layout.first()..layout.from()].copy_from_slice(&settings);
+        self.numbers[layout.from()..layout.row(0)].copy_from_slice(from);
+        (self.code.run(&mut self.numbers, count) as usize).min(layout.rows)
+    }
+
+    fn states(&self, first: usize) -> &[f64] {
+        &self.numbers[first..first + self.layout.states]
+    }
+}

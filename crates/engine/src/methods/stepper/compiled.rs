@@ -1,0 +1,55 @@
+//! Compiled steps of a stepper.
+
+use super::{Solver, Stepper};
+use crate::Method;
+use crate::compiled::Compiled;
+use crate::compiled::listing::{Interpreted, Listing};
+use std::rc::Rc;
+
+impl Stepper {
+    /// Moves to the next grid point, at `target`, if its state is computed already or in advance and nothing can happen on
+    /// the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, or
+    /// if the state is not finite there.
+    #[inline]
+    pub(super) fn takes_row(&mut self, target: f64) -> bool {
+        let free = self.on_grid && self.stopped.is_none() && !self.counts && self.presses.next().is_none();
+        if !free || !self.surfaces.is_smooth() {
+            return false;
+        }
+        match &self.solver {
+            Solver::Fixed(method) => {
+                if !method.step_on_grid(&mut self.equations, self.index, self.step, &mut self.state) {
+                    return false;
+                }
+            }
+            Solver::Adaptive(method) if target < method.end() => {
+                method.dense(target - method.start(), &mut self.state);
+            }
+            Solver::Adaptive(_) => return false,
+        }
+        self.time = target;
+        true
+    }
+
+    /// The steps of this stepper for a compiler.
+    ///
+    /// # Errors
+    /// The reason why they can only be interpreted.
+    pub fn listing(&self) -> Result<Listing, Interpreted> {
+        if self.counts {
+            return Err(Interpreted::Counting);
+        }
+        let pairs = match &self.solver {
+            Solver::Fixed(fixed) => fixed.pairs(self.equations.order()),
+            Solver::Adaptive(_) if self.method == Method::Rosenbrock => return Err(Interpreted::Method(self.method)),
+            Solver::Adaptive(_) => Vec::new(),
+        };
+        self.equations.listing(self.method, pairs)
+    }
+
+    /// Makes all later steps with `code`, which was compiled from the [`Stepper::listing`] of this stepper or of one with
+    /// the same model and method. Bits and work stay the same.
+    pub fn use_compiled(&mut self, code: Rc<dyn Compiled>) {
+        self.equations.use_compiled(code, self.method);
+    }
+}

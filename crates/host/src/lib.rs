@@ -1,0 +1,99 @@
+//! Emitted code in a browser. An instance works on the memory of the module that this crate is part of, and calls the
+//! elementary functions of that module directly, without JavaScript between.
+
+use emit::{Function, Plain};
+use engine::{Compiled, Interpreted, Listing};
+use js_sys::{Object, Reflect, Uint8Array, WebAssembly};
+use program::Interpolation;
+use std::fmt;
+use std::rc::Rc;
+use std::sync::Arc;
+use wasm_bindgen::prelude::{Closure, JsCast, JsValue, wasm_bindgen};
+
+#[wasm_bindgen]
+extern "C" {
+    /// Exports of an emitted module.
+    type Exports;
+
+    #[wasm_bindgen(method)]
+    fn run(this: &Exports, block: u32, count: u32) -> u32;
+}
+
+/// Reason why steps are interpreted.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fallback {
+    /// The engine has no listing of them.
+    Interpreted(Interpreted),
+    /// There are too many operations.
+    TooManyOperations(usize),
+    /// The browser refuses the module: its message.
+    Refused(String),
+}
+
+/// Compiles the steps of a stepper or a run from its listing.
+///
+/// # Errors
+/// The reason why they are interpreted.
+pub fn compile(listing: Result<Listing, Interpreted>) -> Result<Rc<dyn Compiled>, Fallback> {
+    let listing = listing.map_err(Fallback::Interpreted)?;
+    let module = emit::module(&listing).map_err(|error| Fallback::TooManyOperations(error.0))?;
+    let instance = Instance::new(&module, &listing.interpolations);
+    instance
+        .map(|instance| Rc::new(instance) as Rc<dyn Compiled>)
+        .map_err(|error| Fallback::Refused(format!("{error:?}")))
+}
+
+/// An instance of an emitted module.
+struct Instance {
+    exports: Exports,
+    /// Functions with data of their own, which live as long as the instance.
+    _interpolations: Vec<Closure<dyn Fn(f64, f64) -> f64>>,
+}
+
+impl Instance {
+    fn new(module: &emit::Module, interpolations: &[Arc<Interpolation>]) -> Result<Self, JsValue> {
+        let table: WebAssembly::Table = wasm_bindgen::function_table().unchecked_into();
+        let functions = Object::new();
+        let mut closures = Vec::new();
+        for (number, &function) in module.functions.iter().enumerate() {
+            let value = match function.plain() {
+                // A function pointer is an index into the table of functions.
+                Some(Plain::One(function)) => table.get(function as usize as u32)?.into(),
+                Some(Plain::Two(function)) => table.get(function as usize as u32)?.into(),
+                Some(Plain::Three(function)) => table.get(function as usize as u32)?.into(),
+                None => {
+                    let closure = with_data(function, interpolations.to_vec());
+                    let value = closure.as_ref().clone();
+                    closures.push(closure);
+                    value
+                }
+            };
+            Reflect::set(&functions, &number.to_string().into(), &value)?;
+        }
+        let (block, imports) = (Object::new(), Object::new());
+        Reflect::set(&block, &"memory".into(), &wasm_bindgen::memory())?;
+        Reflect::set(&imports, &"block".into(), &block)?;
+        Reflect::set(&imports, &"function".into(), &functions)?;
+        let module = WebAssembly::Module::new(&Uint8Array::from(module.bytes.as_slice()))?;
+        let exports = WebAssembly::Instance::new(&module, &imports)?.exports().unchecked_into();
+        Ok(Self { exports, _interpolations: closures })
+    }
+}
+
+/// A function of an interpolation.
+fn with_data(function: Function, interpolations: Vec<Arc<Interpolation>>) -> Closure<dyn Fn(f64, f64) -> f64> {
+    Closure::new(move |a, b| function.value([a, b, 0.0], &interpolations))
+}
+
+impl fmt::Debug for Instance {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str("Instance")
+    }
+}
+
+impl Compiled for Instance {
+    fn run(&self, block: &mut [f64], count: u32) -> u32 {
+        // The code changes the block in this memory; it has the place of every number from its layout.
+        self.exports.run(block.as_mut_ptr() as usize as u32, count)
+    }
+}

@@ -3,10 +3,10 @@
 mod host;
 
 use crate::class::{Room, SurveyRoom};
+use crate::documents::stored::{Kept, Saved, VersionTimes};
 use crate::film::{Films, Player};
 use crate::guide::Step;
 use crate::publish::Sheet;
-use crate::stored::{Kept, Saved, VersionTimes};
 use crate::verifying::verdict::Verified;
 use crate::words::{Words, words_in};
 use crate::workers::FitWorkers;
@@ -21,8 +21,8 @@ use std::ops::Deref;
 use std::panic::Location;
 use std::rc::Rc;
 use units::Language;
+use view::page::welcome;
 use view::views::*;
-use view::welcome;
 use web_sys::{File, console};
 
 /// Diagnostics of the files: (file index, diagnostic).

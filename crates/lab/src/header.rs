@@ -1,9 +1,9 @@
 //! Header of the page: logo, title of the document, and controls for the whole page.
 
 use crate::app::App;
-use crate::{files, library_list, publish, welcome};
+use crate::{library::list as library_list, measuring::files, publish, welcome};
 use view::views::*;
-use view::{everything, header};
+use view::{page::everything, page::header};
 use web_sys::HtmlInputElement;
 
 /// The header.

@@ -1,7 +1,7 @@
 //! Content of the stage if nothing can run: no document is open, or its model has errors.
 
 use crate::app::App;
-use crate::{library_list, opening};
+use crate::{documents::opening, library::list as library_list};
 use view::views::*;
 
 /// Replaces scene, plots and transport. It is also the target of the skip link.

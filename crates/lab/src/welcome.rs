@@ -1,11 +1,11 @@
 //! First things to do, on the opening document: the guided start, a film of one's own, the published simulation.
 
 use crate::app::App;
-use crate::{guide, library, library_list, visited};
+use crate::{documents::visited, guide, library, library::list as library_list};
 use play::Subject;
+use view::page::welcome::{DECLINE, FILM, GUIDE, OPENING, PUBLISHED};
 use view::views::*;
-use view::welcome::{DECLINE, FILM, GUIDE, OPENING, PUBLISHED};
-use view::{browser, tabs, welcome};
+use view::{browser, page::welcome, panel::tabs};
 use web_sys::HtmlElement;
 
 /// The line in the header; empty unless the document is the one with which the laboratory opens.

@@ -2,12 +2,12 @@
 
 use crate::app::App;
 use crate::{
-    class, drop, film, fit, header, idle, library, library_list, links, navigation, opening, panel, publish, served,
-    verifying,
+    class, documents::links, documents::navigation, documents::opening, documents::served, film, fit, header, idle,
+    library, library::list as library_list, measuring::drop, panel, publish, verifying,
 };
-use view::opening::{Handed, Opening};
+use view::page::opening::{Handed, Opening};
 use view::views::*;
-use view::{browser, everything, shell, stage};
+use view::{browser, page::everything, page::shell, stage};
 use web_sys::HtmlElement;
 
 /// Starts the laboratory in the element `lab`.
@@ -55,7 +55,7 @@ fn take_over(mut handed: Handed, place: &HtmlElement) {
 fn prepare(app: App) {
     shell::prepare(app.page);
     app.with(|lab| lab.workers.wake_by(move || fit::go_on(app)));
-    view::opening::keep_tab(app.page);
+    view::page::opening::keep_tab(app.page);
     opening::save_when_left(app);
     navigation::listen(app);
     drop::listen(app);

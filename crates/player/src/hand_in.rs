@@ -5,7 +5,7 @@ use crate::{source, words};
 use js_sys::JSON;
 use play::{Answer, Attempt, Fact, FactValue, Play, name_of};
 use view::views::*;
-use view::{App, browser, handing, icons};
+use view::{App, browser, page::handing, pieces::icons};
 use wasm_bindgen::JsValue;
 use web_sys::HtmlDialogElement;
 

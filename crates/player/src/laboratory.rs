@@ -5,11 +5,11 @@ use crate::page::damaged;
 use crate::simulation::{self, Simulation};
 use std::rc::Rc;
 use sycamore_reactive::create_root;
-use view::everything;
-use view::opening::{self, Handed, Opening};
+use view::page::everything;
+use view::page::opening::{self, Handed, Opening};
 use view::panel::{self, Tab};
 use view::views::*;
-use view::{App, browser, header, shell, stage, tabs, welcome};
+use view::{App, browser, page::header, page::shell, page::welcome, panel::tabs, stage};
 use web_sys::HtmlElement;
 
 /// Key prefix of the state in which the laboratory left a document.

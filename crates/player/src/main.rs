@@ -12,7 +12,7 @@ mod source;
 mod words;
 
 fn main() {
-    match view::opening::Opening::of_page() {
+    match view::page::opening::Opening::of_page() {
         Some(opening) => laboratory::open(opening),
         None => page::start(),
     }

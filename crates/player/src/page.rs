@@ -6,7 +6,7 @@ use play::PagePart;
 use view::browser::{self, address, fragment, is_heading};
 use view::panel::Tab;
 use view::views::*;
-use view::{App, header, icons, panel, shell, stage};
+use view::{App, page::header, page::shell, panel, pieces::icons, stage};
 
 /// Starts the page in the element `lab`.
 pub fn start() {

@@ -6,7 +6,7 @@ use play::{Embedding, Play};
 use program::bundle;
 use std::cell::{Cell, OnceCell, RefCell};
 use units::Language;
-use view::{App, Host, shell};
+use view::{App, Host, page::shell};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// The simulation; `None` until it has been read.

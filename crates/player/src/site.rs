@@ -3,7 +3,7 @@
 
 use play::Link;
 use view::views::*;
-use view::{App, browser, icons};
+use view::{App, browser, pieces::icons};
 use web_sys::{HtmlAnchorElement, HtmlLinkElement};
 
 /// The links; empty if the page belongs to no site.

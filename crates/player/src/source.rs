@@ -2,7 +2,7 @@
 
 use js_sys::{Array, JSON, Reflect};
 use view::views::*;
-use view::{App, browser, icons};
+use view::{App, browser, pieces::icons};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// Files of the document: (name, text).

@@ -2,10 +2,10 @@
 
 use crate::browser;
 use crate::frame::Nodes;
-use crate::message::Message;
+use crate::page::message::Message;
+use crate::panel::tabs;
 use crate::stage;
 use crate::stage::brush::Part;
-use crate::tabs;
 use crate::views::*;
 use crate::words::{Words, words_in};
 use play::{Announcement, Embedding, Play, PlotId, PlotView, Prominence, Refusal, Revision};
@@ -186,7 +186,7 @@ pub struct Page {
     pub single_keys: Signal<bool>,
     /// Id of the open tab of the panel.
     pub tab: Signal<&'static str>,
-    /// True if the page shows also what teachers and authors need; see [`crate::everything`].
+    /// True if the page shows also what teachers and authors need; see [`crate::page::everything`].
     pub everything: Signal<bool>,
     /// True if the table of recorded values is shown.
     pub table_open: Signal<bool>,

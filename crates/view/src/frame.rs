@@ -3,12 +3,12 @@
 //! defines the treatment of long gaps. Losing the focus does not stop the run.
 
 use crate::app::App;
-use crate::colours::Colours;
+use crate::pieces::colours::Colours;
 use crate::scene::SceneNodes;
-use crate::sound::Sound;
 use crate::stage::brush::Part;
 use crate::stage::plot::PlotNodes;
-use crate::transport::TransportNodes;
+use crate::stage::sound::Sound;
+use crate::stage::transport::TransportNodes;
 use crate::views::window;
 use play::{Play, PlotId};
 use wasm_bindgen::JsCast;

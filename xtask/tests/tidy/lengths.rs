@@ -39,9 +39,6 @@ fn comments_and_blank_lines_do_not_count() {
 /// Maximum number of files of code in a folder.
 const MOST: usize = 24;
 
-/// Folders that are exempt until the layout of the page divides them.
-const UNDIVIDED: [&str; 2] = ["crates/lab/src", "crates/view/src"];
-
 #[test]
 fn folders_hold_what_can_be_seen_at_once() {
     let root = root();
@@ -51,7 +48,7 @@ fn folders_hold_what_can_be_seen_at_once() {
         *folders.entry(folder.unwrap_or_default().replace('\\', "/")).or_default() += 1;
     }
     let full: Vec<String> = (folders.iter())
-        .filter(|(folder, count)| **count > MOST && !UNDIVIDED.contains(&folder.as_str()))
+        .filter(|(_, count)| **count > MOST)
         .map(|(folder, count)| format!("{folder} has {count} files of code"))
         .collect();
     assert!(full.is_empty(), "at most {MOST} files of code in a folder: {full:#?}");

@@ -1,14 +1,14 @@
 //! The laboratory as the page around the views of the simulation: its announcements, views and storage.
 
 use super::Store;
-use crate::{data, film, saved, visited, write};
+use crate::{documents::saved, documents::visited, film, measuring::data, write};
 use desk::{Announcement, Desk};
 use play::{Embedding, Play};
 use units::Language;
 use view::browser;
-use view::message::Message;
+use view::page::message::Message;
+use view::panel::tabs;
 use view::stage::brush::Part;
-use view::tabs;
 use view::views::*;
 use view::{Host, News};
 

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use class::page::Look;
-use view::theme;
+use view::page::theme;
 use view::views::*;
 
 /// Widest figure, in pixels.

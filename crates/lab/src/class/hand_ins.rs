@@ -3,7 +3,7 @@
 use super::room::Part;
 use super::{window, words};
 use crate::app::App;
-use crate::project;
+use crate::documents::project;
 use class::collection::Collection;
 use class::page::{copied_text, state_text};
 use class::verify::meaning;

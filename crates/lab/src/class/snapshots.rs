@@ -3,7 +3,7 @@
 use super::{wall, words};
 use crate::app::App;
 use class::collection::Snapshot;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// The section: the list, and the button that shows it.

@@ -8,7 +8,7 @@ use crate::app::App;
 use class::collection::{Collection, CurveGroup, Member, Snapshot, Snapshots};
 use class::page::{self, Look};
 use view::views::*;
-use view::{browser, pieces, theme};
+use view::{browser, page::theme, pieces};
 use wasm_bindgen::JsValue;
 use web_sys::{HtmlDialogElement, KeyboardEvent};
 

@@ -7,7 +7,7 @@ use js_sys::{Array, Promise, Reflect};
 use std::cell::RefCell;
 use std::rc::Rc;
 use view::views::*;
-use view::{browser, icons};
+use view::{browser, pieces::icons};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};

@@ -5,7 +5,7 @@ use super::now::now;
 use super::words;
 use crate::app::App;
 use desk::{Doubt, DoubtfulFrame};
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// Maximum number of listed frames.

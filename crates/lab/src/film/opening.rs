@@ -10,9 +10,9 @@ use desk::{Desk, FilmIdentity, FilmOpening, FilmRecipe, FilmTruth, LengthsForm, 
 use film::Plane;
 use film::containers::Film;
 use std::rc::Rc;
-use view::tabs;
+use view::panel::tabs;
 use view::views::*;
-use view::{browser, messages};
+use view::{browser, page::messages};
 use web_sys::File;
 
 /// File name endings of films, and of formats that users take for films.

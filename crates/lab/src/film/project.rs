@@ -5,7 +5,7 @@ use super::opening::take;
 use super::refusals::said;
 use super::words;
 use crate::app::App;
-use crate::packing;
+use crate::documents::packing;
 use desk::{FilmOpening, ProjectFilm};
 use js_sys::{Array, Uint8Array};
 use view::browser;

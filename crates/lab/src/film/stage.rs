@@ -4,7 +4,7 @@ use super::frames::{go, play, step};
 use super::keys::key;
 use super::{doubts, frame, space_time, words};
 use crate::app::App;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// Picture of the film; empty while no film is open.

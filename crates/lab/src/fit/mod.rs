@@ -14,7 +14,7 @@ use desk::{Desk, FitProgress};
 use starting::Starting;
 use theories::Suitability;
 use view::views::*;
-use view::{browser, everything};
+use view::{browser, page::everything};
 
 /// Last step of the tab *Measure*: record, theory, result.
 pub fn view(app: App) -> View {

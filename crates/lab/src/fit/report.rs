@@ -1,10 +1,10 @@
 //! Saving a report with the data from which its values are computed again.
 
 use crate::app::App;
-use crate::packing;
+use crate::documents::packing;
+use crate::documents::visited::files;
 use crate::verifying::recomputing;
 use crate::verifying::sender::sender;
-use crate::visited::files;
 use class::verify::Recomputation;
 use desk::Export;
 use desk::document::page::Source;

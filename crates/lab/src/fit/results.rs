@@ -2,13 +2,13 @@
 
 use super::report;
 use crate::app::App;
-use crate::opening;
+use crate::documents::opening;
 use desk::{ExportKind, FitDetail, FitView, Imprint};
 use document::page::Source;
 use view::browser;
-use view::everything;
-use view::symbols::name_and_symbol;
-use view::tabs;
+use view::page::everything;
+use view::panel::tabs;
+use view::pieces::symbols::name_and_symbol;
 use view::views::*;
 use wasm_bindgen::JsValue;
 

@@ -4,7 +4,7 @@
 use crate::app::App;
 use desk::{ChoiceView, Desk, FitRecordView, KnownView};
 use view::browser;
-use view::symbols::symbol;
+use view::pieces::symbols::symbol;
 use view::views::*;
 
 /// Reason why typed text was refused.

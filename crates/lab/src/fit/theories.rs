@@ -2,7 +2,7 @@
 //! position.
 
 use crate::app::App;
-use crate::{library, opening};
+use crate::{documents::opening, library};
 use desk::{PeriodComparison, PeriodQuestion};
 use document::Document;
 use view::browser;

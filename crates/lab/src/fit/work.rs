@@ -2,7 +2,7 @@
 
 use crate::app::{App, Lab};
 use view::browser;
-use view::tabs;
+use view::panel::tabs;
 use view::views::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;

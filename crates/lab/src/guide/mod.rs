@@ -5,9 +5,9 @@ mod step;
 pub use step::Step;
 
 use crate::app::App;
+use view::page::welcome::GUIDE;
 use view::views::*;
-use view::welcome::GUIDE;
-use view::{browser, tabs};
+use view::{browser, panel::tabs};
 
 /// Id of the button that ends the guided start.
 const END: &str = "guide-end";

@@ -6,9 +6,9 @@ mod source;
 pub use needed::{follow, turn_on};
 
 use crate::app::App;
-use crate::{class, measurements, write};
+use crate::{class, measuring::measurements, write};
 use view::panel::Tab;
-use view::tabs::{CLASS, MEASURE, WRITE};
+use view::panel::tabs::{CLASS, MEASURE, WRITE};
 use view::views::*;
 
 /// The panel.

@@ -4,8 +4,8 @@
 use crate::app::App;
 use play::PagePart;
 use view::browser;
-use view::message::Message;
-use view::tabs::{CLASS, MEASURE, WRITE};
+use view::page::message::Message;
+use view::panel::tabs::{CLASS, MEASURE, WRITE};
 use view::views::*;
 
 /// Watches the open tab and the document: a document with errors is corrected in the tab *Write*.

@@ -1,10 +1,10 @@
 //! Text of the document, for reading, copying and saving.
 
 use crate::app::App;
-use crate::diagnostics;
+use crate::documents::diagnostics;
 use document::page::Source;
 use view::views::*;
-use view::{browser, reading};
+use view::{browser, panel::reading};
 
 /// The text, initially folded.
 pub fn view(app: App) -> View {

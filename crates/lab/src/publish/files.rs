@@ -2,7 +2,7 @@
 
 use super::words;
 use crate::app::App;
-use crate::visited::{files, stem};
+use crate::documents::visited::{files, stem};
 use desk::saved::project::{PROJECT_ENDING, Project};
 use view::browser;
 use view::views::*;

@@ -3,8 +3,8 @@
 use super::options::Options;
 use super::words;
 use crate::app::App;
-use crate::visited::stem;
-use crate::{carried, library, visited};
+use crate::documents::visited::stem;
+use crate::{documents::carried, documents::visited, library};
 use play::{Embedding, PagePart, Subject};
 use view::browser;
 use view::views::*;

@@ -2,14 +2,14 @@
 
 use super::words;
 use crate::app::App;
+use crate::documents::visited::{files, stem};
 use crate::verifying::recomputing;
 use crate::verifying::sender::sender;
-use crate::visited::{files, stem};
 use class::verify::Recomputation;
 use desk::saved::hand_in::{HAND_IN_ENDING, HandIn};
 use desk::saved::project::Project;
 use view::views::*;
-use view::{browser, handing};
+use view::{browser, page::handing};
 
 /// Section of the dialog: what the file contains, and the form.
 pub fn view(app: App) -> View {

@@ -3,7 +3,7 @@
 use super::options::Options;
 use super::words;
 use crate::app::App;
-use crate::links;
+use crate::documents::links;
 use play::PagePart;
 use view::views::*;
 

@@ -2,8 +2,8 @@
 
 use super::words;
 use crate::app::App;
-use crate::links;
-use crate::visited::stem;
+use crate::documents::links;
+use crate::documents::visited::stem;
 use qrcodegen::{QrCode, QrCodeEcc};
 use std::fmt::Write as _;
 use view::browser;

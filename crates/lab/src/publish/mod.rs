@@ -18,7 +18,7 @@ pub use worksheet::solutions;
 use crate::app::App;
 use crate::write;
 use view::views::*;
-use view::{header, views};
+use view::{page::header, views};
 
 /// The button in the header of the page.
 pub fn button_of(app: App) -> HtmlButton {

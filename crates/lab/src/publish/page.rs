@@ -2,14 +2,14 @@
 
 use super::words;
 use crate::app::App;
-use crate::visited::{files, stem};
-use crate::{carried, packing};
+use crate::documents::visited::{files, stem};
+use crate::{documents::carried, documents::packing};
 use class::course::{Kind, package};
 use document::page::{self, Source};
 use program::{Program, bundle};
 use std::rc::Rc;
 use view::browser;
-use view::opening::Opening;
+use view::page::opening::Opening;
 use view::views::*;
 
 /// The page, while the dialog is open.

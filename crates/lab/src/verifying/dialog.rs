@@ -5,7 +5,7 @@ use super::reading::read;
 use super::recomputing;
 use super::verdict::Verified;
 use crate::app::App;
-use crate::{class, project};
+use crate::{class, documents::project};
 use ::class::verify::{Recomputation, compare, meaning};
 use desk::saved::hand_in::{HandIn, HandInError};
 use std::rc::Rc;

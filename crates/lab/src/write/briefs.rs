@@ -2,7 +2,7 @@
 
 use super::{draft, typing};
 use crate::app::App;
-use crate::diagnostics::{self, CarryOut};
+use crate::documents::diagnostics::{self, CarryOut};
 use model::{Diagnostic, Fix};
 use std::rc::Rc;
 use view::browser;

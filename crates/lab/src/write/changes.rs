@@ -2,7 +2,7 @@
 
 use super::{draft, findings, kept, versions};
 use crate::app::{App, Lab};
-use crate::{library, opening, saved, visited};
+use crate::{documents::opening, documents::saved, documents::visited, library};
 use desk::{Desk, Writing};
 use document::page::Source;
 use play::Subject;

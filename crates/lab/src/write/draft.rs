@@ -1,8 +1,8 @@
 //! Drafts: typed text that does not run or has not been checked yet when a document is opened or left.
 
 use crate::app::{App, Lab};
-use crate::visited::Visited;
-use view::tabs;
+use crate::documents::visited::Visited;
+use view::panel::tabs;
 
 /// Restores the draft of the open document from a history entry.
 pub fn resume(app: App, visited: Option<Visited>) {

@@ -1,7 +1,7 @@
 //! The editor: CodeMirror, contained in the page as a deflated script (`crates/lab/editor`) and started on first use.
 //! In a site the script is a separate file. Places in a text are counted in UTF-16 units, as in browsers.
 
-use crate::carried;
+use crate::documents::carried;
 use desk::document::assist::{Suggestion, SuggestionKind};
 use desk::{Mark, Proposals, TextChange};
 use js_sys::{Array, Function, Object, Reflect};

@@ -2,8 +2,8 @@
 
 use super::{Editor, Panel, panels};
 use crate::app::App;
-use crate::diagnostics::{self, Leads};
-use crate::visited;
+use crate::documents::diagnostics::{self, Leads};
+use crate::documents::visited;
 use desk::Writing;
 use model::Fix;
 use std::rc::Rc;

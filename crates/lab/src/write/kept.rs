@@ -3,10 +3,10 @@
 
 use super::versions;
 use crate::app::App;
+use crate::documents::saved;
+use crate::documents::stored::Kept;
+use crate::documents::visited::{self, Visited};
 use crate::library;
-use crate::saved;
-use crate::stored::Kept;
-use crate::visited::{self, Visited};
 use play::Subject;
 use units::order::sort_by_key;
 use view::browser;

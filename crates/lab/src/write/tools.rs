@@ -4,7 +4,7 @@ use super::draft::flush;
 use super::unfolded::Unfolded;
 use super::{kept, toolbar, version_list};
 use crate::app::App;
-use crate::{opening, visited};
+use crate::{documents::opening, documents::visited};
 use document::page::Source;
 use document::{TEMPLATES, Template};
 use view::browser;

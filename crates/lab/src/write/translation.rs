@@ -2,7 +2,7 @@
 
 use super::{changes, typing};
 use crate::app::App;
-use crate::visited;
+use crate::documents::visited;
 use document::edit::set_translation;
 use document::page::Source;
 use document::translating::{LANGUAGES, Pair, TextKey, beginning, likely_language, pairs, short_texts};

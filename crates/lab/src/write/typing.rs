@@ -6,7 +6,7 @@ use desk::text_changes;
 use document::Outline;
 use document::edit::EditError;
 use model::Edit;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// Present text of a file in the editor, even if its last change has not been checked.

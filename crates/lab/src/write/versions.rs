@@ -1,7 +1,7 @@
 //! Versions of written documents: texts before a change, stored in the browser beside the draft.
 
 use crate::app::App;
-use crate::visited;
+use crate::documents::visited;
 use desk::superfluous_versions;
 use document::page::{self, Source};
 use js_sys::Date;

@@ -1,7 +1,7 @@
 //! The brush: a selected part of the time axis, such as the part of a record to be fitted. In plots against time it
 //! lies between two draggable lines; the rest is faint.
 
-use crate::colours::Colours;
+use crate::pieces::colours::Colours;
 use figure::{Figure, Ink};
 use js_sys::Array;
 use units::Unit;

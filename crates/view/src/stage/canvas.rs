@@ -1,6 +1,6 @@
 //! Paints the display list of a figure on a canvas.
 
-use crate::colours::Colours;
+use crate::pieces::colours::Colours;
 use figure::{Anchor, Dash, Figure, Ink, Item, Point, Readout, Stroke};
 use js_sys::Array;
 use units::alphabet::with_indices;

@@ -1,7 +1,7 @@
 //! Legend in the title line of a plot.
 
 use crate::app::App;
-use crate::symbols::with_indices;
+use crate::pieces::symbols::with_indices;
 use crate::views::*;
 use figure::{Dash, Style};
 use play::{LegendEntry, PlotId};

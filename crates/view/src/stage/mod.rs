@@ -8,21 +8,23 @@ mod gestures;
 mod legend;
 mod narrow;
 mod pinned;
-pub(crate) mod pins;
+pub mod pins;
 pub mod plot;
 mod plot_tools;
 pub mod plots;
 pub mod ruler;
 mod runs;
+pub mod sound;
 mod stopwatch;
+pub mod transport;
 
 pub use narrow::NARROW;
 
 use crate::app::App;
+use crate::pieces::icons;
+use crate::pieces::toolbar::Toolbar;
 use crate::scene::SceneNodes;
-use crate::toolbar::Toolbar;
 use crate::views::*;
-use crate::{icons, transport};
 use play::PagePart;
 use sycamore_reactive::untrack;
 

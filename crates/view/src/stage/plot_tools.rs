@@ -2,9 +2,9 @@
 
 use super::{canvas, full_screen};
 use crate::app::App;
-use crate::colours::Colours;
+use crate::pieces::colours::Colours;
 use crate::views::*;
-use crate::{browser, icons};
+use crate::{browser, pieces::icons};
 use figure::Settings;
 use play::PlotId;
 use wasm_bindgen::JsCast;

@@ -4,7 +4,7 @@ use super::pinned::Pinned;
 use super::pins;
 use super::{gestures, legend, plot, plot_tools, runs};
 use crate::app::App;
-use crate::toolbar::Toolbar;
+use crate::pieces::toolbar::Toolbar;
 use crate::views::*;
 use play::{PagePart, PlotId, PlotView};
 use web_sys::Element;

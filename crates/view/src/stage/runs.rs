@@ -2,7 +2,7 @@
 
 use super::legend;
 use crate::app::App;
-use crate::icons;
+use crate::pieces::icons;
 use crate::views::*;
 use play::Play;
 

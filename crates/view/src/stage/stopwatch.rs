@@ -1,7 +1,7 @@
 //! A stopwatch in the time of the simulation: it stops when the run is paused.
 
 use crate::app::App;
-use crate::icons;
+use crate::pieces::icons;
 use crate::views::*;
 use play::Play;
 

@@ -10,7 +10,7 @@ use crate::app::App;
 use ::class::survey::page::{self, SurveyLook};
 use desk::saved::survey::{ItemKind, LONGEST_SHEET, SHEET_ENDING, Sheet, SheetError};
 use view::views::*;
-use view::{browser, theme};
+use view::{browser, page::theme};
 use web_sys::File;
 
 /// True if a file has answers to a survey, by the ending of its name.

@@ -11,7 +11,7 @@ mod truth;
 
 use super::{camera, filming, opening, words};
 use crate::app::App;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 use web_sys::HtmlInputElement;
 

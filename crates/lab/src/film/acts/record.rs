@@ -5,7 +5,7 @@ use crate::app::App;
 use crate::film::now::now;
 use crate::film::{doubts, words};
 use view::browser;
-use view::tabs;
+use view::panel::tabs;
 use view::views::*;
 
 /// Progress of the tracking, then its result.

@@ -9,7 +9,7 @@ use play::Play;
 use program::{Child, Element, Piece};
 use std::cell::RefCell;
 use view::browser;
-use view::picture::Picture;
+use view::scene::picture::Picture;
 use view::views::document;
 use wasm_bindgen::JsCast;
 use web_sys::{

@@ -8,7 +8,7 @@ use crate::film::words;
 use desk::{CameraSettings, FilmRecipe};
 use units::number::plain;
 use view::views::*;
-use view::{browser, icons};
+use view::{browser, pieces::icons};
 
 /// Button that opens the form, and one button for each film of this simulation with stored work.
 pub fn button(app: App) -> View {

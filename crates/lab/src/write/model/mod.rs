@@ -19,7 +19,7 @@ pub use fault::beside;
 use forms::Forms;
 use shape::{Shape, shape, title};
 use view::browser;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// Panel of the model.

@@ -6,7 +6,7 @@ use crate::write::typing;
 use document::edit::remove_statement;
 use document::form::CellKind;
 use view::browser;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// Removes a statement; the focus moves to the button of its section.

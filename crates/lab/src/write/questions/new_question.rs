@@ -6,7 +6,7 @@ use crate::write::typing;
 use document::edit::{NewQuestion, add_question};
 use document::{asked, possible_answers};
 use view::browser;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 use web_sys::{HtmlInputElement, HtmlSelectElement, HtmlTextAreaElement, SubmitEvent};
 

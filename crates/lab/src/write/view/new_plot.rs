@@ -6,7 +6,7 @@ use crate::write::typing;
 use document::edit::{NewPlot, add_plot};
 use document::form::plottable;
 use view::browser;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 use web_sys::{HtmlInputElement, HtmlSelectElement, SubmitEvent};
 

@@ -6,7 +6,7 @@ use crate::write::{briefs, typing};
 use document::edit::{exchange_plots, remove_plot, set_plot};
 use document::form::{PlotCell, plottable};
 use view::browser;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// Id of a part of a plot.

@@ -6,7 +6,7 @@ use crate::write::typing;
 use document::edit::{add_group, exchange_statements, remove_statement, set_hidden, set_label};
 use document::form::{Place, Shown, shown};
 use view::browser;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// List of the controls.

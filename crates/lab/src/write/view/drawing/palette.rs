@@ -3,7 +3,7 @@
 use super::hand::Hand;
 use super::{acts, words};
 use document::drawing::{Part, drawable};
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// Button that opens the palette.

@@ -4,7 +4,7 @@ use super::hand::Hand;
 use super::seen::Seen;
 use std::cell::RefCell;
 use std::rc::Rc;
-use view::picture::Picture;
+use view::scene::picture::Picture;
 use view::views::document;
 use web_sys::{Element, SvgElement};
 

@@ -4,7 +4,7 @@ use super::acts::{self, Edge};
 use super::hand::Hand;
 use super::{palette, words};
 use document::edit::Order;
-use view::icons;
+use view::pieces::icons;
 use view::views::*;
 
 /// All buttons; those without applicable selection are disabled. The first one opens the palette.

@@ -1,0 +1,96 @@
+//! Tab *Measure*: import and display of records, analysis cycle by cycle, and as its last step the fit.
+
+use crate::app::App;
+use crate::measuring::intake::{self, refuse};
+use crate::{film, fit, library, measuring::cycles, measuring::records, measuring::virtual_form};
+use view::panel::tabs;
+use view::views::*;
+use view::{browser, pieces::icons};
+use web_sys::{HtmlInputElement, HtmlTextAreaElement};
+
+/// Content of the tab.
+pub fn view(app: App) -> HtmlDiv {
+    let words = app.words();
+    div()
+        .class("measurements")
+        .child(film::acts::view(app))
+        .child(note(words.measurements_intro))
+        .child(ways_in(app))
+        .child(film::virtual_camera(app))
+        .child(intake::view(app))
+        // Not a live region: the line of messages has already announced it.
+        .child(
+            p().class("refusal")
+                .id("record-refusal")
+                .child(text(move || app.record_refusal.get_clone().unwrap_or_default())),
+        )
+        .child(virtual_form::view(app))
+        .child(records::view(app))
+        .child(cycles::view(app))
+        .child(fit::view(app))
+}
+
+/// Inputs for records: a file, a pasted table.
+fn ways_in(app: App) -> View {
+    let words = app.words();
+    let mut input = input().r#type("file");
+    let node: HtmlInputElement = input.node();
+    let chosen = node.clone();
+    let read = move |_| {
+        if let Some(area) = browser::by_id::<HtmlTextAreaElement>("paste-record")
+            && add(app, words.paste_name, area.value().as_bytes())
+        {
+            area.set_value("");
+        }
+    };
+    let names = app.read_desk(|desk| desk.sample_names().to_vec());
+    let choose = |(number, name): (usize, &'static str)| {
+        button().class("chip").when(events::click, move |_| sample(app, number)).child(name)
+    };
+    let read_chosen = move |_| {
+        if let Some(files) = chosen.files() {
+            intake::read(app, (0..files.length()).filter_map(|index| files.get(index)).collect());
+        }
+        chosen.set_value("");
+    };
+    let open =
+        labelled(icons::folder(), words.choose_record).id("choose-record").when(events::click, move |_| node.click());
+    let input = input
+        .id("record-file")
+        .hidden(true)
+        .multiple(true)
+        .attr("aria-label", words.choose_record)
+        .when(events::change, read_chosen);
+    let samples = div()
+        .class("chips")
+        .role("group")
+        .attr("aria-label", words.sample_records)
+        .title(words.sample_title)
+        .child(span().class("note").attr("aria-hidden", "true").child(words.sample_records))
+        .each(names.into_iter().enumerate(), choose);
+    let paste = details()
+        .class("paste")
+        .child(summary().child(words.paste_record))
+        .child(label().r#for("paste-record").child(words.paste_label))
+        .child(textarea().id("paste-record").rows("6").attr("spellcheck", "false").autocomplete("off"))
+        .child(button().class("primary").id("read-record").when(events::click, read).child(words.read_record));
+    View::from((div().class("intake").child(film::acts::way_in(app)).child(open).child(input).child(samples), paste))
+}
+
+/// Adds a sample record.
+pub fn sample(app: App, number: usize) {
+    let file = desk::SAMPLES.get(number).map_or("", |sample| sample.file);
+    let theory = library::theories().into_iter().find(|entry| entry.file() == file).and_then(|entry| entry.open());
+    if let Some(theory) = theory {
+        refuse(app, app.attempt_on_desk(|desk| desk.add_sample(number, theory).map(|_| ())));
+    }
+}
+
+/// Adds a record and opens the tab, or shows why it could not be read. Returns true if it was added.
+fn add(app: App, name: &str, bytes: &[u8]) -> bool {
+    let refusal = app.attempt_on_desk(|desk| desk.add_record(name, bytes).map(|_| ()));
+    let added = refusal.is_none();
+    refuse(app, refusal);
+    app.tab.set(tabs::MEASURE);
+    added
+}

@@ -1,0 +1,46 @@
+//! Controls for switches (check box) and choices (drop-down list).
+
+use crate::app::App;
+use crate::pieces::symbols::name_and_symbol;
+use crate::views::*;
+use play::{ChoiceView, ParameterView};
+
+/// Control of a switch or a choice.
+pub fn control(app: App, first: ParameterView) -> HtmlDiv {
+    let index = first.index;
+    let now = memo(move || {
+        app.changes.parameters.track();
+        app.read(|play| play.basis().parameter(play.course(), index))
+    });
+    let value = move || now.with(|view| view.as_ref().map_or(0.0, |view| view.value));
+    let error = create_signal(None::<String>);
+    let set = move |value: f64| error.set(app.attempt(|play| play.set_parameter(index, value)));
+    let id = format!("parameter-{index}");
+    let title = if first.restarts { app.words().restarts } else { "" };
+    let changed = move || now.with(|view| view.as_ref().is_some_and(|view| !view.is_default));
+    let row = move |kind: &'static str| format!("parameter {kind}{}", if changed() { " changed" } else { "" });
+    let name = label().r#for(id.clone()).title(title).child(name_and_symbol(&first.label, &first.name));
+    let refusal = refusal_of(error).id(format!("{id}-error"));
+    if first.is_switch {
+        let tick = input()
+            .r#type("checkbox")
+            .id(id)
+            .prop("checked", move || value() != 0.0)
+            .when(events::change, move |event| set(f64::from(u8::from(is_checked(&event)))));
+        return div().class(move || row("on-off")).child(name).child(tick).child(refusal);
+    }
+    let alternative = |choice: ChoiceView| {
+        option().value(choice.value.to_string()).selected(move || value() == choice.value).child(choice.text)
+    };
+    // After a selection by the reader, only the property changes the value shown; the attribute of an option does not.
+    let choose = select()
+        .id(id)
+        .prop("value", move || value().to_string())
+        .when(events::change, move |event| {
+            if let Ok(value) = value_of(&event).parse() {
+                set(value);
+            }
+        })
+        .each(first.choices, alternative);
+    div().class(move || row("choice")).child(name).child(choose).child(refusal)
+}

@@ -1,0 +1,13 @@
+//! The page around stage and panel: header, messages, keys, and what applies to the whole page.
+
+pub mod everything;
+pub mod handing;
+pub mod header;
+pub mod keys;
+pub mod message;
+pub mod messages;
+pub mod opening;
+pub mod projector;
+pub mod shell;
+pub mod theme;
+pub mod welcome;

@@ -1,0 +1,62 @@
+//! Line of the opening document in the header of the laboratory, with first things to do. The player shows it as the laboratory
+//! does, so that nothing moves when the laboratory takes over.
+
+use crate::app::App;
+use crate::pieces::toolbar::Toolbar;
+use crate::views::*;
+use crate::{browser, pieces::icons};
+
+/// File name of the document with which the laboratory opens.
+pub const OPENING: &str = "tube.md";
+
+/// Id of the button that begins with a film.
+pub const FILM: &str = "film-own";
+
+/// Id of the button that opens the published simulation.
+pub const PUBLISHED: &str = "published";
+
+/// Id of the button that begins the guided start.
+pub const GUIDE: &str = "guide";
+
+/// Id of the button of the first visit that declines the guided start.
+pub const DECLINE: &str = "guide-decline";
+
+/// Storage key that is set once the guided start has been offered.
+const OFFERED: &str = "guide";
+
+/// True on the first visit, when the guided start is offered prominently.
+pub fn is_first_visit() -> bool {
+    browser::remembered(OFFERED).is_none()
+}
+
+/// Makes this visit the first one.
+pub fn end_first_visit() {
+    browser::remember(OFFERED, "offered");
+}
+
+/// The line. `press` is called with the id of the pressed button.
+pub fn line(app: App, is_first_visit: bool, press: impl Fn(&'static str) + Clone + 'static) -> HtmlDiv {
+    let words = app.words();
+    let guide = button().class(if is_first_visit { "action" } else { "quiet" }).child(words.guide);
+    let decline = button().class("icon").called(words.guide_decline).child(icons::cross());
+    let film =
+        button().class("quiet").child(words.film_own).child(span().class("film-steps").child(words.film_own_steps));
+    let published = button().class("quiet").child(words.published);
+    let declined = is_first_visit.then_some((DECLINE, decline));
+    let buttons = [(GUIDE, guide)].into_iter().chain(declined).chain([(FILM, film), (PUBLISHED, published)]);
+    let bar = Toolbar::new();
+    let place = |(place, (id, button)): (usize, (&'static str, HtmlButton))| {
+        let press = press.clone();
+        button
+            .id(id)
+            .tabindex(move || bar.stop(place))
+            .when(events::focus, move |_| bar.enter(place))
+            .when(events::click, move |_| press(id))
+    };
+    div()
+        .class("welcome")
+        .role("toolbar")
+        .attr("aria-label", words.first_steps)
+        .when(events::keydown, Toolbar::turn)
+        .each(buttons.enumerate(), place)
+}

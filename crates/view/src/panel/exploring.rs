@@ -1,0 +1,63 @@
+//! Tab *Explore*: main parameters, presets and values; folded, all other parameters, state and method, and the recorded
+//! run as a table.
+
+use crate::app::App;
+use crate::views::*;
+use crate::{controls, panel::data, panel::readouts};
+use play::PagePart;
+use web_sys::HtmlDetailsElement;
+
+/// Content of the tab.
+pub fn view(app: App) -> HtmlDiv {
+    let embedding = app.host().embedding();
+    let [adjusts, reads] = [PagePart::Parameters, PagePart::Values].map(|part| !embedding.hides(part));
+    div()
+        .class("exploring")
+        .maybe((embedding.locked && adjusts).then(|| note(app.words().locked)))
+        .maybe(adjusts.then(|| controls::view(app)))
+        .maybe(reads.then(|| readouts::view(app)))
+        .child(more(app, adjusts, reads))
+}
+
+/// What is needed less often, folded, and built when it is first unfolded: a long document has hundreds of parameters. It stays
+/// open when the page is rebuilt in another language.
+fn more(app: App, adjusts: bool, reads: bool) -> HtmlDetails {
+    let mut details = details();
+    let node: HtmlDetailsElement = details.node();
+    let open = app.more_open;
+    let mut is_needed = false;
+    let is_needed = memo(move || {
+        is_needed |= open.get();
+        is_needed
+    });
+    let content = move || {
+        View::from((
+            adjusts.then(|| {
+                View::from((controls::further(app), controls::lockable(app, controls::state_and_method(app).into())))
+            }),
+            reads.then(|| View::from(recorded(app))),
+        ))
+    };
+    details
+        .class("more")
+        .id("more")
+        .open(open.get_untracked())
+        .when(events::toggle, move |_| open.set(node.open()))
+        .child(summary().child(app.words().more))
+        .child(changing(move || if is_needed.get() { content() } else { View::new() }))
+}
+
+/// The recorded values. While folded, they are not updated.
+fn recorded(app: App) -> HtmlDetails {
+    let words = app.words();
+    let mut details = details();
+    let node: HtmlDetailsElement = details.node();
+    let open = app.table_open;
+    details
+        .class("card fold")
+        .id("recorded")
+        .open(open.get_untracked())
+        .when(events::toggle, move |_| open.set(node.open()))
+        .child(summary().child(h3().child(words.table)))
+        .child(data::view(app))
+}

@@ -2,7 +2,7 @@
 
 mod buttons;
 mod choices;
-pub mod member;
+pub(crate) mod member;
 mod parameters;
 mod seat;
 mod sizes;

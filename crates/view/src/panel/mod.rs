@@ -5,7 +5,7 @@ mod data;
 mod exploring;
 pub mod question;
 pub mod reading;
-pub mod readouts;
+pub(crate) mod readouts;
 mod survey;
 pub mod tabs;
 pub mod worksheet;

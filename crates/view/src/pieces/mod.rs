@@ -1,11 +1,11 @@
 //! Recurring elements of the views: buttons, switches, fields, tables, dialogs.
 
-pub mod colours;
+pub(crate) mod colours;
 pub mod icons;
 pub mod sight;
-pub mod steady;
+pub(crate) mod steady;
 pub mod symbols;
-pub mod toolbar;
+pub(crate) mod toolbar;
 
 use crate::browser;
 use crate::views::*;

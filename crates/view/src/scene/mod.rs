@@ -2,7 +2,7 @@
 //! a ruler.
 
 mod drag;
-pub mod drawings;
+pub(crate) mod drawings;
 mod grip;
 pub mod picture;
 

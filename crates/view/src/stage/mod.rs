@@ -14,9 +14,9 @@ mod plot_tools;
 pub mod plots;
 pub mod ruler;
 mod runs;
-pub mod sound;
+pub(crate) mod sound;
 mod stopwatch;
-pub mod transport;
+pub(crate) mod transport;
 
 pub use narrow::NARROW;
 

@@ -60,6 +60,8 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
   };
   best.formula = each((count) => fits.formula(count), 200);
   best.motion = each((count) => fits.motion(count), 20);
+  fits.emit();
+  best.emittedMotion = each((count) => fits.motion(count), 20);
   // Microseconds of a step, and milliseconds of a check of a long document, the best of some.
   best.systems = {};
   const least = (name, count, work) => {
@@ -138,6 +140,7 @@ function sayPace(best) {
   }
   say("fit-formula", best.formula);
   say("fit-motion", best.motion);
+  say("fit-motion-emitted", best.emittedMotion);
   for (const [name, value] of Object.entries(best.systems)) say(name, value);
 }
 

@@ -151,6 +151,7 @@ fn fits(place: &str, numbers: &Numbers) {
     for (name, title, aim) in [
         ("fit-formula", "fit of a damped cosine", "at most 0.3; SciPy's curve_fit 1.7, lmfit 7"),
         ("fit-motion", "fit of its equation of motion", "at most 10; solve_ivp with least_squares 1900"),
+        ("fit-motion-emitted", "the same in emitted code", ""),
     ] {
         if let Some(milliseconds) = numbers.get(name) {
             row(&format!("{title} {place}"), *milliseconds, "ms", aim);

@@ -13,6 +13,8 @@ const MOTION: &str = include_str!("../../../simulations/theories/linear.md");
 pub struct Fits {
     documents: [Document; 2],
     tasks: [Task; 2],
+    /// True if the equations of motion are solved in emitted code.
+    emits: bool,
 }
 
 #[wasm_bindgen]
@@ -44,7 +46,12 @@ impl Fits {
             Ok::<_, String>((document, task))
         };
         let (formula, motion) = (open(FORMULA)?, open(MOTION)?);
-        Ok(Self { documents: [formula.0, motion.0], tasks: [formula.1, motion.1] })
+        Ok(Self { documents: [formula.0, motion.0], tasks: [formula.1, motion.1], emits: false })
+    }
+
+    /// Solves the equations of motion in emitted code from now on; in WebAssembly only.
+    pub fn emit(&mut self) {
+        self.emits = true;
     }
 
     /// Fits the formula `count` times. Returns the root mean square of the residuals, in m.
@@ -70,6 +77,9 @@ impl Fits {
         for _ in 0..count {
             let task = self.tasks[which].clone();
             let mut fit = Fit::new(&self.documents[which].program.model, task).map_err(|error| error.to_string())?;
+            if self.emits {
+                fit.compile(|listing| host::compile(Ok(listing)).ok());
+            }
             fit.complete();
             let outcome: Outcome = fit.outcome().filter(|outcome| outcome.converged).ok_or("no end")?;
             rmse = outcome.rmse;

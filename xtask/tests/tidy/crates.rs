@@ -26,7 +26,7 @@ const ARROWS: [(&str, &[&str]); 20] = [
     ("probe", &["analysis", "document", "engine", "figure", "host", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
-    ("lab", &["class", "desk", "document", "figure", "film", "model", "play", "program", "units", "view"]),
+    ("lab", &["class", "desk", "document", "figure", "film", "host", "model", "play", "program", "units", "view"]),
     (
         "cli",
         &["analysis", "class", "document", "engine", "figure", "film", "model", "program", "report", "saved", "units"],

@@ -15,7 +15,9 @@ use super::task::{FitError, Task};
 use super::trace::{self, Trace};
 use super::uncertainty::covariance::Covariance;
 use super::uncertainty::exchange::Exchange;
+use engine::{Compiled, Listing};
 use program::Model;
+use std::rc::Rc;
 
 /// Fit that advances one trial at a time.
 ///
@@ -133,6 +135,12 @@ impl Fit {
     /// Number of trials made; each computes the curve of the model once for all records.
     pub fn trials(&self) -> usize {
         self.trials
+    }
+
+    /// Makes the steps of the equations of motion in compiled code from now on, if `compile` makes it from their listing. The
+    /// result has the same bits.
+    pub fn compile(&mut self, compile: impl FnOnce(Listing) -> Option<Rc<dyn Compiled>>) {
+        self.problem.curve.compile(compile);
     }
 
     /// True if trials were given up because they needed more computation than a trial may take.

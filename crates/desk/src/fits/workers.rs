@@ -1,8 +1,10 @@
 //! Who computes fits: what is handed over, and what comes back. A desk keeps the state, its workers compute.
 
 use analysis::fit::{Fit, Outcome, Task, Trace};
+use engine::{Compiled, Listing};
 use program::Model;
 use serde::{Deserialize, Serialize};
+use std::rc::Rc;
 
 /// Number of points of a fitted curve in a report.
 const POINTS_OF_A_CURVE: usize = 600;
@@ -56,6 +58,14 @@ pub struct FitComputation {
 }
 
 impl FitComputation {
+    /// Makes the steps of the equations of motion in compiled code, if `compile` makes it from their listing. The result has
+    /// the same bits.
+    pub fn compile(&mut self, compile: impl FnOnce(Listing) -> Option<Rc<dyn Compiled>>) {
+        if let Some(fit) = &mut self.fit {
+            fit.compile(compile);
+        }
+    }
+
     /// Makes one trial.
     pub fn advance(&mut self) -> FitNews {
         let Some(fit) = &mut self.fit else { return FitNews::Found(Err(NothingFound::NoCurve)) };

@@ -151,7 +151,8 @@ fn every_theory_can_be_fitted_to_a_measured_level_and_its_velocity() {
             let damping = ["gamma", "beta", "mu", "D"].contains(&parameter.name.as_str());
             assert!(!damping || low == 0.0, "{name}: {}", parameter.name);
         }
-        assert!(document.source.len() < 4500, "{name}: every page carries it");
+        // Every page carries it; the drawings of all theories are alike and compress to one.
+        assert!(document.source.len() < 7500, "{name}: {} bytes", document.source.len());
         // The level is the measured quantity: it contains offset and drift; its velocity contains only the drift.
         let (level, velocity) = (done.values("y"), done.values("y'"));
         assert!((level[0] - 0.037).abs() < 1e-12, "{name}: {}", level[0]);

@@ -5,5 +5,6 @@
 mod arbitrary;
 mod compare;
 mod documents;
+mod fits;
 mod host;
 mod programs;

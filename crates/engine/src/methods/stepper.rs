@@ -104,21 +104,21 @@ impl Stepper {
         let held = model.held(!setup.method.adaptive());
         let moving = held.as_ref().map_or(model, |held| &held.model);
         let adaptive = |pair| Solver::Adaptive(Box::new(Adaptive::new(pair, model, setup)));
-        let (solver, equations) = match setup.method {
+        let equations = match setup.method {
+            Method::Rosenbrock => Equations::with_slopes(moving).ok_or(RunError::at_start(Cause::ModelTooLarge))?,
+            _ => Equations::new(moving),
+        };
+        let solver = match setup.method {
             method @ (Method::Euler | Method::EulerRichardson | Method::VelocityVerlet | Method::RungeKutta4) => {
-                let equations = Equations::new(moving);
-                (Solver::Fixed(Fixed::new(method, model, &equations)), equations)
+                Solver::Fixed(Fixed::new(method, model, &equations))
             }
-            Method::DormandPrince => {
-                (adaptive(Pair::DormandPrince(DormandPrince::new(states))), Equations::new(moving))
-            }
+            Method::DormandPrince => adaptive(Pair::DormandPrince(DormandPrince::new(states))),
             Method::Rosenbrock => {
-                let equations = Equations::with_slopes(moving).ok_or(RunError::at_start(Cause::ModelTooLarge))?;
                 let pattern = equations.pattern();
                 if !Rosenbrock::can_solve(states, pattern) {
                     return Err(RunError::at_start(Cause::ModelTooLarge));
                 }
-                (adaptive(Pair::Rosenbrock(Rosenbrock::new(states, pattern))), equations)
+                adaptive(Pair::Rosenbrock(Rosenbrock::new(states, pattern)))
             }
         };
         let mut stepper = Self {

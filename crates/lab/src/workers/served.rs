@@ -40,6 +40,8 @@ pub fn serve() {
 /// Computes a fit. The page ends the worker if it does not want the result any more.
 fn fit(work: FitWork, page: &DedicatedWorkerGlobalScope) {
     let mut computation = work.start();
+    // What cannot be compiled, or what the browser refuses, is interpreted.
+    computation.compile(|listing| host::compile(Ok(listing)).ok());
     let mut reported = Date::now();
     loop {
         let news = computation.advance();

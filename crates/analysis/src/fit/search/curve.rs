@@ -1,8 +1,9 @@
 //! Curve of the model at measured times, with its derivatives with respect to the varied numbers.
 
 use crate::fit::task::Target;
-use engine::{Method, Routine, Setup, Stepper};
+use engine::{Compiled, Listing, Method, Routine, Setup, Stepper};
 use program::{Kind, Model, Node, NodeId};
+use std::rc::Rc;
 use units::{Words, words};
 
 /// Error tolerances of a step of equations of motion, relative to the greatest value of each state: far from the answer,
@@ -140,6 +141,15 @@ impl Curve {
         };
         curve.set_tolerance(TOLERANCES[0]);
         Ok(curve)
+    }
+
+    /// Makes the steps in compiled code from now on, if `compile` makes it from their listing. The bits stay the same.
+    pub fn compile(&mut self, compile: impl FnOnce(Listing) -> Option<Rc<dyn Compiled>>) {
+        if let Some(stepper) = &mut self.stepper
+            && let Some(code) = stepper.listing().ok().and_then(compile)
+        {
+            stepper.use_compiled(code);
+        }
     }
 
     /// Sets the error tolerance of later integrations, relative to the greatest value of each state.

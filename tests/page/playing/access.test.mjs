@@ -140,6 +140,7 @@ visit("hints fit the device", { width: 390, height: 844, touch: true }, async (l
 });
 
 visit("a symbol stands on the line of the last word", async (lab) => {
+  await lab.openMore();
   const parted = await lab.page.locator(".parameter label .unbroken").evaluateAll((names) =>
     names.filter((name) => {
       const [word, symbol] = [document.createRange(), name.querySelector(".symbol")];

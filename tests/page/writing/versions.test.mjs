@@ -110,10 +110,13 @@ visit("two tabs that write one document keep both texts", async (lab) => {
   await type(other, "Words of the other tab.\n");
   await type(lab.page, "Words of this tab.\n");
   await type(other, "More of the other.\n");
-  const kept = await lab.page.evaluate(() => Object.entries(localStorage).filter(([key]) => key.startsWith("meniscus:written:")).map(([, value]) => value));
-  assert.equal(kept.length, 2);
-  assert.ok(kept.some((text) => text.includes("Words of this tab.") && !text.includes("other")));
-  assert.ok(kept.some((text) => text.includes("Words of the other tab.") && text.includes("More of the other.")));
+  // What one page stores reaches the other a moment later.
+  await eventually(async () => {
+    const kept = await lab.page.evaluate(() => Object.entries(localStorage).filter(([key]) => key.startsWith("meniscus:written:")).map(([, value]) => value));
+    assert.equal(kept.length, 2);
+    assert.ok(kept.some((text) => text.includes("Words of this tab.") && !text.includes("other")));
+    assert.ok(kept.some((text) => text.includes("Words of the other tab.") && text.includes("More of the other.")));
+  });
   await other.close();
 });
 

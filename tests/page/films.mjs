@@ -106,11 +106,11 @@ export async function filmSimulation(lab, change = {}) {
   await eventually(async () => assert.ok(await lab.page.locator("#film-frame").getAttribute("data-frame")));
 }
 
-/** Where a pixel of a filmed simulation is on the screen. */
-export async function onScreen(lab, [x, y]) {
+/** Where a pixel of a film of this size is on the screen; without a size, of a filmed simulation. */
+export async function onScreen(lab, [x, y], size = SIZE) {
   const box = await lab.page.locator("#film-picture").boundingBox();
-  return [box.x + (x / SIZE[0]) * box.width, box.y + (y / SIZE[1]) * box.height];
+  return [box.x + (x / size[0]) * box.width, box.y + (y / size[1]) * box.height];
 }
 
-export const clickFilmed = async (lab, at) => lab.page.mouse.click(...(await onScreen(lab, at)));
+export const clickFilmed = async (lab, at, size = SIZE) => lab.page.mouse.click(...(await onScreen(lab, at, size)));
 export const tracked = (lab) => lab.page.locator("#film-fit").waitFor({ timeout: 60_000 });

@@ -32,6 +32,11 @@ export const records = (lab) => lab.page.locator("article.record");
 export async function fit(lab, button = "#fit") {
   await lab.page.locator("#tab-measure").click();
   await lab.page.locator(button).click();
+  return fitted(lab);
+}
+
+/** Waits until a fit that was started has ended. */
+export async function fitted(lab) {
   await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
   await eventually(async () => assert.equal(await lab.page.locator("#cancel-fit").count(), 0), 60);
   return estimates(lab);

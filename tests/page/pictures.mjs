@@ -3,7 +3,7 @@
 //     cd tests/page && CHROME=/usr/bin/chromium node --test pictures.mjs
 
 import { STILL, visit } from "./lab.mjs";
-import { dropFilm, freeSwing, truth } from "./films.mjs";
+import { clickFilmed, dropFilm, freeSwing, tracked, truth } from "./films.mjs";
 import { fit } from "./measured.mjs";
 
 const PAGE = { ...STILL, fragment: "", width: 1280, height: 800 };
@@ -19,11 +19,9 @@ visit("a simulation", PAGE, async (lab) => {
 
 visit("a film with its fit", PAGE, async (lab) => {
   await dropFilm(lab.page, freeSwing);
-  const box = await lab.page.locator("#film-picture").boundingBox();
-  const click = (x, y) => lab.page.mouse.click(box.x + (x / truth.size[0]) * box.width, box.y + (y / truth.size[1]) * box.height);
-  await click(truth.arms[0], truth.frames[0][1]);
-  await lab.page.locator("#film-fit").waitFor({ timeout: 30_000 });
-  for (const way of [-75, 75]) await click(165, truth.rest + way);
+  await clickFilmed(lab, [truth.arms[0], truth.frames[0][1]], truth.size);
+  await tracked(lab);
+  for (const way of [-75, 75]) await clickFilmed(lab, [165, truth.rest + way], truth.size);
   await lab.page.locator("#film-length").fill("20 cm");
   await lab.page.locator("#film-length").press("Enter");
   await fit(lab);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { STILL, eventually, number, sight, visit } from "../lab.mjs";
-import { dropFilm, goTo, swing, truth } from "../films.mjs";
+import { clickFilmed, dropFilm, goTo, swing, truth } from "../films.mjs";
 import { fit, openTheory, records } from "../measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -15,13 +15,7 @@ const SURFACE = [LEFT, truth.frames[0][1]];
 /** The marks of the drawn ruler stand at every hundredth of a metre; these are 20 cm apart. */
 const MARKS = [[165, truth.rest - 75], [165, truth.rest + 75]];
 
-/** Where a pixel of the film is on the screen. */
-async function onScreen(lab, [x, y]) {
-  const box = await lab.page.locator("#film-picture").boundingBox();
-  return [box.x + (x / truth.size[0]) * box.width, box.y + (y / truth.size[1]) * box.height];
-}
-
-const click = async (lab, at) => lab.page.mouse.click(...(await onScreen(lab, at)));
+const click = (lab, at) => clickFilmed(lab, at, truth.size);
 const tracked = (lab) => lab.page.locator("#film-fit").waitFor({ timeout: 30_000 });
 
 /** Clicks two marks of the ruler and types what lies between them. */

@@ -4,6 +4,12 @@ import assert from "node:assert/strict";
 import { eventually, hold, visit } from "../lab.mjs";
 import { openTheory } from "../measured.mjs";
 
+/** Opens the tab *Measure* and takes a sample record. */
+async function takeSample(lab) {
+  await lab.tab("Measure");
+  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+}
+
 for (const [language, tab, sample] of [["en-GB", "Measure", "Column of 18 cm"], ["es-ES", "Medir", "Columna de 18 cm"]]) {
   visit(`the first fit from a sample takes three actions: ${language}`, { language, fragment: "" }, async (lab) => {
     await lab.page.getByRole("tab", { name: tab, exact: true }).click();
@@ -17,8 +23,7 @@ for (const [language, tab, sample] of [["en-GB", "Measure", "Column of 18 cm"], 
 }
 
 visit("a document that cannot hold the record is no theory until it is chosen", async (lab) => {
-  await lab.tab("Measure");
-  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+  await takeSample(lab);
   await eventually(async () => assert.match(await lab.page.locator("#unsuitable").innerText(), /periods from 2\.8.* s to .* s, and the record has one of 0\.6/), 30);
   assert.equal(await lab.page.locator(".theory-chip[aria-pressed=true]").count(), 0);
   await lab.page.locator("#fit").click();
@@ -47,8 +52,7 @@ visit("Fit pressed as soon as the record is there waits until it is known whethe
 
 for (const [first, second, fits] of [["rank", "fit", 1], ["fit", "rank", 2]]) {
   visit(`of ${first} and ${second}, pressed one after the other, the second is done`, { fragment: "" }, async (lab) => {
-    await lab.tab("Measure");
-    await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+    await takeSample(lab);
     await lab.page.locator("#fit").waitFor();
     await lab.page.evaluate((buttons) => buttons.forEach((id) => document.getElementById(id).click()), [first, second]);
     await eventually(async () => assert.ok((await lab.page.locator(".fits tbody tr").count()) >= fits), 120);
@@ -60,8 +64,7 @@ for (const [first, second, fits] of [["rank", "fit", 1], ["fit", "rank", 2]]) {
 }
 
 visit("a ranking whose record is removed before it begins does not take place", { fragment: "" }, async (lab) => {
-  await lab.tab("Measure");
-  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+  await takeSample(lab);
   await lab.page.locator("#rank").waitFor();
   const held = await hold(lab);
   await lab.page.locator("#rank").click();
@@ -73,8 +76,7 @@ visit("a ranking whose record is removed before it begins does not take place", 
 });
 
 visit("a ranking takes place even if another document is opened before it begins", { fragment: "" }, async (lab) => {
-  await lab.tab("Measure");
-  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+  await takeSample(lab);
   await lab.page.locator("#rank").waitFor();
   const held = await hold(lab);
   await lab.page.locator("#rank").click();

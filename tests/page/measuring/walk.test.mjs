@@ -2,8 +2,8 @@
 
 import assert from "node:assert/strict";
 import { drop, eventually, visit } from "../lab.mjs";
-import { dropFilm, swing, truth } from "../films.mjs";
-import { estimates, film, records } from "../measured.mjs";
+import { clickFilmed, dropFilm, swing, truth } from "../films.mjs";
+import { film, fitted, records } from "../measured.mjs";
 
 /** A person who counts. */
 class Walker {
@@ -26,16 +26,13 @@ class Walker {
   }
 
   /** Clicks a point of the film, in its pixels. */
-  async clickFilm([x, y]) {
-    const box = await this.page.locator("#film-picture").boundingBox();
-    await this.does(this.page.mouse.click(box.x + (x / truth.size[0]) * box.width, box.y + (y / truth.size[1]) * box.height));
+  clickFilm(at) {
+    return this.does(clickFilmed(this.lab, at, truth.size));
   }
 
   async fit() {
     await this.does(this.page.locator("#fit").click());
-    await this.page.locator(".estimates").waitFor({ timeout: 60_000 });
-    await eventually(async () => assert.equal(await this.page.locator("#cancel-fit").count(), 0), 60);
-    return estimates(this.lab);
+    return fitted(this.lab);
   }
 }
 

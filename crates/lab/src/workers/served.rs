@@ -40,7 +40,7 @@ pub fn serve() {
 /// Computes a fit. The page ends the worker if it does not want the result any more.
 fn fit(work: FitWork, page: &DedicatedWorkerGlobalScope) {
     let mut computation = work.start();
-    // What cannot be compiled, or what the browser refuses, is interpreted.
+    // Models that cannot be compiled, or whose code the browser refuses, are interpreted.
     computation.compile(|listing| host::compile(Ok(listing)).ok());
     let mut reported = Date::now();
     loop {

@@ -19,7 +19,7 @@ pub fn view(app: App) -> HtmlDiv {
         .child(more(app, adjusts, reads))
 }
 
-/// What is needed less often, folded, and built when it is first unfolded: a long document has hundreds of parameters. It stays
+/// Further parameters and values, folded, and built when they are first unfolded: a long document has hundreds. The fold stays
 /// open when the page is rebuilt in another language.
 fn more(app: App, adjusts: bool, reads: bool) -> HtmlDetails {
     let mut details = details();
